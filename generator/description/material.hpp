@@ -109,7 +109,9 @@ struct GivenMaterial {
   std::vector<GivenWork> work;
   std::vector<GivenSource> sources;
 
-  bool empty() const { return tracks.empty() && places.empty(); }
+  bool empty() const {
+    return kinds.empty() && tracks.empty() && places.empty() && transfers.empty() && work.empty() && sources.empty();
+  }
 };
 
 }  // namespace symplant::description

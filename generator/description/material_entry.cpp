@@ -6,38 +6,13 @@
 #include <numeric>
 #include <type_traits>
 
+#include "description/units.hpp"
 #include "symplant/json/location.hpp"
-#include "symplant/tables/length.hpp"
 
 namespace symplant::description {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string why_no_length(const std::string& text) {
-  return ticked(text) + " is not a length; write a number of whole micrometers in um, mm, cm or m, such as `300 mm`";
-}
-
-std::string why_no_speed(const std::string& text) {
-  return ticked(text) +
-         " is not a speed; write a number of whole micrometers per second in mm/s, m/s or m/min, such as `0.4 m/s`";
-}
-
-/// `fault` reports a message.
-template <class Fault>
-std::optional<std::int64_t> speed_of(const std::string& text, Fault fault) {
-  const auto speed = tables::parse_speed(text);
-  if (!speed) {
-    fault(why_no_speed(text));
-  } else if (*speed == 0) {
-    fault(ticked(text) + " is no motion; write a speed above 0");
-  } else if (*speed > tables::kMaxSpeed) {
-    fault(ticked(text) + " is faster than the maximum of 100 m/s");
-  } else {
-    return speed;
-  }
-  return std::nullopt;
-}
 
 class MaterialReader {
  public:
@@ -45,10 +20,9 @@ class MaterialReader {
 
   GivenMaterial read() {
     each_of("kinds", [this](const std::string& name, const Json& entry, const Pointer& here) {
-      GivenKind kind{name, length(entry, "length", here).value_or(0), 0};
+      GivenKind kind{name, length(entry, "length", here, length_above_zero).value_or(0), 0};
       const Json* code = member(entry, "code");
       if (code != nullptr && code->is_number_unsigned()) kind.code = code->get<std::uint32_t>();
-      if (kind.length == 0 && text_member(entry, "length") != nullptr) above_zero(here / "length");
       material_.kinds.push_back(std::move(kind));
     });
     each_of("tracks", [this](const std::string& name, const Json& entry, const Pointer& here) {
@@ -60,12 +34,14 @@ class MaterialReader {
       if (holds != nullptr && holds->is_number_unsigned()) place.holds = holds->get<std::uint32_t>();
       material_.places.push_back(std::move(place));
     });
-    each_in("transfers", [this](const Json& entry, const Pointer&) {
+    each_in("transfers", [this](const Json& entry, const Pointer& here) {
+      check_text(text_or_empty(entry, "name"), here / "name", faults_);
       material_.transfers.push_back({text_or_empty(entry, "name"), text_or_empty(entry, "for"),
                                      text_or_empty(entry, "from"), text_or_empty(entry, "to"),
                                      text_or_empty(entry, "when"), flag_member(entry, "once")});
     });
-    each_in("work", [this](const Json& entry, const Pointer&) {
+    each_in("work", [this](const Json& entry, const Pointer& here) {
+      check_text(text_or_empty(entry, "name"), here / "name", faults_);
       material_.work.push_back({text_or_empty(entry, "name"), text_or_empty(entry, "for"), text_or_empty(entry, "at"),
                                 text_or_empty(entry, "when"), text_or_empty(entry, "from"),
                                 text_or_empty(entry, "to")});
@@ -100,19 +76,18 @@ class MaterialReader {
     for (std::size_t i = 0; i < array->size(); ++i) function((*array)[i], here / i);
   }
 
-  void above_zero(const Pointer& here) { faults_.add(here, "this length is 0; write one above 0"); }
-
-  std::optional<std::int64_t> length(const Json& object, std::string_view key, const Pointer& here) {
+  template <class Read = decltype(&length_of)>
+  std::optional<std::int64_t> length(const Json& object, std::string_view key, const Pointer& here,
+                                     Read parse = &length_of) {
     const std::string* text = text_member(object, key);
-    return text == nullptr ? std::nullopt : length_of(*text, here / key, faults_);
+    return text == nullptr ? std::nullopt : parse(*text, here / key, faults_);
   }
 
   GivenTrack track(const std::string& name, const Json& entry, const Pointer& here) {
     GivenTrack track;
     track.name = name;
     track.of = text_or_empty(entry, "for");
-    track.length = length(entry, "length", here).value_or(0);
-    if (track.length == 0 && text_member(entry, "length") != nullptr) above_zero(here / "length");
+    track.length = length(entry, "length", here, length_above_zero).value_or(0);
     track.gap = length(entry, "gap", here).value_or(0);
     each(member(entry, "drives"), here / "drives",
          [&](const Json& drive, const Pointer& at) { track.drives.push_back(this->drive(drive, at)); });
@@ -139,7 +114,7 @@ class MaterialReader {
     drive.speed.of = text_or_empty(*speed, "of");
     const std::string text = constant ? speed->get<std::string>() : text_or_empty(*speed, "unit");
     const Pointer at = constant ? here / "speed" : here / "speed" / "unit";
-    drive.speed.speed = speed_of(text, [&](const std::string& why) { faults_.add(at, why); }).value_or(1);
+    if (!text.empty()) drive.speed.speed = speed_of(text, at, faults_).value_or(1);
     return drive;
   }
 
@@ -172,12 +147,13 @@ class MaterialReader {
   GivenSource source(const Json& entry, const Pointer& here) {
     GivenSource source;
     source.name = text_or_empty(entry, "name");
+    check_text(source.name, here / "name", faults_);
     source.of = text_or_empty(entry, "for");
     source.at = text_or_empty(entry, "at");
     source.kinds = names(member(entry, "kind"));
     source.every = duration_member(entry, "every", here, faults_);
     if (source.every && source.every->is_zero()) {
-      faults_.add(here / "every", "a source cannot make parts every 0 ns; write a longer time, or leave `every` out");
+      faults_.add(here / "every", "a source cannot make parts every 0 ns; write a longer time, or remove `every`");
     }
     source.first = time_member(entry, "first", here, faults_).value_or(0);
     source.when = text_or_empty(entry, "when");
@@ -213,18 +189,6 @@ void sort_as_written(GivenMaterial& material, std::string_view text) {
   sort(material.kinds, "kinds");
   sort(material.tracks, "tracks");
   sort(material.places, "places");
-}
-
-std::optional<std::int64_t> length_of(const std::string& text, const Pointer& here, ShapeFaults& faults) {
-  const auto length = tables::parse_length(text);
-  if (!length) {
-    faults.add(here, why_no_length(text));
-  } else if (*length > tables::kMaxLength) {
-    faults.add(here, ticked(text) + " is longer than the maximum of 1 km");
-  } else {
-    return length;
-  }
-  return std::nullopt;
 }
 
 GivenMaterial material_entry(const Json& value, ShapeFaults& faults) { return MaterialReader(value, faults).read(); }

@@ -15,7 +15,4 @@ GivenMaterial material_entry(const nlohmann::json& value, ShapeFaults& faults);
 /// Sorts kinds, tracks and places as the text of the plant.json has them: their order has a meaning.
 void sort_as_written(GivenMaterial& material, std::string_view text);
 
-/// A length of at most 1 km in um; nothing, and a fault, if the text is none.
-std::optional<std::int64_t> length_of(const std::string& text, const Pointer& here, ShapeFaults& faults);
-
 }  // namespace symplant::description

@@ -24,11 +24,6 @@ namespace {
 
 constexpr std::size_t kFew = 6;  ///< as many as fit in the smallest allocation
 
-/// Whether a condition or a part drives a symbol: then it is in no unit.
-bool is_driven_otherwise(const Symbol& symbol) {
-  return symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts;
-}
-
 /// Adds every BOOL symbol whose name follows the rule to the unit of its device.
 void gather_units(PlantModel& plant) {
   base::IndexTable by_path(plant.symbols.size() / 4);
@@ -36,7 +31,7 @@ void gather_units(PlantModel& plant) {
   std::uint32_t last = kNone;  // rows of one device are mostly adjacent
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
-    if (is_driven_otherwise(symbol)) continue;
+    if (symbol.driven_without_unit()) continue;
     if (symbol.type != tables::DataType::boolean) {
       symbol.unmodelled = Unmodelled::numeric;
       continue;
@@ -129,7 +124,8 @@ bool within_limits(Unit& unit, Derived& derived, description::Faults& faults) {
 
 void derive_units(Derived& derived, MadeNames& made, description::Faults& faults) {
   PlantModel& plant = derived.plant;
-  const bool later = makes_names(*plant.description);  // which transitions there are depends on all states
+  // Which transitions there are depends on all states, and on the names of tracks and places.
+  const bool later = makes_names(*plant.description) || !plant.description->material.empty();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     Unit& unit = plant.units[i];
@@ -150,6 +146,7 @@ void derive_units(Derived& derived, MadeNames& made, description::Faults& faults
   }
   plant.units.resize(kept);
   if (!later) return;
+  resolve_material(derived, made, faults);
   leave_out_unknown(plant, made, faults);
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     derive_transitions(plant.units[i], plant.symbols, plant.description->defaults, derived.evidence.units[i], faults);
@@ -160,12 +157,21 @@ void group_symbols(Derived& derived, const std::vector<const name::RuleReading*>
   derived.plant.reader != nullptr ? pair_units(derived, readings) : gather_units(derived.plant);
 }
 
-void forget_units(PlantModel& plant) {
-  plant.units.clear();
-  for (Symbol& symbol : plant.symbols) {
-    symbol.unit = kNone;
-    if (!is_driven_otherwise(symbol)) symbol.unmodelled = Unmodelled::modelled;
+/// Makes the entries of the material flow and marks the symbols of their sensors, before the symbols are grouped.
+void prepare_material(Derived& derived, const description::GivenMaterial& given,
+                      const std::vector<const name::RuleReading*>& readings) {
+  description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
+  PlantModel& plant = derived.plant;
+  if (for_devices(given)) {  // of which sensors may be a part
+    const std::vector<Symbol> ungrouped = plant.symbols;
+    group_symbols(derived, readings);
+    derived.material = make_material(plant, given, faults);
+    plant.units.clear();
+    plant.symbols = ungrouped;
+  } else {
+    derived.material = make_material(plant, given, faults);
   }
+  mark_sensors(plant, derived.material, faults);
 }
 
 }  // namespace
@@ -181,15 +187,10 @@ Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
     description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
     apply_symbol_settings(derived.plant, *description, faults);
   }
-  group_symbols(derived, readings);
   if (description != nullptr && !description->material.empty()) {
-    description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
-    derived.material = make_material(derived.plant, description->material, faults);
-    if (mark_sensors(derived.plant, derived.material, faults)) {
-      forget_units(derived.plant);
-      group_symbols(derived, readings);  // without the sensors, whose names could make devices
-    }
+    prepare_material(derived, description->material, readings);
   }
+  group_symbols(derived, readings);
   return derived;
 }
 
@@ -205,7 +206,6 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   evidence.decisions = match_entries(plant, faults);
   MadeNames made;
   derive_units(derived, made, faults);
-  resolve_material(derived, made, faults);
   add_relations(plant, made, faults);
   made.report(faults);
   report_lacks(plant, faults);

@@ -1,7 +1,7 @@
 // Makes the entries of the material flow.
 #include "model/material_entries.hpp"
 
-#include <initializer_list>
+#include <algorithm>
 #include <unordered_set>
 #include <utility>
 
@@ -14,112 +14,125 @@ namespace {
 
 using description::ticked;
 
-/// Calls `edit(text)` for every text of an entry that may have names in braces, except for its name.
+using description::Pointer;
+
+/// Calls `edit(text, pointer)` for every text of an entry that may have names in braces, except for its name.
 template <class Edit>
-void edit_sensors(std::vector<description::GivenSensor>& sensors, Edit edit) {
-  for (description::GivenSensor& sensor : sensors) {
-    edit(sensor.symbol);
-    for (std::string& kind : sensor.kinds) edit(kind);
+void edit_all(std::vector<std::string>& texts, const Pointer& here, Edit edit) {
+  for (std::size_t i = 0; i < texts.size(); ++i) edit(texts[i], here / i);
+}
+
+template <class Edit>
+void edit_sensors(std::vector<description::GivenSensor>& sensors, const Pointer& here, Edit edit) {
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    edit(sensors[i].symbol, here / i / "symbol");
+    edit_all(sensors[i].kinds, here / i / "kinds", edit);
   }
 }
 
 template <class Edit>
-void edit_texts(description::GivenTrack& track, Edit edit) {
-  for (description::GivenDrive& drive : track.drives) {
-    edit(drive.forward);
-    edit(drive.backward);
-    edit(drive.speed.of);
+void edit_texts(description::GivenTrack& track, const Pointer& here, Edit edit) {
+  for (std::size_t i = 0; i < track.drives.size(); ++i) {
+    edit(track.drives[i].forward, here / "drives" / i / "forward");
+    edit(track.drives[i].backward, here / "drives" / i / "backward");
+    edit(track.drives[i].speed.of, here / "drives" / i / "speed" / "of");
   }
-  for (description::GivenStop& stop : track.stops) edit(stop.when);
-  edit_sensors(track.sensors, edit);
-  for (description::GivenEnd& end : track.ends) {
-    edit(end.to);
-    edit(end.when);
+  for (std::size_t i = 0; i < track.stops.size(); ++i) edit(track.stops[i].when, here / "stops" / i / "when");
+  edit_sensors(track.sensors, here / "sensors", edit);
+  for (std::size_t i = 0; i < track.ends.size(); ++i) {
+    edit(track.ends[i].to, here / "end" / i / "to");
+    edit(track.ends[i].when, here / "end" / i / "when");
   }
 }
 
 template <class Edit>
-void edit_texts(description::GivenPlace& place, Edit edit) {
-  edit_sensors(place.sensors, edit);
+void edit_texts(description::GivenPlace& place, const Pointer& here, Edit edit) {
+  edit_sensors(place.sensors, here / "sensors", edit);
 }
 
 template <class Edit>
-void edit_texts(description::GivenTransfer& transfer, Edit edit) {
-  for (std::string* text : {&transfer.from, &transfer.to, &transfer.when}) edit(*text);
+void edit_texts(description::GivenTransfer& transfer, const Pointer& here, Edit edit) {
+  edit(transfer.from, here / "from");
+  edit(transfer.to, here / "to");
+  edit(transfer.when, here / "when");
 }
 
 template <class Edit>
-void edit_texts(description::GivenWork& work, Edit edit) {
-  for (std::string* text : {&work.at, &work.when, &work.from, &work.to}) edit(*text);
+void edit_texts(description::GivenWork& work, const Pointer& here, Edit edit) {
+  edit(work.at, here / "at");
+  edit(work.when, here / "when");
+  edit(work.from, here / "from");
+  edit(work.to, here / "to");
 }
 
 template <class Edit>
-void edit_texts(description::GivenSource& source, Edit edit) {
-  edit(source.at);
-  edit(source.when);
-  for (std::string& kind : source.kinds) edit(kind);
+void edit_texts(description::GivenSource& source, const Pointer& here, Edit edit) {
+  edit(source.at, here / "at");
+  edit(source.when, here / "when");
+  edit_all(source.kinds, here / "kind", edit);
 }
 
 class Maker {
  public:
   Maker(const PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults) {}
 
+  /// `keyed`: the list is an object, and its keys are the names.
   template <class Entry>
-  void make(const std::vector<Entry>& given, std::string_view list, std::vector<Entry>& made,
+  void make(const std::vector<Entry>& given, std::string_view list, bool keyed, std::vector<Entry>& made,
             std::vector<MadeBy>& origins) {
     for (std::uint32_t i = 0; i < given.size(); ++i) {
-      MadeBy by{i, list == "tracks" || list == "places" ? given[i].name : std::string(), given[i].of, {}, {}};
+      MadeBy by{i, keyed ? given[i].name : std::string(), given[i].of, {}, {}};
+      const Pointer here = material_pointer(list, by);
+      const Pointer name = keyed ? here : here / "name";
       if (!given[i].of.empty()) {
-        make_for(given[i], list, by, made, origins);
+        make_for(given[i], here, name, by, made, origins);
         continue;
       }
       Entry entry = given[i];
-      if (refuse_braces(entry, material_pointer(list, by))) continue;
+      if (refuse_braces(entry, here, name)) continue;
       made.push_back(std::move(entry));
       origins.push_back(std::move(by));
     }
   }
 
  private:
+  /// Whether an entry without `for` has names in braces, which is a fault. In quotes they may be part of a name.
   template <class Entry>
-  bool refuse_braces(Entry& entry, const description::Pointer& here) {
-    std::string found;
-    const auto look = [&](const std::string& text) {
+  bool refuse_braces(Entry& entry, const Pointer& here, const Pointer& name) {
+    bool refused = false;
+    const auto look = [&](const std::string& text, const Pointer& at) {
       const std::size_t open = text.find('{');
-      if (open == text.npos || text.find('\'') < open || !found.empty()) return;  // in quotes it may be part of a name
-      found = text.substr(open, text.find('}', open) + 1 - open);
+      if (open == text.npos || text.find('\'') < open) return;
+      faults_.add(at, ticked(text.substr(open, text.find('}', open) + 1 - open)) +
+                          " is replaced by a name only with `for`; add `for`, or write the name");
+      refused = true;
     };
-    look(entry.name);
-    edit_texts(entry, look);
-    if (found.empty()) return false;
-    faults_.add(here, ticked(found) + " is replaced by a name only with `for`; add `for`, or write the name");
-    return true;
+    look(entry.name, name);
+    edit_texts(entry, here, look);
+    return refused;
   }
 
   template <class Entry>
-  void make_for(const Entry& given, std::string_view list, const MadeBy& by, std::vector<Entry>& made,
-                std::vector<MadeBy>& origins) {
+  void make_for(const Entry& given, const Pointer& here, const Pointer& name, const MadeBy& by,
+                std::vector<Entry>& made, std::vector<MadeBy>& origins) {
     std::unordered_set<std::string_view> devices;
-    const description::Pointer here = material_pointer(list, by);
     for (const Unit& unit : plant_.units) {
       if (!text::matches_pattern(unit.device_path(), given.of) || !devices.insert(unit.device_path()).second) continue;
       const MatchedNames matched = MatchedNames::of(plant_, unit, given.of);
       Entry entry = given;
-      entry.of.clear();
-      std::string unknown;
-      const auto replace = [&](std::string& text) {
+      bool sound = true;
+      const auto replace = [&](std::string& text, const Pointer& at) {
         if (!text::has_braces(text)) return;
         text::Replaced replaced = matched.replace(text);
-        if (unknown.empty()) unknown = replaced.unknown;
         text = std::move(replaced.text);
-      };
-      replace(entry.name);
-      edit_texts(entry, replace);
-      if (!unknown.empty()) {
-        faults_.add(here, ticked(unknown) + " is unknown here; use one of " + matched.choices(),
+        if (replaced.unknown.empty()) return;
+        faults_.add(at, ticked(replaced.unknown) + " is unknown here; use one of " + matched.choices(),
                     description::FaultKind::unknown_name);
-        return;
-      }
+        sound = false;
+      };
+      replace(entry.name, name);
+      edit_texts(entry, here, replace);
+      if (!sound) continue;
       made.push_back(std::move(entry));
       origins.push_back(by);
       origins.back().device = unit.device_path();
@@ -135,10 +148,18 @@ class Maker {
 
 }  // namespace
 
-description::Pointer material_pointer(std::string_view list, const MadeBy& by) {
-  const description::Pointer here = description::Pointer("/material") / list;
-  const description::Pointer entry = by.key.empty() ? here / std::size_t{by.given} : here / std::string_view(by.key);
+Pointer material_pointer(std::string_view list, const MadeBy& by) {
+  const Pointer here = Pointer("/material") / list;
+  const bool keyed = list == "tracks" || list == "places";
+  const Pointer entry = keyed ? here / std::string_view(by.key) : here / std::size_t{by.given};
   return by.pattern.empty() ? entry : entry.matched_by(by.pattern);
+}
+
+bool for_devices(const description::GivenMaterial& given) {
+  const auto any = [](const auto& entries) {
+    return std::any_of(entries.begin(), entries.end(), [](const auto& entry) { return !entry.of.empty(); });
+  };
+  return any(given.tracks) || any(given.places) || any(given.transfers) || any(given.work) || any(given.sources);
 }
 
 MadeMaterial make_material(const PlantModel& plant, const description::GivenMaterial& given,
@@ -146,11 +167,11 @@ MadeMaterial make_material(const PlantModel& plant, const description::GivenMate
   MadeMaterial made;
   made.entries.kinds = given.kinds;
   Maker maker(plant, faults);
-  maker.make(given.tracks, "tracks", made.entries.tracks, made.tracks);
-  maker.make(given.places, "places", made.entries.places, made.places);
-  maker.make(given.transfers, "transfers", made.entries.transfers, made.transfers);
-  maker.make(given.work, "work", made.entries.work, made.work);
-  maker.make(given.sources, "sources", made.entries.sources, made.sources);
+  maker.make(given.tracks, "tracks", true, made.entries.tracks, made.tracks);
+  maker.make(given.places, "places", true, made.entries.places, made.places);
+  maker.make(given.transfers, "transfers", false, made.entries.transfers, made.transfers);
+  maker.make(given.work, "work", false, made.entries.work, made.work);
+  maker.make(given.sources, "sources", false, made.entries.sources, made.sources);
   return made;
 }
 

@@ -28,17 +28,21 @@ struct MadeMaterial {
   std::vector<MadeBy> transfers;
   std::vector<MadeBy> work;
   std::vector<MadeBy> sources;
+  std::vector<std::uint32_t> inverted;  ///< symbols of inverted sensors, from mark_sensors()
 };
 
 /// The location of an entry of a list ("tracks", ...).
 description::Pointer material_pointer(std::string_view list, const MadeBy& by);
 
-/// `plant` has its units. O(entries * units).
+/// Whether an entry has `for`.
+bool for_devices(const description::GivenMaterial& given);
+
+/// `plant` has its units if there is an entry with `for`. O(entries * units).
 MadeMaterial make_material(const PlantModel& plant, const description::GivenMaterial& given,
                            description::Faults& faults);
 
-/// Checks the sensors, marks their symbols as Unmodelled::senses_parts and inverts those that are `inverted`. Returns
-/// whether there are any. O(sensors + symbols).
-bool mark_sensors(PlantModel& plant, MadeMaterial& made, description::Faults& faults);
+/// Checks the sensors and marks their symbols as Unmodelled::senses_parts, except for those of entries that name a
+/// symbol that the plant lacks. O(sensors + symbols).
+void mark_sensors(PlantModel& plant, MadeMaterial& made, description::Faults& faults);
 
 }  // namespace symplant::model

@@ -1,5 +1,4 @@
 // Finds the symbols of sensors of parts, before the symbols are grouped by device.
-#include <optional>
 #include <unordered_set>
 
 #include "model/material_entries.hpp"
@@ -12,7 +11,8 @@ using description::ticked;
 
 class SensorMarker {
  public:
-  SensorMarker(PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults) {
+  SensorMarker(PlantModel& plant, std::vector<std::uint32_t>& inverted, description::Faults& faults)
+      : plant_(plant), inverted_(inverted), faults_(faults) {
     symbols_.reserve(plant.symbols.size());
     for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.try_emplace(plant.symbols[i].name(), i);
   }
@@ -20,36 +20,41 @@ class SensorMarker {
   template <class Entry>
   void mark_all(const std::vector<Entry>& entries, std::string_view list, std::vector<MadeBy>& origins) {
     for (std::size_t e = 0; e < entries.size(); ++e) {
-      const description::Pointer here = material_pointer(list, origins[e]);
-      for (std::size_t s = 0; s < entries[e].sensors.size(); ++s) {
-        mark(entries[e].sensors[s], here / "sensors" / s, origins[e]);
-      }
+      const description::Pointer here = material_pointer(list, origins[e]) / "sensors";
+      const std::vector<description::GivenSensor>& sensors = entries[e].sensors;
+      for (std::size_t s = 0; s < sensors.size(); ++s) look_up(sensors[s], here / s / "symbol", origins[e]);
+      if (!origins[e].lacking.empty()) continue;
+      for (std::size_t s = 0; s < sensors.size(); ++s) mark(sensors[s], here / s);
     }
   }
 
-  bool any() const { return !marked_.empty(); }
-
  private:
-  void mark(const description::GivenSensor& sensor, const description::Pointer& here, MadeBy& by) {
-    if (sensor.symbol.empty()) return;  // already reported
-    const auto found = symbols_.find(sensor.symbol);
-    if (found == symbols_.end()) {
-      std::string message = description::missing("symbol " + ticked(sensor.symbol), nearest(sensor.symbol));
-      if (!by.pattern.empty()) {
-        by.lacking = std::move(message);
-      } else {
-        faults_.add(here / "symbol", std::move(message), description::FaultKind::unknown_name);
-      }
-      return;
+  /// An entry with `for` that names a symbol that the plant lacks is left out as a whole.
+  void look_up(const description::GivenSensor& sensor, const description::Pointer& here, MadeBy& by) {
+    if (sensor.symbol.empty() || symbols_.contains(sensor.symbol)) return;  // empty: already reported
+    std::string message = description::missing("symbol " + ticked(sensor.symbol), nearest(sensor.symbol));
+    if (by.pattern.empty()) {
+      faults_.add(here, std::move(message), description::FaultKind::unknown_name);
+    } else if (by.lacking.empty()) {
+      by.lacking = std::move(message);
     }
+  }
+
+  void mark(const description::GivenSensor& sensor, const description::Pointer& here) {
+    const auto found = symbols_.find(sensor.symbol);
+    if (found == symbols_.end()) return;
     Symbol& symbol = plant_.symbols[found->second];
     if (std::string why = why_not(sensor, symbol, found->second); !why.empty()) {
       faults_.add(here / "symbol", ticked(sensor.symbol) + why);
       return;
     }
+    if (sensor.inverted && symbol.inverted) {
+      faults_.add(here / "inverted",
+                  ticked(sensor.symbol) + " is inverted here and in the plant's `inverted`; remove one of the two");
+    }
+    if (sensor.inverted) inverted_.push_back(found->second);
     marked_.insert(found->second);
     symbol.unmodelled = Unmodelled::senses_parts;
-    symbol.inverted = symbol.inverted || sensor.inverted;
   }
 
   std::string why_not(const description::GivenSensor& sensor, const Symbol& symbol, std::uint32_t index) const {
@@ -63,8 +68,6 @@ class SensorMarker {
     if (boolean && reads) return " is BOOL; remove `reads`";
     if (!boolean && !reads) return " is numeric; add `\"reads\": \"code\"` or `\"reads\": \"number\"`";
     if (!boolean && sensor.inverted) return " is numeric; only BOOL symbols can be `inverted`";
-    if (sensor.inverted && symbol.inverted)
-      return " is inverted here and in the plant's `inverted`; remove one of the two";
     return {};
   }
 
@@ -73,6 +76,7 @@ class SensorMarker {
   }
 
   PlantModel& plant_;
+  std::vector<std::uint32_t>& inverted_;
   description::Faults& faults_;
   text::ByName<std::uint32_t> symbols_;
   std::unordered_set<std::uint32_t> marked_;
@@ -80,11 +84,10 @@ class SensorMarker {
 
 }  // namespace
 
-bool mark_sensors(PlantModel& plant, MadeMaterial& made, description::Faults& faults) {
-  SensorMarker marker(plant, faults);
+void mark_sensors(PlantModel& plant, MadeMaterial& made, description::Faults& faults) {
+  SensorMarker marker(plant, made.inverted, faults);
   marker.mark_all(made.entries.tracks, "tracks", made.tracks);
   marker.mark_all(made.entries.places, "places", made.places);
-  return marker.any();
 }
 
 }  // namespace symplant::model

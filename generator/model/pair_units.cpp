@@ -34,16 +34,16 @@ Unmodelled reason_of(pairing::Account account, const Symbol& symbol) {
   return Unmodelled::no_rule;
 }
 
-/// `follows` is the reading of all symbols that follow a condition.
+/// `ignored` is the reading of all symbols that a condition or parts drive.
 std::vector<pairing::Input> inputs_of(const PlantModel& plant, const std::vector<const name::RuleReading*>& readings,
-                                      const name::RuleReading& follows) {
+                                      const name::RuleReading& ignored) {
   std::vector<pairing::Input> inputs;
   base::reserve_large(inputs, plant.symbols.size());
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
     const bool operation = symbol.direction == tables::Direction::operation;
-    const bool ignored = symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts;
-    inputs.push_back({ignored ? &follows : readings[i], ignored ? std::string_view() : symbol.name(),
+    const bool driven = symbol.driven_without_unit();
+    inputs.push_back({driven ? &ignored : readings[i], driven ? std::string_view() : symbol.name(),
                       operation ? name::Side::operation : name::Side::event, symbol.type == tables::DataType::boolean,
                       plant.controller_of(symbol)});
   }
@@ -74,15 +74,15 @@ void add_unit(PlantModel& plant, const pairing::Facet& facet) {
 
 void pair_units(Derived& derived, const std::vector<const name::RuleReading*>& readings) {
   PlantModel& plant = derived.plant;
-  name::RuleReading follows;
-  follows.outcome = name::Outcome::ignored;
+  name::RuleReading ignored;
+  ignored.outcome = name::Outcome::ignored;
   plant.pairing = std::make_shared<const pairing::Pairing>(
-      pairing::pair(plant.reader->naming(), inputs_of(plant, readings, follows)));
+      pairing::pair(plant.reader->naming(), inputs_of(plant, readings, ignored)));
   base::reserve_large(plant.units, plant.pairing->facets.size());
   for (const pairing::Facet& facet : plant.pairing->facets) add_unit(plant, facet);
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
-    if (symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts) continue;
+    if (symbol.driven_without_unit()) continue;
     const pairing::Account account = plant.pairing->accounts[i];
     symbol.unmodelled = reason_of(account, symbol);
     if (account == pairing::Account::constant) symbol.initial = plant.pairing->constant_on[i] ? 1 : 0;

@@ -81,6 +81,10 @@ struct Symbol {
   bool inverted = false;         ///< its bit is on while what it means is off
 
   std::string_view name() const { return row->name; }
+  /// Whether a condition or parts drive it: then it is in no unit.
+  bool driven_without_unit() const {
+    return unmodelled == Unmodelled::follows || unmodelled == Unmodelled::senses_parts;
+  }
   /// The address as the list writes it: the vendor's, else the IEC one; empty if there is none.
   std::string_view written_address() const {
     return row->vendor_address.empty() ? row->iec_address : row->vendor_address;

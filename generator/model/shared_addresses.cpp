@@ -33,7 +33,7 @@ bool has_index(const Symbol& symbol) {
 
 bool moved(const PlantModel& plant, std::uint32_t index) {
   const Symbol& symbol = plant.symbols[index];
-  if (symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts) return true;
+  if (symbol.driven_without_unit()) return true;
   if (symbol.direction != tables::Direction::event || symbol.unit == kNone) return false;
   const Unit& unit = plant.units[symbol.unit];
   const auto position = std::find(unit.events.begin(), unit.events.end(), index) - unit.events.begin();

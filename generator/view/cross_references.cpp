@@ -9,7 +9,9 @@ using condition::Tree;
 
 /// Adds `requirement` to every unit that a condition names, unless it is already the last entry there.
 void note(std::uint32_t requirement, const Tree& tree, const model::PlantModel& plant, CrossReferences& references) {
-  if (tree.kind == Tree::Kind::atom || (tree.kind == Tree::Kind::constant && tree.atom.kind == Atom::Kind::number)) {
+  const bool of_parts = tree.atom.kind == Atom::Kind::parts;  // they are in no unit
+  if ((tree.kind == Tree::Kind::atom && !of_parts) ||
+      (tree.kind == Tree::Kind::constant && tree.atom.kind == Atom::Kind::number)) {
     const bool of_unit = tree.atom.kind == Atom::Kind::settled || tree.atom.kind == Atom::Kind::moving;
     const std::uint32_t unit = of_unit ? tree.atom.of : plant.symbols[tree.atom.of].unit;
     if (unit == model::kNone) return;

@@ -149,7 +149,7 @@ std::string_view unmodelled_reason(model::Unmodelled reason) {
     case model::Unmodelled::follows:
       return "driven by a condition";
     case model::Unmodelled::senses_parts:
-      return "driven by parts: a sensor of the material flow";
+      return "driven by a sensor of parts";
   }
   return "";
 }

@@ -89,15 +89,16 @@ class Resolver {
     if (expression.names.size() != 1) {
       const Name& last = expression.names.back();
       const auto location = names_.location(name.text);
-      if (location && expression.names.size() == 2 && is_word(last.text, "parts")) {
-        return compared_parts(expression, *location);
-      }
+      if (location && expression.names.size() != 2) return no_facet_of_location(expression);
+      if (location && is_word(last.text, "parts")) return compared_parts(expression, *location);
       if (location) {
-        return Fault{{name.index.offset, last.index.offset + last.index.length - name.index.offset},
+        return Fault{whole(expression),
                      "only the number of parts is compared, as in " + ticked(name.text + ".parts > 0")};
       }
-      return Fault{{name.index.offset, last.index.offset + last.index.length - name.index.offset},
-                   "a state is compared with a number; only numeric symbols can be compared"};
+      if (expression.names.size() == 2 && is_word(last.text, "parts") && units_of(name.text, {}).empty()) {
+        return Fault{name.index, missing("track or place " + ticked(name.text), names_.nearest_device(name.text, {}))};
+      }
+      return Fault{whole(expression), "a state is compared with a number; only numeric symbols can be compared"};
     }
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
@@ -132,6 +133,7 @@ class Resolver {
 
   /// LOCATION.part or LOCATION.KIND
   Resolved parts(const Expression& expression, std::uint32_t location) const {
+    if (expression.names.size() != 2) return no_facet_of_location(expression);
     const Name& name = expression.names.front();
     const Name& last = expression.names.back();
     Atom atom;
@@ -140,12 +142,12 @@ class Resolver {
     atom.comparison = tables::Comparison::greater_equal;
     atom.number = tables::NumberKind::unsigned_integer;
     atom.operand = 1;
-    if (expression.names.size() == 2 && is_word(last.text, "part")) return tree_of(atom);
-    if (expression.names.size() == 2 && is_word(last.text, "parts")) {
+    if (is_word(last.text, "part")) return tree_of(atom);
+    if (is_word(last.text, "parts")) {
       return Fault{last.index, ticked(name.text + ".parts") + " is a number; compare it, as in " +
                                    ticked(name.text + ".parts > 0") + ", or write " + ticked(name.text + ".part")};
     }
-    const auto kind = expression.names.size() == 2 ? names_.part_kind(last.text) : std::nullopt;
+    const auto kind = names_.part_kind(last.text);
     if (!kind) {
       return Fault{last.index, missing("kind of part " + ticked(last.text), names_.nearest_part_kind(last.text))};
     }
@@ -210,8 +212,20 @@ class Resolver {
       paths += (i == 0 ? "" : ", ") + ticked(names_.path(having[i]) + "." + last.text);
     }
     if (having.size() > kMostNamed) paths += " and others";
-    return {{device.index.offset, last.index.offset + last.index.length - device.index.offset},
+    return {whole(expression),
             ticked(device.text + "." + last.text) + " is in several facets of the device; write " + paths};
+  }
+
+  /// From the first name to the last one.
+  static Location whole(const Expression& expression) {
+    const Name& first = expression.names.front();
+    const Name& last = expression.names.back();
+    return {first.index.offset, last.index.offset + last.index.length - first.index.offset};
+  }
+
+  static Fault no_facet_of_location(const Expression& expression) {
+    const std::string& name = expression.names.front().text;
+    return {whole(expression), ticked(name) + " is a track or place of parts; write " + ticked(name + ".part")};
   }
 
   Fault no_symbol(const Name& name) const {

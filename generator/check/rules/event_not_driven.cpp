@@ -19,10 +19,12 @@ them. A program that waits for healthy contacts never starts.
 plant drives it, describe that in plant.json: automatic transitions with a `when`, or a behavior.
 )";
 
-/// Whether an event follows another one on its address that a unit drives.
+/// Whether an event follows another one on its address that something drives.
 bool follows_a_driven_one(const model::PlantModel& plant, std::uint32_t event) {
   const std::uint32_t leader = plant.symbols[event].leader;
-  if (leader == model::kNone || plant.symbols[leader].unit == model::kNone) return false;
+  if (leader == model::kNone) return false;
+  if (plant.symbols[leader].driven_without_unit()) return true;
+  if (plant.symbols[leader].unit == model::kNone) return false;
   return plant.units[plant.symbols[leader].unit].moves();
 }
 

@@ -12,7 +12,8 @@ using condition::Atom;
 using condition::Tree;
 using tables::DataType;
 
-/// Devices AGV (0), DOOR (1) with a state `moving`, and a facet DOOR.LOCK (2); some symbols.
+/// Devices AGV (0), DOOR (1) with a state `moving`, and a facet DOOR.LOCK (2); some symbols; a track CV1 (0) and a
+/// place BOX (1) with parts of the kinds raw (0) and done (1).
 class SmallPlant final : public condition::Names {
  public:
   std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override {
@@ -37,8 +38,15 @@ class SmallPlant final : public condition::Names {
     const auto found = symbols_.find(name);
     return found == symbols_.end() ? std::nullopt : std::optional(found->second);
   }
+  std::optional<std::uint32_t> location(std::string_view name) const override {
+    return name == "CV1" ? std::optional(0U) : name == "BOX" ? std::optional(1U) : std::nullopt;
+  }
+  std::optional<std::uint32_t> part_kind(std::string_view name) const override {
+    return name == "raw" ? std::optional(0U) : name == "done" ? std::optional(1U) : std::nullopt;
+  }
+  std::string nearest_part_kind(std::string_view name) const override { return near(name, {"raw", "done"}); }
   std::string nearest_device(std::string_view device, std::string_view) const override {
-    return near(device, {"AGV", "DOOR"});
+    return near(device, {"AGV", "DOOR", "CV1"});
   }
   std::string nearest_state(std::uint32_t unit, std::string_view name) const override {
     return near(name, states_[unit]);
@@ -85,6 +93,9 @@ std::string text_of(const Tree& tree) {
       return "bit" + of;
     case Atom::Kind::number:
       return "slot" + of + comparison_text(tree.atom.comparison) + std::to_string(tree.atom.operand);
+    case Atom::Kind::parts:
+      return "parts" + of + (tree.atom.part == 0xFFFF'FFFF ? "" : ":" + std::to_string(tree.atom.part)) +
+             comparison_text(tree.atom.comparison) + std::to_string(tree.atom.operand);
   }
   return "";
 }
@@ -108,6 +119,34 @@ TEST_CASE("`moving` is true while a unit moves, unless the unit has a state of t
   CHECK(resolved("AGV.MOVING") == "unit0~");
   CHECK(resolved("DOOR.moving") == "unit1@1");
   CHECK(resolved("DOOR.LOCK.moving") == "unit2~");
+}
+
+TEST_CASE("A condition may name the parts at a location") {
+  CHECK(resolved("CV1.part") == "parts0>=1");
+  CHECK(resolved("not BOX.PART or BOX.raw") == "(or (not parts1>=1) parts1:0>=1)");
+  CHECK(resolved("CV1.done and 'CV1'.'raw'") == "(and parts0:1>=1 parts0:0>=1)");
+  CHECK(resolved("CV1.parts < 3") == "parts0<3");
+  CHECK(resolved("BOX.Parts = 0 or BOX.parts >= 2.5") == "(or parts1=0 parts1>2)");
+}
+
+TEST_CASE("A number of parts is an integer of at least 0") {
+  CHECK(resolved("CV1.parts >= 0") == "always");
+  CHECK(resolved("CV1.parts = -1") == "never");
+  CHECK(resolved("CV1.parts = 0.5") == "never");
+}
+
+TEST_CASE("What is no condition about parts has a message") {
+  CHECK(resolved("CV1") == "0+3 `CV1` is a track or place of parts; write `CV1.part`");
+  CHECK(resolved("CV1 > 2") == "0+3 `CV1` is a track or place of parts; write `CV1.part`");
+  CHECK(resolved("CV1.parts") == "4+5 `CV1.parts` is a number; compare it, as in `CV1.parts > 0`, or write `CV1.part`");
+  CHECK(resolved("CV1.part > 2") == "0+8 only the number of parts is compared, as in `CV1.parts > 0`");
+  CHECK(resolved("CV1.raw = 2") == "0+7 only the number of parts is compared, as in `CV1.parts > 0`");
+  CHECK(resolved("BOX.rew") == "4+3 kind of part `rew` not found; did you mean `raw`?");
+  CHECK(resolved("BOX.moving") == "4+6 kind of part `moving` not found");
+  CHECK(resolved("BOX.a.part") == "0+10 `BOX` is a track or place of parts; write `BOX.part`");
+  CHECK(resolved("BOX.a.parts > 1") == "0+11 `BOX` is a track or place of parts; write `BOX.part`");
+  CHECK(resolved("CV2.parts > 1") == "0+3 track or place `CV2` not found; did you mean `CV1`?");
+  CHECK(resolved("CV2.part") == "0+3 device `CV2` not found; did you mean `CV1`?");
 }
 
 TEST_CASE("The state of a device is looked up in its facets") {
