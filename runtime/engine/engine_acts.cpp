@@ -214,7 +214,6 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   }
   touched_.size = moved_.size = 0;
   flow_.forget_changes();
-  flow_.restored();
   unpublished_ = true;
   see_events();
   if (head_->started == 0 || head_->acted != 0) requeue();

@@ -102,7 +102,8 @@ class HandParts {
       : positions_(std::size_t{tracks} * kPartsOnTrack), sensors_(std::size_t{tracks} * kSensorsOnTrack) {
     for (std::uint32_t t = 0; t < tracks; ++t) {
       for (std::uint32_t p = 0; p < kPartsOnTrack; ++p) {
-        positions_[t * kPartsOnTrack + p] = kTrackLength / kPartsOnTrack * p + 1000 * (t % 997) + 400'000;
+        const std::int64_t x = kTrackLength / kPartsOnTrack * p + 1000 * (t % 997) + 400'000;
+        positions_[t * kPartsOnTrack + p] = static_cast<std::int32_t>(x);
       }
     }
   }
@@ -116,8 +117,8 @@ class HandParts {
   std::int64_t move() {
     constexpr auto kInCycle = static_cast<std::int32_t>(kPartSpeed / 1000);
     std::int64_t switched = 0;
-    const std::size_t tracks = positions_.size() / kPartsOnTrack;
-    for (std::size_t t = 0; t < tracks; ++t) {
+    const auto tracks = static_cast<std::uint32_t>(positions_.size() / kPartsOnTrack);
+    for (std::uint32_t t = 0; t < tracks; ++t) {
       std::int32_t* const parts = &positions_[t * kPartsOnTrack];
       for (std::uint32_t p = 0; p < kPartsOnTrack; ++p) {
         parts[p] += kInCycle;

@@ -52,7 +52,10 @@ class StimulusWriter {
   std::vector<Action> freeze_tracks() {
     actions_.back().time = 0;
     add(Kind::advance, {}, 0, 0);
-    for (int i = 0; i < 5; ++i) add(Kind::run, {}, 12'000, 20 * kMillisecond);
+    for (int i = 0; i < 5; ++i) {
+      add(Kind::run, {}, 12'000, 20 * kMillisecond);
+      if (dice_.percent(50) && !plant_.symbols.empty()) add(Kind::further, name(0), 0, 333);
+    }
     return std::move(actions_);
   }
 

@@ -30,15 +30,11 @@ struct TrackState {
   std::uint32_t waiting_kind;
   std::uint8_t waiting;   ///< 1: its end waits for room, for a part of `waiting_kind`
   std::uint8_t frozen;    ///< as FollowState::frozen
-  std::uint8_t freezing;  ///< kFreezesNext, kFreezesNow or 0
+  std::uint8_t freezing;  ///< 1: it is frozen before the rounds of this instant
   std::uint8_t loop;      ///< number of its loop in the instant in which it is frozen
   std::uint8_t stale;     ///< 1: the due times of all its parts must be computed again
   std::uint8_t unused[7];
 };
-
-/// TrackState::freezing
-inline constexpr std::uint8_t kFreezesNext = 1;  ///< in the instant after this one
-inline constexpr std::uint8_t kFreezesNow = 2;   ///< before the rounds of the next instant to run
 
 struct PlacePart {
   std::uint64_t number;
@@ -105,8 +101,6 @@ class Flow {
   bool active() const noexcept { return active_; }
   /// Whether the next round has work to do.
   bool due() const noexcept { return due_; }
-  /// After a restore.
-  void restored() noexcept { due_ = due_ || (active_ && *freezing_ != 0); }
   /// The events of the engine: before the rounds of an instant, or while one round is published to the next.
   void entry_due(std::uint32_t entry) noexcept;
   void condition_changed(tables::ReaderKind kind, std::uint32_t reader) noexcept;
@@ -244,8 +238,7 @@ class Flow {
   KindState* kinds_ = nullptr;
   std::uint64_t* counts_ = nullptr;  ///< of the counters
   std::uint64_t* next_number_ = nullptr;
-  std::uint64_t* freezing_ = nullptr;  ///< the number of tracks to freeze when the next instant begins
-  std::uint32_t first_entry_ = 0;      ///< in the wheel: of the tracks, then of the sources
+  std::uint32_t first_entry_ = 0;  ///< in the wheel: of the tracks, then of the sources
 
   // --- outside of it
   RoundMarks due_ends_;  ///< tracks
@@ -261,6 +254,7 @@ class Flow {
   List<PartChange> changes_{};
   std::uint32_t most_changes_ = 0;
   const std::uint64_t* source_names_ = nullptr;  ///< fnv1a64 of each source's name in upper case
+  std::uint32_t freezing_ = 0;  ///< the number of tracks that are frozen before the rounds of this instant
   bool due_ = false;
 };
 

@@ -57,7 +57,6 @@ void Flow::place_block(Arena& arena, std::uint32_t first_entry) noexcept {
   kinds_ = arena.take<KindState>(material_->kinds.size());
   counts_ = arena.take<std::uint64_t>(material_->counters.size());
   next_number_ = arena.take<std::uint64_t>(active_ ? 1 : 0);
-  freezing_ = arena.take<std::uint64_t>(active_ ? 1 : 0);
   transfers_ = arena.take<TransferState>(material_->transfers.size());
   work_ = arena.take<WorkState>(material_->work.size());
   arena.take<std::uint64_t>(active_ ? 1 : 0);  // what follows is aligned

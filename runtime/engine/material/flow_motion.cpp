@@ -95,25 +95,24 @@ void Flow::track_due(std::uint32_t track) noexcept {
 
 void Flow::count_instant(std::uint32_t track) noexcept {
   TrackState& state = tracks_[track];
+  if (state.instants > kMostInstants) {
+    state.freezing = 1;
+    ++freezing_;
+    return;
+  }
   if (now() - state.window_begin >= kWindow) {
     state.window_begin = now();
     state.instants = 0;
   }
-  if (++state.instants <= kMostInstants || state.freezing != 0) return;
-  state.freezing = kFreezesNext;
-  ++*freezing_;
+  ++state.instants;
 }
 
-/// Freezes the tracks that caused too many instants before this one.
+/// Freezes the tracks that caused too many instants before this one, which they caused too.
 void Flow::begin_rounds() noexcept {
-  if (*freezing_ == 0) return;
+  if (freezing_ == 0) return;
+  freezing_ = 0;
   for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) {
-    if (tracks_[t].freezing == kFreezesNow) {
-      freeze(t);
-      --*freezing_;
-    } else if (tracks_[t].freezing == kFreezesNext) {
-      tracks_[t].freezing = kFreezesNow;
-    }
+    if (tracks_[t].freezing != 0) freeze(t);
   }
 }
 

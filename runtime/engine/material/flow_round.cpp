@@ -85,7 +85,7 @@ void Flow::round(bool counting) noexcept {
     set_track_wheel(track);
   });
   due_sensors_.take_all([&](std::uint32_t sensor) { set_sensor(sensor); });
-  due_ = *freezing_ != 0 || !(due_ends_.empty() && due_transfers_.empty() && due_work_.empty() && due_sources_.empty());
+  due_ = !(due_ends_.empty() && due_transfers_.empty() && due_work_.empty() && due_sources_.empty());
 }
 
 void Flow::publish_counters() noexcept {

@@ -221,14 +221,13 @@ void begin_instant_of_parts(const Rules& rules, World& world, Counters& counters
     TrackWorld& track = world.material.tracks[i];
     put_overshot(rules, world, i, counters);
     count_drives(rules, world, i, counters);
-    if (track.frozen) continue;
+    if (track.frozen || track.own_due != world.time) continue;
     if (track.own_instants > kMostInstants) {
       track.frozen = true;
       ++counters[Counted::track_frozen];
       notes.loops.push_back({static_cast<std::uint32_t>(steppers(rules).tracks + i)});
       continue;
     }
-    if (track.own_due != world.time) continue;
     if (track.window < 0 || world.time - track.window >= tables::kMillisecond) {
       track.window = world.time;
       track.own_instants = 0;

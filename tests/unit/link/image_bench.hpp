@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "symplant/link/image/images.hpp"
+#include "symplant/link/modbus/codec.hpp"
 #include "unit/exec/cell.hpp"
 
 namespace symplant::test {
