@@ -31,7 +31,7 @@ TEST_CASE("What entries with `for` make is what they would be written out") {
          "stops": [{"at": "1 m", "when": "{line}_{process}_STP1.ADV"}], "end": "S_10_T1", )" +
       kDrive);
   CHECK(faults(made) == "");
-  CHECK(warnings_of(made) == "");
+  CHECK(material_warnings(made) == "");
   CHECK(names_text(made) == "S_10_T1 S_20_T2 | | | |");
   CHECK(drives_text(made, 1) == "S_20_T2 3000000 gap 0: ..3000000 S_20_CV1.RUN / - 500000;");
   const model::Track& track = made.model().material.tracks.at(1);
@@ -48,8 +48,8 @@ TEST_CASE("An entry is left out for devices for which the plant lacks what it na
   CHECK(faults(list) == "");
   CHECK(names_text(list) == "S_10_T1 S_20_T2 | S_10_CV1_F | S_10_CV1 | |");
   const std::string rest = "; the entry is left out for `S_20_CV1`, 1 of the 2 matches";
-  CHECK(warnings_of(list) == "/material/places/{self}_F: symbol `S_20_FIX1_I_PART` not found" + rest +
-                                 "\n/material/transfers/0: track or place `S_20_CV1_F` not found" + rest);
+  CHECK(material_warnings(list) == "/material/places/{self}_F: symbol `S_20_FIX1_I_PART` not found" + rest +
+                                       "\n/material/transfers/0: track or place `S_20_CV1_F` not found" + rest);
   CHECK(symbol_of(list, "S_10_STP1_I_PART").unit == model::kNone);
   CHECK(states_text(unit_of(list, "S_20_STP1")) == "ADV RET PART");
 }
@@ -59,7 +59,7 @@ TEST_CASE("Conditions and kinds may be lacking, too") {
           {"name": "{self}", "for": "S_*_CV1", "from": "S_20_T2", "to": "out", "when": "{line}_{process}_PE1.PART"}],
         "sources": [{"name": "{self}", "for": "S_*_CV1", "at": "S_20_T2", "kind": "k{1}"}])");
   CHECK(faults(list) == "/material/sources/0: kind of part `k10` not found (the other match lacks it too)");
-  CHECK(warnings_of(list) ==
+  CHECK(material_warnings(list) ==
         "/material/transfers/0: device `S_20_PE1` not found; the entry is left out for "
         "`S_20_CV1`, 1 of the 2 matches");
 }
@@ -104,7 +104,7 @@ TEST_CASE("A device of which a sensor is the only symbol is matched, too") {
 TEST_CASE("A pattern of the material flow that matches no device is a warning") {
   const Analysed list = line_with(kinds() + R"(, "places": {"{self}": {"for": "X*"}})");
   CHECK(faults(list) == "");
-  CHECK(warnings_of(list) == "/material/places/{self}/for: `X*` matches no device");
+  CHECK(material_warnings(list) == "/material/places/{self}/for: `X*` matches no device");
 }
 
 TEST_CASE("Without `for` an entry of the material flow has no names in braces") {
@@ -122,7 +122,7 @@ TEST_CASE("Conditions of patterns may name the tracks that `for` makes") {
                 R"("devices": {"S_*_STP1": {"transitions": [
                                       {"from": "RET", "to": "ADV", "when": "{line}_{process}_T.part"}]}})");
   CHECK(faults(list) == "");
-  CHECK(warnings_of(list) == "");
+  CHECK(material_warnings(list) == "");
   CHECK(model::condition_text(unit_of(list, "S_20_STP1").conditions.at(0), list.model()) == "S_20_T.part");
 }
 

@@ -61,7 +61,7 @@ inline Analysed track_with(const std::string& members, const std::string& furthe
                    (further.empty() ? "" : ", ") + further);
 }
 
-inline std::string warnings_of(const Analysed& analysed) {
+inline std::string material_warnings(const Analysed& analysed) {
   std::string text;
   for (const description::DescriptionFault& fault : analysed.evidence().warnings) {
     text += (text.empty() ? "" : "\n") + fault.pointer + ": " + fault.message;

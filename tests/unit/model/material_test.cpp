@@ -136,7 +136,7 @@ TEST_CASE("Conditions of devices, inputs, requirements and `follow` may name par
     "requirements": [{"name": "n", "never": "P.tall"}],
     "follow": {"S_10_BTN_I_START": "T.parts > 2"})");
   CHECK(faults(list) == "");
-  CHECK(warnings_of(list) == "");
+  CHECK(material_warnings(list) == "");
   const model::PlantModel& plant = list.model();
   const model::Unit& stopper = unit_of(list, "S_10_STP1");
   REQUIRE(stopper.conditions.size() == 3);
