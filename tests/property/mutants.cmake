@@ -6,7 +6,7 @@ function(symplant_planted_source NAME FOLDER INCLUDE FROM TO)
   set(include ${CMAKE_CURRENT_BINARY_DIR}/mutants/${NAME})
   set(source ${include}/mutant.cpp)
   set(script ${PROJECT_SOURCE_DIR}/tests/property/plant_once.cmake)
-  file(GLOB originals CONFIGURE_DEPENDS ${FOLDER}/*.hpp ${FOLDER}/*.cpp)
+  file(GLOB_RECURSE originals CONFIGURE_DEPENDS ${FOLDER}/*.hpp ${FOLDER}/*.cpp)
   add_custom_command(
     OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DFROM_FOLDER=${FOLDER} -DTO_FOLDER=${include}/${INCLUDE} -DINCLUDE=${INCLUDE}
@@ -138,3 +138,53 @@ symplant_mutant(overrun_counts_on_in_another_state
 symplant_mutant(frozen_symbol_still_follows
   "    if (state.frozen != 0 || on == ((events_.made(bit / 64) & mask) != 0)) return;"
   "    if (on == ((events_.made(bit / 64) & mask) != 0)) return;")
+
+symplant_mutant(touch_computed_once_too_few
+  "  if (closing > 0 && distance > 0) p.speed_due"
+  "  if (closing > 0 && distance > 0 && p.v > 0) p.speed_due")
+
+symplant_mutant(permission_of_a_transfer_not_used_up
+  "  state.permission = 0;"
+  "")
+
+symplant_mutant(room_that_counts_the_moving_part
+  "  const std::uint32_t except = stays ? moving.index : tables::kNone;"
+  "  const std::uint32_t except = tables::kNone;")
+
+symplant_mutant(sensor_covered_one_ns_late
+  "    if (next < row.mark_count) due_in(time_to_reach(row.marks[next].at - front, p.v));"
+  "    if (next < row.mark_count) due_in(time_to_reach(row.marks[next].at - front, p.v) + 1);")
+
+symplant_mutant(backward_mover_not_put_exactly
+  "    Position to = std::max(x, p.aim);"
+  "    Position to = x;")
+
+symplant_mutant(time_of_a_source_drawn_twice
+  "source_names_[source], 0, state.draws++);"
+  "source_names_[source], 0, state.draws += 2);")
+
+symplant_mutant(kind_of_a_source_by_its_number
+  "% kinds.count)];"
+  "% (kinds.count > 1 ? kinds.count - 1 : 1))];")
+
+symplant_mutant(stop_catches_a_part_that_passes
+  "      if (x >= row.length || stop_holds_at(track, x)) w = 0;"
+  "      if (x >= row.length || stop_holds_at(track, x) || stop_holds_at(track, (x / kMicrometer) * kMicrometer)) w = 0;")
+
+symplant_mutant(end_without_a_drive
+  "  if (x < end || drive_speed(track, p, x) <= 0 || stop_holds_at(track, end)) return;"
+  "  if (x < end || stop_holds_at(track, end)) return;")
+
+symplant_mutant(speeds_of_backward_movers_in_no_pass
+  "      if (i + 1 < state.size && parts[i + 1].at(time) >= tail - row.gap) {"
+  "      if (i + 1 < state.size && parts[i + 1].at(time) > tail - row.gap) {")
+
+symplant_mutant(facing_drives_do_not_stop
+  "speed_of_drive(drive - 1) > 0 ? 0 : speed;"
+  "speed_of_drive(drive - 1) > 0 ? speed : speed;")
+
+symplant_mutant(work_changes_the_first_part_only
+  "    work_on(location, i, row);
+    any = true;"
+  "    if (!any) work_on(location, i, row);
+    any = true;")

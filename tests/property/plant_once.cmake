@@ -4,7 +4,7 @@
 file(COPY ${FROM_FOLDER}/ DESTINATION ${TO_FOLDER} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cpp")
 string(LENGTH "${FROM}" length)
 set(found "")
-file(GLOB files RELATIVE ${FROM_FOLDER} ${FROM_FOLDER}/*.cpp)
+file(GLOB_RECURSE files RELATIVE ${FROM_FOLDER} ${FROM_FOLDER}/*.cpp)
 foreach(file ${files})
   file(READ ${FROM_FOLDER}/${file} text)
   string(FIND "${text}" "${FROM}" at)
