@@ -88,28 +88,28 @@ class Maker {
         make_for(given[i], here, name, by, made, origins);
         continue;
       }
-      Entry entry = given[i];
-      if (refuse_braces(entry, here, name)) continue;
-      made.push_back(std::move(entry));
+      made.push_back(given[i]);
+      refuse_braces(made.back(), here, name);
       origins.push_back(std::move(by));
     }
   }
 
  private:
-  /// Whether an entry without `for` has names in braces, which is a fault. In quotes they may be part of a name.
+  /// Reports names in braces of an entry without `for`, and removes their texts, so that they are reported only once.
+  /// In quotes they may be part of a name.
   template <class Entry>
-  bool refuse_braces(Entry& entry, const Pointer& here, const Pointer& name) {
-    bool refused = false;
-    const auto look = [&](const std::string& text, const Pointer& at) {
+  void refuse_braces(Entry& entry, const Pointer& here, const Pointer& name) {
+    const auto refuse = [&](const std::string& text, const Pointer& at) {
       const std::size_t open = text.find('{');
-      if (open == text.npos || text.find('\'') < open) return;
+      if (open == text.npos || text.find('\'') < open) return false;
       faults_.add(at, ticked(text.substr(open, text.find('}', open) + 1 - open)) +
                           " is replaced by a name only with `for`; add `for`, or write the name");
-      refused = true;
+      return true;
     };
-    look(entry.name, name);
-    edit_texts(entry, here, look);
-    return refused;
+    refuse(entry.name, name);
+    edit_texts(entry, here, [&](std::string& text, const Pointer& at) {
+      if (refuse(text, at)) text.clear();
+    });
   }
 
   template <class Entry>
@@ -120,19 +120,18 @@ class Maker {
       if (!text::matches_pattern(unit.device_path(), given.of) || !devices.insert(unit.device_path()).second) continue;
       const MatchedNames matched = MatchedNames::of(plant_, unit, given.of);
       Entry entry = given;
-      bool sound = true;
       const auto replace = [&](std::string& text, const Pointer& at) {
-        if (!text::has_braces(text)) return;
+        if (!text::has_braces(text)) return true;
         text::Replaced replaced = matched.replace(text);
-        text = std::move(replaced.text);
-        if (replaced.unknown.empty()) return;
+        text = replaced.unknown.empty() ? std::move(replaced.text) : std::string();
+        if (replaced.unknown.empty()) return true;
         faults_.add(at, ticked(replaced.unknown) + " is unknown here; use one of " + matched.choices(),
                     description::FaultKind::unknown_name);
-        sound = false;
+        return false;
       };
-      replace(entry.name, name);
-      edit_texts(entry, here, replace);
-      if (!sound) continue;
+      const bool named = replace(entry.name, name);
+      edit_texts(entry, here, [&](std::string& text, const Pointer& at) { replace(text, at); });
+      if (!named) continue;
       made.push_back(std::move(entry));
       origins.push_back(by);
       origins.back().device = unit.device_path();

@@ -137,6 +137,15 @@ TEST_CASE("Without `for` an entry of the material flow has no names in braces") 
         "/material/tracks/T/stops/0/when: `{self}`" + rest);
 }
 
+TEST_CASE("A fault of braces has no consequences") {
+  const std::string rest = " is replaced by a name only with `for`; add `for`, or write the name";
+  const std::string further = R"("transfers": [{"name": "n", "from": "T", "to": "out", "when": "T.part"}])";
+  CHECK(faults(track_with(R"("end": "{self}")", further)) == "/material/tracks/T/end/0/to: `{self}`" + rest);
+  CHECK(faults(conveyors(R"("end": "{slf}", )" + kDrive,
+                         R"("transfers": [{"name": "n", "from": "S_10_T1", "to": "S_20_T2"}])"))
+            .ends_with("(also for others that `S_?0_CV1` matches)"));
+}
+
 TEST_CASE("Conditions of patterns may name the tracks that `for` makes") {
   const Analysed list =
       line_with(kinds() + R"(, "tracks": {"S_{process}_T": {"for": "S_*_CV1", "length": "3 m", )" + kDrive + "}}",
