@@ -37,7 +37,7 @@ inline Tree moving(std::uint32_t unit) { return {Tree::Kind::atom, false, {Atom:
 inline Tree bit(std::uint32_t symbol) { return {Tree::Kind::atom, false, {Atom::Kind::bit, symbol}, {}}; }
 inline Tree number(std::uint32_t symbol, tables::Comparison comparison, tables::NumberKind kind,
                    std::uint64_t operand) {
-  return {Tree::Kind::atom, false, {Atom::Kind::number, symbol, 0, comparison, kind, operand}, {}};
+  return {Tree::Kind::atom, false, {Atom::Kind::number, symbol, 0, model::kNone, comparison, kind, operand}, {}};
 }
 inline Tree constant(bool value) { return {Tree::Kind::constant, value, {}, {}}; }
 inline Tree operator!(Tree tree) { return {Tree::Kind::negation, false, {}, {std::move(tree)}}; }
