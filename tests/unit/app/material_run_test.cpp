@@ -120,14 +120,13 @@ TEST_CASE("run: VCD shows the number of parts on a track and the kinds in a plac
   CHECK(contains(made.run.out, "#1000000000\nb1 "));
 }
 
-TEST_CASE("map: Sensors of parts and what reads an operation are named") {
+TEST_CASE("map: What drives the sensors of parts is named") {
   PartRun made(R"({"at":"0s"})");
   const ToolRun map = run_tool({"map", "plant.json"}, made.files);
   CHECK(map.code == 0);
   CHECK(contains(map.out, "parts at CV1"));
   CHECK(contains(map.out, "parts at FIXTURE"));
-  CHECK(contains(map.out, "the PLC, read by CV1"));
-  CHECK(contains(map.out, "the PLC, read by transfer pick"));
+  CHECK(contains(map.out, "the PLC, moves L_S_CV"));
 }
 
 }  // namespace
