@@ -38,6 +38,7 @@ void MaterialLookup::unknown(const Pointer& here, std::string message) {
 }
 
 bool MaterialLookup::condition(const std::string& text, const Pointer& here, condition::Tree& tree) {
+  if (text.empty()) return false;
   auto parsed = condition::parse(text);
   if (auto* fault = std::get_if<condition::Fault>(&parsed)) {
     faults_.add(here, (made_for_device_ ? ticked(text) + ": " : std::string()) + fault->message, FaultKind::condition,
@@ -60,7 +61,7 @@ bool MaterialLookup::condition(const std::string& text, const Pointer& here, con
 
 std::optional<condition::Tree> MaterialLookup::condition(const std::string& text, const Pointer& here) {
   condition::Tree tree;
-  if (text.empty() || !condition(text, here, tree)) return std::nullopt;
+  if (!condition(text, here, tree)) return std::nullopt;
   return tree;
 }
 
@@ -83,11 +84,13 @@ std::uint32_t MaterialLookup::sensor_symbol(const std::string& name) const {
 
 std::uint32_t MaterialLookup::kind(const std::string& name, const Pointer& here) {
   if (const auto found = names_.part_kind(name)) return *found;
+  if (name.empty()) return kNone;
   unknown(here, description::missing("kind of part " + ticked(name), names_.nearest_part_kind(name)));
   return kNone;
 }
 
 tables::PartLocation MaterialLookup::location(const std::string& text, const Pointer& here) {
+  if (text.empty()) return {};
   const tables::LocationText parts = tables::split_location(text);
   if (const auto found = names_.location(parts.name)) {
     return parts.has_position ? position(*found, parts.position, here) : tables::PartLocation{*found, tables::kWhole};

@@ -11,7 +11,8 @@
 
 namespace symplant::model {
 
-/// Looks up names for one entry after the other. What the plant lacks that an entry with `for` names is not a fault:
+/// Looks up names for one entry after the other. An empty text is a required one that is missing, which the reader of
+/// plant.json has reported. What the plant lacks that an entry with `for` names is not a fault:
 /// lacking() describes it.
 class MaterialLookup {
  public:
@@ -27,7 +28,7 @@ class MaterialLookup {
   description::Faults& faults() { return faults_; }
   const PlantModel& plant() const { return plant_; }
 
-  /// False, and a fault, if the text is not a condition of this plant.
+  /// False if the text is empty, or, with a fault, if it is not a condition of this plant.
   bool condition(const std::string& text, const description::Pointer& here, condition::Tree& tree);
   /// Nothing if the text is empty or has a fault.
   std::optional<condition::Tree> condition(const std::string& text, const description::Pointer& here);

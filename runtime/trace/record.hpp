@@ -56,7 +56,7 @@ constexpr PartRecord part_record(const Record& part, const Record& move) noexcep
           part.more};
 }
 
-/// The finding `part blocked` has in Record::value the parts in question: what cannot move, and what is in its place.
+/// The finding `part blocked` has in Record::value the parts in question: what cannot move, and what is there already.
 constexpr std::uint64_t pack_parts(std::uint64_t part, std::uint64_t obstacle) noexcept {
   return part << 32 | (obstacle & 0xFFFF'FFFF);
 }

@@ -210,6 +210,24 @@ TEST_CASE("The expected content is reported for a damaged plant.json, not for a 
   CHECK_FALSE(contains(run.out, "list"));
 }
 
+TEST_CASE("Faults of parts have line and column, those of form no consequences") {
+  CHECK(findings(cell_with(R"("material": { "kinds": { "k": { "length": "1 m" } },
+    "tracks": { "T": { "length": "2m", "drives": [ { "speed": "1 m/s" } ], "end": "U",
+      "stops": [ { "at": "3 m", "when": "EXLINE_MB_AGV.P2 and T.kk" } ] }, "out": { "length": "2 m", "drives": [] } },
+    "transfers": [ { "name": "t", "to": "T@9 m" }, { "name": "u", "from": 3, "to": "T" } ],
+    "sources": [ { "name": "s", "at": "T", "kind": [ "k", "l" ] }, { "name": "r", "at": "T", "kind": [ 1 ] } ] })")) ==
+        "SP602 5:83 track or place `U` not found; did you mean `T`?\n"
+        "SP607 6:26 this position is beyond the end of track `T`\n"
+        "SP606 6:65 kind of part `kk` not found; did you mean `k`?\n"
+        "SP607 6:76 `out` is a reserved word; choose another name\n"
+        "SP601 6:102 expected an array of drives, but found an empty array\n"
+        "SP601 7:20 the key `from` is missing here; it holds a location of parts\n"
+        "SP607 7:41 this position is beyond the end of track `T`\n"
+        "SP601 7:75 expected a location of parts, but found the number `3`\n"
+        "SP602 8:59 kind of part `l` not found; did you mean `k`?\n"
+        "SP601 8:104 expected a kind, but found the number `1`\n");
+}
+
 TEST_CASE("Every key of the schema is read, and every key that is read is in the schema") {
   const json schema = json::parse(description::plant_schema());
   const json& device = schema.at("definitions").at("device").at("properties");

@@ -82,6 +82,23 @@ TEST_CASE("A condition is written with quotes and parentheses only where needed"
   CHECK(reader.again("BIG = 0.5") == "BIG < 0");
 }
 
+TEST_CASE("Conditions about parts are written as they are read, with quotes where needed") {
+  description::Description description;
+  description.material.kinds = {{"raw", 1000, 0}, {"don't", 1000, 0}};
+  description.material.places = {{"CV1", "", 1, {}}, {"not", "", 1, {}}, {"lift 2.a", "", 1, {}}};
+  const Analysed analysed = analyse_described(bits({"L_P_D_O_A1"}), std::move(description));
+  const Reader reader{analysed.model()};
+  for (const char* text : {
+           "CV1.part and not 'not'.raw or 'lift 2.a'.'don''t'",
+           "CV1.parts < 3 or 'not'.parts = 0 or 'lift 2.a'.parts >= 18446744073709551615",
+           "CV1.parts < 0 or CV1.parts >= 0",
+       }) {
+    CHECK(reader.again(text) == text);
+  }
+  CHECK(reader.again("cv1.PARTS >= 1 or CV1.Part or cv1.RAW") == "CV1.part or CV1.part or CV1.raw");
+  CHECK(reader.again("CV1.parts > 1e30") == "CV1.parts < 0");
+}
+
 TEST_CASE("A condition without source text says so; a long text is cut between characters") {
   const Analysed analysed = hostile();
   Tree always;

@@ -279,5 +279,27 @@ TEST_CASE("Wildcards match parts of the device's name, also for its facets") {
   CHECK(conditions("S?_RB", "S2_RB.ADV and S{1}_RB.moving") == "S2_RB.ADV and S1_RB.moving");
 }
 
+TEST_CASE("A sensor of parts is in no facet, and `for` matches the devices of the custom rule") {
+  std::vector<std::string> names = kRobot;
+  for (const std::string name : {"I S1_RB_PART*", "Q S2_RB_ADV_SOL", "I S2_RB_ADV_END", "I S2_RB_PART"}) {
+    names.push_back(name);
+  }
+  description::Description description;
+  description.material.kinds = {{"raw", 1000, 0}};
+  description.material.places = {{"{self}_P", "S?_RB", 1, {}}};
+  description.material.places[0].sensors.emplace_back().symbol = "{process}_{device}_PART";
+  const Analysed list = analyse_cell(names, description);
+  CHECK(faults(list) == "");
+  CHECK(warnings_of(list) == "");
+  const std::vector<model::Place>& places = list.model().material.places;
+  REQUIRE(places.size() == 2);
+  CHECK(places[1].name == "S2_RB_P");
+  for (const std::string name : {"S1_RB_PART", "S2_RB_PART"}) {
+    CHECK(symbol_of(list, name).unmodelled == Unmodelled::senses_parts);
+    CHECK(symbol_of(list, name).unit == model::kNone);
+  }
+  CHECK(units(list) == units(analyse_cell({names.begin(), names.begin() + 8})) + " S2_RB");
+}
+
 }  // namespace
 }  // namespace symplant::test

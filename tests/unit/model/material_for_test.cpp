@@ -1,5 +1,6 @@
 // Entries of the material flow for a pattern of devices.
 #include "material_support.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::test {
 namespace {
@@ -39,6 +40,26 @@ TEST_CASE("What entries with `for` make is what they would be written out") {
   CHECK(model::condition_text(track.stops.at(0).condition, made.model()) == "S_20_STP1.ADV");
   CHECK(track.ends.at(0).to == 0);
   CHECK(track.given == 0);
+}
+
+TEST_CASE("A plant described by `for` is the plant written out") {
+  const auto hash = [](const std::string& material) {
+    const CompiledText compiled =
+        compile_described(line_rows(), read_description("\"material\": {" + kinds() + ", " + material + "}"));
+    REQUIRE(compiled.compiled);
+    return tables::model_hash(compiled.compiled->tables.tables());
+  };
+  const std::string members = R"(: {"length": "1 m", "drives": [{"forward": ")";
+  const std::string made = R"("tracks": {"T{1}")" + members + R"({self}.RUN", "speed": "1 m/s"}], "for": "S_*_CV1",
+    "sensors": [{"symbol": "{line}_{process}_STP1_I_PART", "at": "1 m", "inverted": true}]}},
+    "sources": [{"name": "{self}", "for": "S_*_CV1", "at": "T{1}", "kind": "raw"}])";
+  const std::string written = R"("tracks": {"T10")" + members + R"(S_10_CV1.RUN", "speed": "1 m/s"}],
+      "sensors": [{"symbol": "S_10_STP1_I_PART", "at": "1 m", "inverted": true}]},
+    "T20")" + members + R"(S_20_CV1.RUN", "speed": "1 m/s"}],
+      "sensors": [{"symbol": "S_20_STP1_I_PART", "at": "1 m", "inverted": true}]}},
+    "sources": [{"name": "S_10_CV1", "at": "T10", "kind": "raw"}, {"name": "S_20_CV1", "at": "T20", "kind": "raw"}])";
+  CHECK(hash(made) == hash(written));
+  CHECK(hash(made) != hash(R"("places": {"P": {}})"));
 }
 
 TEST_CASE("An entry is left out for devices for which the plant lacks what it names") {

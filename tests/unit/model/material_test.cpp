@@ -153,10 +153,20 @@ TEST_CASE("Conditions of devices, inputs, requirements and `follow` may name par
   CHECK(list.count("condition-always-holds") == 0);
 }
 
-TEST_CASE("A number of parts is never below 0") {
-  const Analysed list = line_of("", R"("requirements": [{"name": "n", "never": "T.parts < 0"}])");
-  CHECK(faults(list) == "");
-  CHECK(model::condition_text(list.model().requirements.at(0).condition, list.model()) == "T.parts < 0");
+TEST_CASE("Conditions about parts that contradict themselves are found; the parts of a location may change") {
+  const auto never_holds = [](const std::string& when) {
+    const Analysed list = line_of("", R"("devices": {"S_10_STP1": {"transitions": [{"from": "RET", "to": "ADV",
+                                       "when": ")" +
+                                          when + "\"}]}}");
+    CHECK(faults(list) == "");
+    return list.count("condition-never-holds") == 1;
+  };
+  CHECK(never_holds("T.parts < 3 and T.parts > 5"));
+  CHECK(never_holds("T.raw and not T.raw"));
+  CHECK(never_holds("T.parts < 0"));
+  CHECK_FALSE(never_holds("T.part and not P.part"));
+  CHECK_FALSE(never_holds("T.raw and not T.tall"));
+  CHECK_FALSE(never_holds("T.parts > 2 and T.parts < 4"));
 }
 
 TEST_CASE("The most parts of a track depend on its length, its gap, and the shortest and longest kind") {

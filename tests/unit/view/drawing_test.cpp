@@ -135,6 +135,9 @@ TEST_CASE("A chart shows a spring return, also without a description") {
 }
 
 TEST_CASE("SCXML has conditions as expressions, delays as sends, and the rest in a separate namespace") {
+  const std::string with_parts = render(cell_with_parts(), "scxml").text;
+  CHECK(contains(with_parts, "parts_P &gt;= 1"));
+  CHECK(contains(with_parts, "parts_P_raw &gt;= 1"));
   const std::string scxml = render(described_cell(), "scxml").text;
   for (const char* part : {
            "cond=\"!(In(&#39;L_P_MC.RUN2&#39;) || In(&#39;L_Q_DOOR.OPEN1&#39;)) &amp;&amp; value_LEVEL &lt; 2.5\"",

@@ -23,6 +23,7 @@ std::string faults(const Json& value) {
 TEST_CASE("The output of --format json matches its schema") {
   CHECK(faults(Json::parse(render(described_cell(), "json").text)) == "");
   CHECK(faults(Json::parse(render(hostile_cell(), "json").text)) == "");
+  CHECK(faults(Json::parse(render(cell_with_parts(), "json").text)) == "");
   CHECK(faults(Json::parse(render(compile_rows({{"START", "X1"}}), "json").text)) == "");
 }
 

@@ -41,6 +41,20 @@ TEST_CASE("The table shows how a spring returns, also without a description") {
   CHECK(contains(table, "spring      (ADV) -> RET, takes 1 s\n"));
 }
 
+TEST_CASE("The table shows conditions about parts, and counts the symbols of sensors") {
+  const std::string table = render(cell_with_parts(), "table").text;
+  CHECK(contains(table, "P.part and not P.parts > 1 or P.raw"));
+  CHECK(contains(table, "never empty: never P.parts = 0 or P.parts < 0\n"));
+  CHECK(contains(table, "  1: driven by a sensor of parts\n"));
+}
+
+TEST_CASE("Every format accepts a plant with parts") {
+  for (const view::Format& format : view::formats()) {
+    INFO(format.name);
+    CHECK_FALSE(render(cell_with_parts(), format.name).text.empty());
+  }
+}
+
 TEST_CASE("No name sends a control character to the terminal") {
   const std::string table = render(hostile_cell(), "table").text;
   CHECK(contains(table, "]]>--\\N;<U+202E>%%<U+000A>"));

@@ -89,6 +89,23 @@ inline CompiledText described_cell() {
   return compiled;
 }
 
+/// A clamp that waits for a part in the place P, whose sensor is L_P_PE_I_PART; a requirement about the parts there.
+inline CompiledText cell_with_parts() {
+  description::Description description;
+  description.material.kinds = {{"raw", 1000, 0}};
+  description.material.places = {{"P", "", 2, {}}};
+  description.material.places[0].sensors.emplace_back().symbol = "L_P_PE_I_PART";
+  description::DeviceDescription clamp;
+  clamp.path = "L_P_CL";
+  clamp.transitions = {transition("RET", "ADV")};
+  clamp.transitions[0].when = "P.part and not P.parts > 1 or P.raw";
+  description.devices.push_back(std::move(clamp));
+  description.requirements.emplace_back().name = "never empty";
+  description.requirements[0].never = "P.parts = 0 or P.parts < 0";
+  return compile_described(bits({"L_P_PE_I_PART", "L_P_CL_O_ADV", "L_P_CL_I_ADV", "L_P_CL_O_RET", "L_P_CL_I_RET"}),
+                           std::move(description));
+}
+
 /// Names that would end a string, an element, a comment or a line, everywhere a name can be.
 inline const std::string kHarm = "</script><img src=x onerror=\"a('&')\">]]>--\\N;\xE2\x80\xAE%%\n";
 
