@@ -6,6 +6,11 @@
 #include "symplant/scenario/evaluate.hpp"
 
 namespace symplant::scenario {
+namespace {
+
+constexpr std::size_t kMostLate = 256;  ///< notes that wait for one instant
+
+}  // namespace
 
 Player::Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& recorder)
     : scenario_(scenario),
@@ -13,6 +18,9 @@ Player::Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& r
       recorder_(recorder),
       outcomes_(scenario.steps.size()),
       turns_(scenario.repeats.size()) {
+  std::size_t hands = 0;
+  for (const Step& step : scenario.steps) hands = std::max(hands, step.put.size() + step.take.size());
+  late_notes_.reserve(kMostLate + hands + 2);
   std::uint32_t repeat = 0;
   for (std::uint32_t step = 0; step <= scenario.steps.size(); ++step) {
     while (repeat < scenario.repeats.size() && scenario.repeats[repeat].end < step) ++repeat;
@@ -51,9 +59,10 @@ void Player::set(const SymbolValue& value) noexcept {
 
 /// False if a part had no room, or there was none to take.
 bool Player::act_by_hand(const Step& step) noexcept {
+  if (late_notes_.size() > kMostLate) advance_plant(plant_.now());
   bool all = true;
   const auto failed = [&](std::uint64_t which) {
-    recorder_.note(plant_.now(), kHandNote, which);
+    late_notes_.push_back({kHandNote, which});
     all = false;
   };
   for (std::size_t i = 0; i < step.put.size(); ++i) {
@@ -89,8 +98,12 @@ void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {
   Outcome& outcome = outcomes_[at_];
   if (kind == Outcome::Kind::failed) {
     ++outcome.failed;
-    if (!scenario_.repeats.empty()) recorder_.note(plant_.now(), kTurnNote, outcome.done);
-    recorder_.note(plant_.now(), static_cast<std::uint32_t>(at_), static_cast<std::uint64_t>(time));
+    const auto note = [&](std::uint32_t of, std::uint64_t value) {
+      late_notes_.empty() ? static_cast<void>(recorder_.note(plant_.now(), of, value))
+                          : late_notes_.push_back({of, value});
+    };
+    if (!scenario_.repeats.empty()) note(kTurnNote, outcome.done);
+    note(static_cast<std::uint32_t>(at_), static_cast<std::uint64_t>(time));
   }
   ++outcome.done;
   if (outcome.kind != Outcome::Kind::failed) {
@@ -128,12 +141,19 @@ bool Player::wait_on() noexcept {
   return true;
 }
 
+/// Runs the instants up to `time`, then adds the notes that wait for them.
+void Player::advance_plant(tables::Time time) noexcept {
+  plant_.advance_to(time, this);
+  for (const LateNote& note : late_notes_) recorder_.note(plant_.now(), note.of, note.value);
+  late_notes_.clear();
+}
+
 void Player::advance_to(tables::Time time) noexcept {
   plant_.advance_before(time, this);
   while (!over()) {
     const Step& step = scenario_.steps[at_];
     if (step.when == Step::When::wait) {
-      plant_.advance_to(time, this);
+      advance_plant(time);
       if (!wait_on()) break;
       continue;
     }
@@ -144,10 +164,10 @@ void Player::advance_to(tables::Time time) noexcept {
       decide(!step.is_checked() ? Outcome::Kind::done : well ? Outcome::Kind::held : Outcome::Kind::failed, due);
       continue;
     }
-    plant_.advance_to(time, this);
+    advance_plant(time);
     decide(well && holds(*step.expect, plant_) ? Outcome::Kind::held : Outcome::Kind::failed, due);
   }
-  plant_.advance_to(time, this);
+  advance_plant(time);
 }
 
 void Player::end() noexcept {

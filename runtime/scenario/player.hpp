@@ -71,6 +71,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   bool act(const Step& step) noexcept;
   bool act_by_hand(const Step& step) noexcept;
   void note_force(std::uint32_t symbol, bool forced) noexcept;
+  void advance_plant(tables::Time time) noexcept;
   void set(const SymbolValue& value) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;
@@ -82,12 +83,18 @@ class Player final : public engine::Observer, public exec::Stepper {
   std::vector<Outcome> outcomes_;
   std::vector<std::uint32_t> turns_;  ///< by repeat: turns that are over
   std::vector<std::uint32_t> ends_;   ///< by step and one more: the first repeat that ends at or after it
-  std::size_t at_ = 0;                ///< index of the next step, or of the current wait
-  tables::Time moment_ = 0;           ///< time of the previous step
-  bool waiting_ = false;              ///< step at_ is a wait, and has begun
-  tables::Time deadline_ = 0;         ///< of the current wait
-  bool met_ = false;                  ///< the current wait is met
-  tables::Time met_time_ = 0;         ///< the time at which it was met
+  /// A note about a step that failed by hand: it follows the instant, which shows the parts of the step.
+  struct LateNote {
+    std::uint32_t of;
+    std::uint64_t value;
+  };
+  std::vector<LateNote> late_notes_;
+  std::size_t at_ = 0;         ///< index of the next step, or of the current wait
+  tables::Time moment_ = 0;    ///< time of the previous step
+  bool waiting_ = false;       ///< step at_ is a wait, and has begun
+  tables::Time deadline_ = 0;  ///< of the current wait
+  bool met_ = false;           ///< the current wait is met
+  tables::Time met_time_ = 0;  ///< the time at which it was met
 };
 
 }  // namespace symplant::scenario

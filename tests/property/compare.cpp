@@ -1,4 +1,4 @@
-// Runs cases.
+// Runs cases and compares the engine with the reference.
 #include "property/compare.hpp"
 
 #include <algorithm>

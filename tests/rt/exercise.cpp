@@ -6,6 +6,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "property/part_differences.hpp"
+
 namespace symplant::test {
 namespace {
 
@@ -39,6 +41,13 @@ Exercise::Exercise(const model::PlantModel& model, const tables::PlantTables& ta
   for (std::uint32_t i = 0; i < model.units.size(); ++i) units.emplace(model.units[i].path, i);
   std::size_t saves = 1;
   for (const Action& action : actions) {
+    if (action.kind == Kind::put || action.kind == Kind::take) {
+      const auto location = property::part_location(model.material, action.what);
+      if (!location || (action.kind == Kind::put && action.value >= model.material.kinds.size())) continue;
+      steps_.push_back({action.kind, static_cast<std::uint32_t>(locations_.size()), action.value, 0, false});
+      locations_.push_back(*location);
+      continue;
+    }
     const auto& names = action.kind == Kind::set_state ? units : symbols;
     const auto found = names.find(action.what);
     std::uint32_t what = found == names.end() ? kNothing : found->second;
@@ -87,6 +96,12 @@ void Exercise::act(Step& step) noexcept {
       return save();
     case Kind::restore:
       return restore(step);
+    case Kind::put:
+      return add(plant_->put(locations_[step.what], static_cast<std::uint32_t>(step.value)) ? 1 : 0);
+    case Kind::take:
+      return add(plant_->take(locations_[step.what]) ? 1 : 0);
+    case Kind::further:
+    case Kind::run:
     case Kind::advance:
     case Kind::advance_to_due:
     case Kind::advance_before:

@@ -65,6 +65,7 @@ class Exercise final : private engine::Observer {
   const tables::PlantTables& tables_;
   std::vector<engine::Behaviour> behaviours_;
   std::vector<Step> steps_;
+  std::vector<tables::PartLocation> locations_;  ///< of put and take, by Step::what
   std::array<Memory, 2> memory_;
   std::vector<std::vector<std::byte>> saves_;
   std::size_t saved_ = 0;

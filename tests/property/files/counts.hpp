@@ -61,7 +61,7 @@ enum class Seen : std::size_t {
   runs_failed,
   /// The counters of tables::FindingKind begin here, in its order.
   first_finding,
-  number_of = first_finding + tables::kFindingKinds,
+  number_of = first_finding + tables::kFindingKinds - 1,  ///< without `part blocked`: the files have no material yet
 };
 inline constexpr std::size_t kSeen = static_cast<std::size_t>(Seen::number_of);
 

@@ -5,7 +5,7 @@
 namespace symplant::test {
 namespace {
 
-constexpr std::string_view kPlant = R"({
+constexpr std::string_view kPlantWithParts = R"({
   "symplant": 1, "symbols": ["list.csv"],
   "material": {
     "kinds": { "raw": { "length": "200 mm", "code": 7 }, "done": { "length": "200 mm" } },
@@ -30,7 +30,7 @@ struct PartRun {
                                          {"L_S_PE1_I_PART", "X1"},
                                          {"L_S_FIX_I_PART", "X2"},
                                          {"L_S_NR_I_CODE", "", "INT", "0"}});
-    files.files["plant.json"] = kPlant;
+    files.files["plant.json"] = kPlantWithParts;
     folder.write("scenario.json", R"({"symplant-scenario":1,"steps":[)" + std::string(steps) + "]}");
     std::vector<std::string> arguments{"run", "plant.json", "--scenario", folder / "scenario.json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -120,14 +120,13 @@ TEST_CASE("run: VCD shows the number of parts on a track and the kinds in a plac
   CHECK(contains(made.run.out, "#1000000000\nb1 "));
 }
 
-TEST_CASE("map: Sensors of parts and what reads an operation are named") {
+TEST_CASE("map: What drives the sensors of parts is named") {
   PartRun made(R"({"at":"0s"})");
   const ToolRun map = run_tool({"map", "plant.json"}, made.files);
   CHECK(map.code == 0);
   CHECK(contains(map.out, "parts at CV1"));
   CHECK(contains(map.out, "parts at FIXTURE"));
-  CHECK(contains(map.out, "the PLC, read by CV1"));
-  CHECK(contains(map.out, "the PLC, read by transfer pick"));
+  CHECK(contains(map.out, "the PLC, moves L_S_CV"));
 }
 
 }  // namespace
