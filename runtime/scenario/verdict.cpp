@@ -55,20 +55,6 @@ std::string hand_words(const Step& step, const trace::PlantNames& names) {
   return text;
 }
 
-/// The parts at a location: `FIXTURE has part 11 (raw) since 3.2 s`.
-std::string location_words(std::uint32_t location, const trace::PlantNames& names, const trace::History& history) {
-  constexpr std::size_t kMostNamed = 4;
-  const auto& parts = history.parts_at(location);
-  if (parts.empty()) return fmt::format("{} has no part", names.location(location));
-  std::string text;
-  for (std::size_t i = 0; i < parts.size() && i < kMostNamed; ++i) {
-    text += fmt::format("{}part {} ({}) {}", text.empty() ? "" : ", ", parts[i].number, names.part_kind(parts[i].kind),
-                        trace::since_words(parts[i].since));
-  }
-  if (parts.size() > kMostNamed) text += fmt::format(" and {} more", parts.size() - kMostNamed);
-  return fmt::format("{} has {}", names.location(location), text);
-}
-
 std::string values_text(std::span<const SymbolValue> values, const trace::PlantNames& names) {
   std::string text;
   for (const SymbolValue& value : values) {
@@ -141,7 +127,7 @@ std::vector<std::string> hand_parts(const Scenario& scenario, std::size_t at, st
     }
   }
   if (const std::string words = turn_words(scenario, at, turn); !words.empty()) parts.front() += ", in " + words;
-  for (const std::uint32_t location : locations) parts.push_back(location_words(location, names, history));
+  for (const std::uint32_t location : locations) parts.push_back(trace::location_words(location, names, history));
   return parts;
 }
 
@@ -194,7 +180,8 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
         trace::symbol_words(symbol, names)));
     if (row.unit != tables::kNone) things.units.insert(row.unit);
   }
-  for (const std::uint32_t location : things.locations) parts.push_back(location_words(location, names, history));
+  for (const std::uint32_t location : things.locations)
+    parts.push_back(trace::location_words(location, names, history));
   for (const std::uint32_t unit : things.units) {
     parts.push_back(trace::unit_words(unit, names, history));
     for (const std::uint32_t symbol : names.symbols_of(unit)) {

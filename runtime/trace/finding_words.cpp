@@ -228,6 +228,9 @@ std::vector<std::string> of_requirement(const FoundThing& found, const PlantName
   std::stable_sort(units.begin(), units.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return history.unit_since(a) > history.unit_since(b); });
   for (const std::uint32_t unit : units) parts.push_back(unit_words(unit, names, history));
+  for (const std::uint32_t location : requirement_locations(names.tables(), requirement)) {
+    parts.push_back(location_words(location, names, history));
+  }
   for (const auto& [symbol, since] : forced_in(requirement, units, names, history)) {
     parts.push_back(fmt::format("{} is forced to {} since {}", names.symbol(symbol),
                                 value_text(names.tables().symbols[symbol].type(), history.value(symbol)),
@@ -314,6 +317,19 @@ std::string unit_words(std::uint32_t unit, const PlantNames& names, const Histor
   return fmt::format("{} has been in {}{} {}{}", names.unit(unit), state_words(unit, names, history),
                      by.empty() ? "" : " by " + by, since_words(history.unit_since(unit)),
                      led_here(unit, names, history));
+}
+
+std::string location_words(std::uint32_t location, const PlantNames& names, const History& history) {
+  constexpr std::size_t kMostNamed = 4;
+  const auto& parts = history.parts_at(location);
+  if (parts.empty()) return fmt::format("{} has no part", names.location(location));
+  std::string text;
+  for (std::size_t i = 0; i < parts.size() && i < kMostNamed; ++i) {
+    text += fmt::format("{}part {} ({}) {}", text.empty() ? "" : ", ", parts[i].number, names.part_kind(parts[i].kind),
+                        since_words(parts[i].since));
+  }
+  if (parts.size() > kMostNamed) text += fmt::format(" and {} more", parts.size() - kMostNamed);
+  return fmt::format("{} has {}", names.location(location), text);
 }
 
 std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history) {

@@ -42,6 +42,16 @@ std::set<std::uint32_t> requirement_symbols(const tables::PlantTables& tables, s
   return symbols;
 }
 
+std::set<std::uint32_t> requirement_locations(const tables::PlantTables& tables, std::uint32_t requirement) {
+  std::set<std::uint32_t> locations;
+  for (const tables::ValueWatch& watch : tables.part_watches) {
+    if (reader_of(tables, watch.condition) == requirement) {
+      locations.insert(tables.material.counters[watch.slot].location);
+    }
+  }
+  return locations;
+}
+
 std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, std::uint32_t requirement) {
   std::set<std::uint32_t> units;
   for (const tables::UnitWatch& watch : tables.unit_watches) {

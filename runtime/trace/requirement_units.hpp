@@ -15,4 +15,7 @@ std::set<std::uint32_t> requirement_symbols(const tables::PlantTables& tables, s
 /// The units that its conditions name, and the units of the symbols that they name; each once, ascending. O(watches).
 std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, std::uint32_t requirement);
 
+/// The locations of parts that its conditions name. O(watches).
+std::set<std::uint32_t> requirement_locations(const tables::PlantTables& tables, std::uint32_t requirement);
+
 }  // namespace symplant::trace
