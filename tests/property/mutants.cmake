@@ -184,7 +184,5 @@ symplant_mutant(facing_drives_do_not_stop
   "speed_of_drive(drive - 1) > 0 ? speed : speed;")
 
 symplant_mutant(work_changes_the_first_part_only
-  "    work_on(location, i, row);
-    any = true;"
-  "    if (!any) work_on(location, i, row);
-    any = true;")
+  "    work_on(location, i, row);"
+  "    if (!any) work_on(location, i, row);")
