@@ -78,6 +78,12 @@ extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
 extern const Rule kRuleRenamed;           // SP625
 
+// Of `material` in plant.json.
+extern const Rule kPartSensorNotDescribed;  // SP630
+extern const Rule kTrackNeverMoves;         // SP631
+extern const Rule kTransferWithoutParts;    // SP632
+extern const Rule kPartsNeverLeave;         // SP633
+
 /// In the order of their ids.
 inline constexpr std::array kRules{
     &kWrongNumberOfLevels,
@@ -144,6 +150,10 @@ inline constexpr std::array kRules{
     &kBindingRule,
     &kDateNotUnderstood,
     &kRuleRenamed,
+    &kPartSensorNotDescribed,
+    &kTrackNeverMoves,
+    &kTransferWithoutParts,
+    &kPartsNeverLeave,
 };
 
 /// For the rules about names: narrows the location of a symbol's name to the faulty part, if the name is in the file as
