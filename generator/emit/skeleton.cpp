@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "emit/material_skeleton.hpp"
 #include "emit/shapes.hpp"
 #include "model/condition_text.hpp"
 
@@ -56,7 +57,9 @@ std::string some_of(const std::vector<std::string>& names) {
 class Skeleton {
  public:
   Skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list)
-      : plant_(plant), evidence_(evidence), list_(list), shapes_(shapes_of(plant)) {}
+      : plant_(plant), evidence_(evidence), list_(list), shapes_(shapes_of(plant)) {
+    if (!proposed_material(plant).is_null()) leave_out_sensors();
+  }
 
   std::string write() {
     head();
@@ -67,6 +70,7 @@ class Skeleton {
     line(
         "  // \"defaults\": { \"travel\": \"1s\", \"dwell\": \"1s\", \"actuation\": \"latched\", \"sequence\": "
         "\"free\" },");
+    material();
     requirements();
     links();
     check_section();
@@ -88,6 +92,23 @@ class Skeleton {
                      shapes_.size() == 1 ? "" : "s"));
     line("// It states only what symplant infers from the list anyway. To state more, remove the `//` before a key");
     line("// and change its value: each of these lines is valid as it is, alone or with the others.");
+  }
+
+  /// Devices that the proposed material takes all symbols of: their entries would be errors with it.
+  void leave_out_sensors() {
+    std::erase_if(shapes_, [this](const Shape& shape) {
+      return std::any_of(shape.named.begin(), shape.named.end(),
+                         [this](std::uint32_t unit) { return is_only_part_sensors(plant_, plant_.units[unit]); });
+    });
+  }
+
+  void material() {
+    const Json proposed = proposed_material(plant_);
+    if (proposed.is_null()) return;
+    line(
+        "  // Parts on tracks: these inputs look like sensors of parts. Fill in lengths, positions and what drives "
+        "them:");
+    line("  // \"material\": " + one_line(proposed) + ",");
   }
 
   std::string list_reference() const {

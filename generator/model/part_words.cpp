@@ -9,15 +9,13 @@
 namespace symplant::model {
 namespace {
 
-constexpr std::array<std::string_view, 16> kWords{"PE",      "PEC",      "PHOTO",  "PHOTOEYE",    "PART",      "PARTS",
-                                                  "PRESENT", "PRESENCE", "PALLET", "CARRIER",     "WORKPIECE", "WP",
-                                                  "JAM",     "OCCUPIED", "BODY",   "LIGHTBARRIER"};
+constexpr std::array<std::string_view, 14> kWords{"PE",        "PEC",     "PHOTO",    "PHOTOEYE",    "PART",
+                                                  "PARTS",     "PRESENT", "PRESENCE", "PALLET",      "CARRIER",
+                                                  "WORKPIECE", "WP",      "OCCUPIED", "LIGHTBARRIER"};
 
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
-}  // namespace
-
-bool looks_like_part_sensor(std::string_view name) {
+bool has_word(std::string_view name) {
   for (std::size_t begin = 0; begin < name.size();) {
     if (!is_letter(name[begin])) {
       ++begin;
@@ -33,6 +31,13 @@ bool looks_like_part_sensor(std::string_view name) {
     begin = end;
   }
   return false;
+}
+
+}  // namespace
+
+bool looks_like_part_sensor(const Symbol& symbol) {
+  if (symbol.reading.fault != name::NameFault::none) return has_word(symbol.name());
+  return has_word(symbol.reading.device) || has_word(symbol.reading.task);
 }
 
 bool is_driven(const PlantModel& plant, const Symbol& symbol) {

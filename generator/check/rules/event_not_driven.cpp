@@ -34,8 +34,7 @@ std::vector<std::uint32_t> left_alone(const model::PlantModel& plant, const mode
   std::vector<std::uint32_t> left;
   for (std::uint32_t location = 0; location < unit.events.size(); ++location) {
     if (unit.moves_event(location) || follows_a_driven_one(plant, unit.events[location])) continue;
-    const bool sensor =
-        !plant.material.empty() && model::looks_like_part_sensor(event_of(plant, unit, location).name());
+    const bool sensor = !plant.material.empty() && model::looks_like_part_sensor(event_of(plant, unit, location));
     if (!sensor) left.push_back(unit.events[location]);  // SP630 reports those
   }
   return left;

@@ -27,7 +27,7 @@ void check_part_sensor_not_described(const Rule& rule, const Subject& subject, d
   std::vector<const model::Symbol*> found;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.direction != tables::Direction::event || symbol.leader != model::kNone) continue;
-    if (model::is_driven(plant, symbol) || !model::looks_like_part_sensor(symbol.name())) continue;
+    if (model::is_driven(plant, symbol) || !model::looks_like_part_sensor(symbol)) continue;
     found.push_back(&symbol);
   }
   if (found.empty()) return;

@@ -127,6 +127,24 @@ TEST_CASE("init: The unchanged skeleton is the plant of the bare list, and each 
   }
 }
 
+TEST_CASE("init: Inputs that look like sensors of parts become a proposed material flow, which is valid") {
+  const std::string list = list_text(bits({"L_S1_BELT_O_RUN", "L_S1_BELT_I_RUN", "L_S1_PE1_I_ON", "L_S1_PE2_I_ON",
+                                           "L_S2_CLAMP_O_ADV", "L_S2_CLAMP_I_ADV", "L_S2_FIX_I_PART"}));
+  MemoryFileSystem files;
+  files.files["list.csv"] = list;
+  const std::string text = run_tool({"init", "list.csv"}, files).out;
+  CHECK(contains(text, R"(// "material": {"kinds": {"box": {"length": "200 mm"}}, "tracks": {"TRACK_L_S1": )"));
+  CHECK(contains(text, R"("forward": "L_S1_BELT.RUN")"));
+  CHECK(contains(text, R"({"symbol": "L_S1_PE2_I_ON", "at": "1000 mm"})"));
+  CHECK(contains(text, R"("TRACK_L_S2": )"));
+  CHECK_FALSE(contains(text, R"("L_S1_PE?": {)"));
+  const std::vector<std::string> lines = lines_of(text);
+  const Tried made = tried(list, without_comments(lines, [](std::size_t) { return true; }));
+  INFO(made.out);
+  CHECK(made.code == 0);
+  CHECK_FALSE(contains(made.out, "[SP6"));
+}
+
 TEST_CASE("init: The proposed requirement is for all devices of a pattern, and valid") {
   std::vector<std::string> names;
   for (const std::string clamp : {"L_S1_CLAMP1", "L_S2_CLAMP2", "L_S3_CLAMP3"}) {
@@ -166,7 +184,7 @@ TEST_CASE("init: On a body-shop line each kind of device is one entry with a nat
   CHECK(keys ==
         "BODY_*_AIR\nBODY_*_BUTTONHALT\nBODY_*_BUTTONRESET\nBODY_*_BUTTONSTART\nBODY_*_CLAMP?\nBODY_*_CURTAIN\n"
         "BODY_*_DOOR?\nBODY_*_DRESSER?\nBODY_*_ESTOP?\nBODY_*_GRIPPER1\nBODY_*_HORN\nBODY_*_LATCH?\n"
-        "BODY_*_LIFTER1\nBODY_*_LIGHTAMBER\nBODY_*_LIGHTGREEN\nBODY_*_LIGHTRED\nBODY_*_PART?\nBODY_*_PIN?\n"
+        "BODY_*_LIFTER1\nBODY_*_LIGHTAMBER\nBODY_*_LIGHTGREEN\nBODY_*_LIGHTRED\nBODY_*_PIN?\n"
         "BODY_*_ROBOT?\nBODY_*_SEALER?\nBODY_*_SELECTOR\nBODY_*_WELDER?\nBODY_FRAME*_DRUM1\nBODY_INSP*_CAMERA?\n"
         "BODY_MOVE*_CONVEYOR1\nBODY_MOVE*_DRIVE?\nBODY_MOVE*_SHUTTLE1\nBODY_SEAL*_PUMP1\nBODY_SIDE*_TABLE1\n");
 }
