@@ -9,6 +9,7 @@
 #include "diag/encode.hpp"
 #include "model/plant_model.hpp"
 #include "view/chart.hpp"
+#include "view/material_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -35,6 +36,7 @@ class DotWriter {
     for (const std::uint32_t unit : scene_.units) add_unit(unit);
     for (const std::uint32_t unit : scene_.units) add_disables(unit);
     add_requirements();
+    add_material();
     text_ += "}\n";
     return std::move(text_);
   }
@@ -95,6 +97,14 @@ class DotWriter {
     for (const model::Requirement& requirement : scene_.plant.requirements) {
       text_.append(diag::dot_text(requirement.name + ": " + requirement_text(requirement, scene_.plant))).append("\\l");
     }
+    text_ += "\"]\n";
+  }
+
+  void add_material() {
+    const std::vector<std::string> lines = material_lines(scene_.plant);
+    if (lines.empty()) return;
+    text_ += "\n  material [shape=note, style=\"\", fontsize=9, label=\"material\\l";
+    for (const std::string& each : lines) text_.append(diag::dot_text(each)).append("\\l");
     text_ += "\"]\n";
   }
 

@@ -8,6 +8,7 @@
 
 #include "diag/encode.hpp"
 #include "view/chart.hpp"
+#include "view/material_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -33,6 +34,10 @@ class MermaidWriter {
         lines.push_back(requirement.name + ": " + requirement_text(requirement, scene_.plant));
       }
       add_note("requirements", lines);
+    }
+    if (const std::vector<std::string> lines = material_lines(scene_.plant); !lines.empty()) {
+      text_ += "  state \"material\" as material\n";
+      add_note("material", lines);
     }
     return std::move(text_);
   }

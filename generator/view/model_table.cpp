@@ -9,6 +9,7 @@
 #include "diag/visible_text.hpp"
 #include "model/condition_text.hpp"
 #include "view/cross_references.hpp"
+#include "view/material_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -36,6 +37,11 @@ class TableWriter {
         line(fmt::format("  {}: {}", plant_.symbols[follow.symbol].name(),
                          model::condition_text(follow.condition, plant_)));
       }
+      text_.add("\n");
+    }
+    if (const std::vector<std::string> material = material_lines(plant_); !material.empty()) {
+      line("material");
+      for (const std::string& each : material) line("  " + each);
       text_.add("\n");
     }
     add_counts();
