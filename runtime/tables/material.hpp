@@ -29,14 +29,14 @@ struct Rows {
 };
 
 struct KindRow {
-  std::int64_t length;  ///< > 0
-  std::uint32_t code;   ///< up to 65,535
+  std::int64_t length = 0;  ///< > 0
+  std::uint32_t code = 0;   ///< up to 65,535
 };
 
 struct TrackRow {
-  std::int64_t length;  ///< > 0
-  std::int64_t gap;     ///< smallest distance between two parts, >= 0
-  Rows drives;          ///< in order along the track, at least one
+  std::int64_t length = 0;  ///< > 0
+  std::int64_t gap = 0;     ///< smallest distance between two parts, >= 0
+  Rows drives;              ///< in order along the track, at least one
   Rows stops;
   Rows sensors;
   Rows ends;  ///< in priority order; none: a hard end
@@ -44,17 +44,17 @@ struct TrackRow {
 
 /// A range of a track in which one motor moves the parts. It begins at the `until` of the drive before it.
 struct DriveRow {
-  std::int64_t until;      ///< the length of the track for its last drive
-  std::uint32_t forward;   ///< a condition; kNone: never holds
-  std::uint32_t backward;  ///< a condition; kNone: never holds
-  std::uint32_t symbol;    ///< a numeric symbol that gives the speed; kNone: it is constant
-  std::int64_t speed;      ///< um/s, > 0: the speed, or what the value 1 of `symbol` means
+  std::int64_t until = 0;      ///< the length of the track for its last drive
+  std::uint32_t forward = 0;   ///< a condition; kNone: never holds
+  std::uint32_t backward = 0;  ///< a condition; kNone: never holds
+  std::uint32_t symbol = 0;    ///< a numeric symbol that gives the speed; kNone: it is constant
+  std::int64_t speed = 0;      ///< um/s, > 0: the speed, or what the value 1 of `symbol` means
 };
 
 /// While its condition holds, no part passes.
 struct StopRow {
-  std::int64_t at;
-  std::uint32_t condition;
+  std::int64_t at = 0;
+  std::uint32_t condition = 0;
 };
 
 enum class SensorReads : std::uint8_t {
@@ -64,20 +64,20 @@ enum class SensorReads : std::uint8_t {
 };
 
 struct SensorRow {
-  std::uint32_t symbol;
-  std::uint32_t location;
-  std::int64_t at;  ///< on a track; unused in a place
-  Rows kinds;       ///< of sensor_kinds: the kinds that it sees; none: all
-  SensorReads reads;
+  std::uint32_t symbol = 0;
+  std::uint32_t location = 0;
+  std::int64_t at = 0;  ///< on a track; unused in a place
+  Rows kinds;           ///< of sensor_kinds: the kinds that it sees; none: all
+  SensorReads reads = SensorReads::part;
 };
 
 struct EndRow {
-  std::uint32_t to;         ///< a location, or kOut
-  std::uint32_t condition;  ///< kNone: always holds
+  std::uint32_t to = 0;         ///< a location, or kOut
+  std::uint32_t condition = 0;  ///< kNone: always holds
 };
 
 struct PlaceRow {
-  std::uint32_t holds;  ///< 1 to kMaxPartsInPlace
+  std::uint32_t holds = 0;  ///< 1 to kMaxPartsInPlace
   Rows sensors;
 };
 
@@ -92,33 +92,33 @@ struct PartLocation {
 struct TransferRow {
   PartLocation from;
   PartLocation to;
-  std::uint32_t condition;  ///< kNone: always holds
-  bool once;                ///< one part for each beginning of the condition
+  std::uint32_t condition = 0;  ///< kNone: always holds
+  bool once = false;            ///< one part for each beginning of the condition
 };
 
 struct WorkRow {
   PartLocation at;
-  std::uint32_t condition;
-  std::uint32_t from;  ///< a kind
-  std::uint32_t to;    ///< a kind of the same length
+  std::uint32_t condition = 0;
+  std::uint32_t from = 0;  ///< a kind
+  std::uint32_t to = 0;    ///< a kind of the same length
 };
 
 inline constexpr std::uint64_t kAnyNumber = 0xFFFF'FFFF'FFFF'FFFF;
 
 struct SourceRow {
   PartLocation to;
-  Rows kinds;  ///< of source_kinds, taken in turn; at least one
-  Time first;  ///< >= 0
+  Rows kinds;      ///< of source_kinds, taken in turn; at least one
+  Time first = 0;  ///< >= 0
   /// >= 1; 0: not given. A negative number n refers to PlantTables::random_times[-1 - n].
-  Time every;
-  std::uint64_t count;      ///< kAnyNumber: not given
-  std::uint32_t condition;  ///< kNone: always holds
+  Time every = 0;
+  std::uint64_t count = 0;      ///< kAnyNumber: not given
+  std::uint32_t condition = 0;  ///< kNone: always holds
 };
 
 /// A number of parts that conditions read. Their ValueWatch::slot is the index of such a row.
 struct PartCounterRow {
-  std::uint32_t location;
-  std::uint32_t kind;  ///< kNone: parts of all kinds
+  std::uint32_t location = 0;
+  std::uint32_t kind = 0;  ///< kNone: parts of all kinds
 };
 
 /// Empty in a plant without material.

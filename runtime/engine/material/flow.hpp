@@ -87,6 +87,8 @@ struct Candidate {
 
 class Flow {
  public:
+  // build() and place() set all other members.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   explicit Flow(Engine& engine) noexcept : engine_(engine) {}
 
   // Memory (flow_memory.cpp). The calls are in this order.

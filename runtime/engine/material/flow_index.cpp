@@ -35,11 +35,10 @@ Mark* add_marks(const tables::MaterialTables& material, std::uint32_t track,
   return end;
 }
 
-void fill_stops(const tables::MaterialTables& material, std::uint32_t track, const tables::StopRow** stops) noexcept {
+void fill_stops(const tables::MaterialTables& material, std::uint32_t track, tables::StopRow* stops) noexcept {
   const tables::Rows rows = material.tracks[track].stops;
-  for (std::uint32_t s = 0; s < rows.count; ++s) stops[s] = &material.stops[rows.first + s];
-  std::sort(stops, stops + rows.count,
-            [](const tables::StopRow* a, const tables::StopRow* b) { return a->at < b->at; });
+  for (std::uint32_t s = 0; s < rows.count; ++s) stops[s] = material.stops[rows.first + s];
+  std::sort(stops, stops + rows.count, [](const tables::StopRow& a, const tables::StopRow& b) { return a.at < b.at; });
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ void FlowIndex::build_tracks(const tables::PlantTables& tables, Arena& arena) no
   const tables::MaterialTables& material = tables.material;
   auto* const rows = arena.take<TrackIndex>(material.tracks.size());
   auto* mark = arena.take<Mark>(material.sensors.size() + material.transfers.size());
-  auto** stop = arena.take<const tables::StopRow*>(material.stops.size());
+  auto* stop = arena.take<tables::StopRow>(material.stops.size());
   tracks = rows;
   for (std::uint32_t track = 0; track < material.tracks.size(); ++track) {
     const tables::TrackRow& row = material.tracks[track];

@@ -58,12 +58,12 @@ struct TrackIndex {
   Position gap;
   const Mark* marks;  ///< sorted by position
   std::uint32_t mark_count;
-  const tables::StopRow* const* stops;  ///< sorted by position
+  const tables::StopRow* stops;  ///< sorted by position
   std::uint32_t stop_count;
   std::uint32_t first_part;  ///< of its parts, in the array of all tracks' parts
   std::uint32_t capacity;    ///< the most parts that fit
 
-  std::span<const tables::StopRow* const> sorted_stops() const noexcept { return {stops, stop_count}; }
+  std::span<const tables::StopRow> sorted_stops() const noexcept { return {stops, stop_count}; }
 };
 
 /// A drive whose speed follows a numeric symbol.

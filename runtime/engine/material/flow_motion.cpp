@@ -47,11 +47,11 @@ Position Flow::drive_speed(std::uint32_t track, const Part& part, Position x) co
 bool Flow::stop_holds_at(std::uint32_t track, Position at) const noexcept {
   if (index_.tracks[track].stop_count == 0) return false;
   const auto stops = index_.tracks[track].sorted_stops();
-  auto stop = std::lower_bound(stops.begin(), stops.end(), at, [](const tables::StopRow* row, Position position) {
-    return row->at * kMicrometer < position;
+  auto stop = std::lower_bound(stops.begin(), stops.end(), at, [](const tables::StopRow& row, Position position) {
+    return row.at * kMicrometer < position;
   });
-  for (; stop != stops.end() && (*stop)->at * kMicrometer == at; ++stop) {
-    if (truth((*stop)->condition)) return true;
+  for (; stop != stops.end() && stop->at * kMicrometer == at; ++stop) {
+    if (truth(stop->condition)) return true;
   }
   return false;
 }

@@ -40,11 +40,11 @@ void Flow::aim_forward(std::uint32_t track, Part& p, Position x) const noexcept 
   const tables::Time time = now();
   p.aim = x < row.length ? row.length : kBeyond;
   const auto stops = row.sorted_stops();
-  auto stop = std::upper_bound(stops.begin(), stops.end(), x, [](Position position, const tables::StopRow* it) {
-    return position < it->at * kMicrometer;
+  auto stop = std::upper_bound(stops.begin(), stops.end(), x, [](Position position, const tables::StopRow& it) {
+    return position < it.at * kMicrometer;
   });
-  while (stop != stops.end() && !truth((*stop)->condition)) ++stop;
-  if (stop != stops.end()) p.aim = std::min(p.aim, (*stop)->at * kMicrometer);
+  while (stop != stops.end() && !truth(stop->condition)) ++stop;
+  if (stop != stops.end()) p.aim = std::min(p.aim, stop->at * kMicrometer);
   const tables::Rows drives = material_->tracks[track].drives;
   if (p.drive + 1 < drives.count) {
     const std::uint32_t drive = drives.first + p.drive;
@@ -64,11 +64,11 @@ void Flow::aim_backward(std::uint32_t track, Part& p, Position x) const noexcept
   const Position tail = x - part_length;
   p.aim = tail > 0 ? part_length : -kBeyond;
   const auto stops = index_.tracks[track].sorted_stops();
-  auto stop = std::lower_bound(stops.begin(), stops.end(), tail, [](const tables::StopRow* it, Position position) {
-    return it->at * kMicrometer < position;
+  auto stop = std::lower_bound(stops.begin(), stops.end(), tail, [](const tables::StopRow& it, Position position) {
+    return it.at * kMicrometer < position;
   });
-  while (stop != stops.begin() && !truth((*(stop - 1))->condition)) --stop;
-  if (stop != stops.begin()) p.aim = std::max(p.aim, (*(stop - 1))->at * kMicrometer + part_length);
+  while (stop != stops.begin() && !truth((stop - 1)->condition)) --stop;
+  if (stop != stops.begin()) p.aim = std::max(p.aim, (stop - 1)->at * kMicrometer + part_length);
   if (p.drive > 0) {
     const std::uint32_t drive = material_->tracks[track].drives.first + p.drive;
     const Position half = part_length / 2;

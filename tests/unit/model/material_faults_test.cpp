@@ -218,7 +218,8 @@ TEST_CASE("A sensor and a device on one address are an error") {
       line_with(kinds() + R"(, "places": {"P": {"sensors": [{"symbol": "S_10_PE1_I_PART"}]}})", "", rows);
   CHECK(button.count("event-driven-twice") == 0);
   CHECK(button.model().symbols.at(17).leader == 12);
-  CHECK(button.count("event-not-driven") == 2);  // of PE2 and FIX1: the button has a driver
+  CHECK(button.count("event-not-driven") == 0);           // the button has a driver
+  CHECK(button.count("part-sensor-not-described") == 1);  // PE2 and FIX1
 }
 
 TEST_CASE("Conditions of the material flow are checked") {
