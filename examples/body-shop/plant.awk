@@ -1,6 +1,7 @@
 # Writes the description of the body-shop line from its list. usage: awk -f plant.awk body-shop.csv >plant.json
 #
 # Times are given for patterns. Interlocks and requirements name the devices of one station: they are written station by station.
+# The bodies travel on four tracks, one for each shuttle.
 
 BEGIN { FS = "," }
 
@@ -26,6 +27,8 @@ END {
   times()
   for (s = 1; s <= stations; s++) interlocks(station[s])
   print "\n  },"
+  follow()
+  material()
   print "  \"requirements\": ["
   separator = ""
   for (s = 1; s <= stations; s++) requirements(station[s])
@@ -43,17 +46,20 @@ function times() {
   entry("BODY_*_DRUM?", "\"transitions\": [ " way("*", "POS1", "9s") ", " way("*", "POS2", "9s") ", " way("*", "POS3", "9s") ", " \
         way("*", "POS4", "9s") " ]")
   entry("BODY_*_SHUTTLE?", "\"actuation\": \"held\", \"transitions\": [ " way("BACK1", "FRONT3", "7s") ", " way("FRONT3", "BACK1", "7s") \
-        ", " way("*", "MID2", "4s") ", " way("MID2", "BACK1", "4s") ", " way("MID2", "FRONT3", "4s") " ]")
+        ", " way("*", "MID2", "3.5s") ", " way("MID2", "BACK1", "3.5s") ", " way("MID2", "FRONT3", "3.5s") " ]")
   entry("BODY_*_CONVEYOR?", "\"actuation\": \"held\", \"only\": true, \"transitions\": [ " way("ENTRY1", "STOP2", "5s") ", " \
         way("STOP2", "EXIT3", "5s") ", " way("EXIT3", "ENTRY1", "8s") " ]")
   entry("BODY_*_LIFTER?", "\"actuation\": \"held\", \"transitions\": [ " way("LOW1", "HIGH2", "4.5s") ", " way("HIGH2", "LOW1", "4s") " ]")
   entry("BODY_*_DRIVE?", "\"transitions\": [ " way("NOT_RUN", "RUN", "50ms") ", " way("RUN", "NOT_RUN", "30ms") " ]")
   entry("BODY_*_PUMP?", "\"transitions\": [ " way("NOT_RUN", "RUN", "2s") ", " way("RUN", "NOT_RUN", "1s") " ]")
-  entry("BODY_*_WELDER?", "\"transitions\": [ " way("NOT_ON", "ON", "0.2s") ", " way("ON", "NOT_ON", "0.1s") " ]")
-  entry("BODY_*_SEALER?", "\"transitions\": [ " way("NOT_ON", "ON", "0.1s") ", " way("ON", "NOT_ON", "0.1s") " ]")
+  entry("BODY_*_WELDER?", behavior("SpotWelder") ", \"inputs\": { \"welds\": \"{line}_{1}_ROBOT{2}.JOB2\", " \
+        "\"dressed\": \"{line}_{1}_DRESSER1.RUN2\" }, \"transitions\": [ " way("NOT_ON", "ON", "0.2s") ", " way("ON", "NOT_ON", "0.1s") " ]")
+  entry("BODY_*_SEALER?", behavior("BodySealer") ", \"transitions\": [ " way("NOT_ON", "ON", "0.1s") ", " way("ON", "NOT_ON", "0.1s") " ]")
   entry("BODY_*_DRESSER?", "\"transitions\": [ " way("IDLE1", "RUN2", "0.1s") ", " by_itself("RUN2", "IDLE1", "\"8s\"") " ]")
-  entry("BODY_*_CAMERA?", "\"transitions\": [ " way("READY1", "TAKE2", "20ms") ", " by_itself("TAKE2", "READY1", "\"0.35s\"") " ]")
+  entry("BODY_*_CAMERA?", behavior("JudgingCamera") ", \"transitions\": [ " way("READY1", "TAKE2", "20ms") ", " by_itself("TAKE2", "READY1", "\"0.35s\"") " ]")
 }
+
+function behavior(name) { return "\"behaviour\": \"" name "\"" }
 
 function double_acting(shape, rest, work, there, back) {
   entry("BODY_*_" shape "?", "\"actuation\": \"bistable\", \"transitions\": [ " way(rest, work, there) ", " way(work, rest, back) " ]")
@@ -75,13 +81,13 @@ function interlocks(place,    air, power) {
   }
 }
 
-# A robot begins when its welder or pump is on, and works for the duration of its job.
+# A robot begins when its welder or pump is on, or with air, and works for the duration of its job.
 function robots(place,    i, when) {
   for (i = 1; i <= has(place, "ROBOT"); i++) {
-    when = ""
+    when = name(place, "AIR") ".GOOD"
     if (has(place, "WELDER")) when = device[place, "WELDER", i] ".ON"
     if (has(place, "PUMP")) when = device[place, "PUMP", 1] ".RUN"
-    entry(device[place, "ROBOT", i], "\"only\": true, \"transitions\": [ " way("HOME1", "JOB2", "0.3s", when) ", " \
+    entry(device[place, "ROBOT", i], behavior("JobRobot") ", \"only\": true, \"transitions\": [ " way("HOME1", "JOB2", "0.3s", when) ", " \
           by_itself("JOB2", "DONE3", job_of(place, i)) ", " way("DONE3", "HOME1", i % 2 ? "2.5s" : "3s") " ]")
   }
 }
@@ -136,13 +142,75 @@ function requirements(place,    robots_work, robots_home, i) {
         name(place, "LIGHTRED_O_ON"), "500ms")
 }
 
-# The shuttle that carries the bodies into a station.
-function shuttle_of(place) {
-  if (place ~ /^UNDER/) return "BODY_MOVE10_SHUTTLE1"
-  if (place ~ /^(SIDE|FRAME)/) return "BODY_MOVE20_SHUTTLE1"
-  if (place ~ /^SPOT/) return "BODY_MOVE30_SHUTTLE1"
-  return "BODY_MOVE40_SHUTTLE1"
+# The transfer station whose shuttle carries the bodies into a station.
+function transfer_of(place) {
+  if (place ~ /^MOVE/) return place
+  if (place ~ /^UNDER/) return "MOVE10"
+  if (place ~ /^(SIDE|FRAME)/) return "MOVE20"
+  if (place ~ /^SPOT/) return "MOVE30"
+  return "MOVE40"
 }
+
+function shuttle_of(place) { return name(transfer_of(place), "SHUTTLE1") }
+
+function follow() {
+  print "  // A mode selector has two contacts: when one is closed, the other is open."
+  print "  \"follow\": { \"BODY_*_SELECTOR_I_MANUAL\": \"not BODY_{1}_SELECTOR_I_AUTO\" },"
+}
+
+# The floors of two models come in at UNDER10 and become bodies in the last framing station.
+function material() {
+  print "\n  // Bodies are 4.5 m long and stop every 7 m. A stroke of the shuttle carries each body of its track one station on, the last one"
+  print "  // to the conveyor of the transfer, which hands it to the next track."
+  print "  \"material\": {"
+  print "    \"kinds\": {"
+  print "      \"sedan_floor\": { \"length\": \"4500 mm\", \"code\": 3 }, \"sedan\": { \"length\": \"4500 mm\", \"code\": 3 },"
+  print "      \"estate_floor\": { \"length\": \"4500 mm\", \"code\": 5 }, \"estate\": { \"length\": \"4500 mm\", \"code\": 5 }"
+  print "    },"
+  print "    \"tracks\": {"
+  track("UNDERBODY", "MOVE10", "", "FRAMING")
+  track("FRAMING", "MOVE20", "MOVE10", "RESPOT")
+  track("RESPOT", "MOVE30", "MOVE20", "FINISH")
+  track("FINISH", "MOVE40", "MOVE30", "out")
+  print "    },"
+  print "    \"work\": ["
+  print "      { \"name\": \"frame sedan\", \"at\": \"FRAMING@66.75 m\", \"when\": \"BODY_FRAME40_ROBOT1.DONE3\", \"from\": \"sedan_floor\", \"to\": \"sedan\" },"
+  print "      { \"name\": \"frame estate\", \"at\": \"FRAMING@66.75 m\", \"when\": \"BODY_FRAME40_ROBOT1.DONE3\", \"from\": \"estate_floor\", \"to\": \"estate\" }"
+  print "    ],"
+  print "    \"sources\": ["
+  print "      // The operator puts a floor on lowered pins while the shuttle is back."
+  print "      { \"name\": \"floors\", \"at\": \"UNDERBODY@3.75 m\", \"kind\": [\"sedan_floor\", \"estate_floor\"], \"first\": \"0.5s\", \"every\": \"20s\","
+  print "        \"when\": \"" name("MOVE10", "SHUTTLE1") ".BACK1 and " every("UNDER10", "PIN", "DOWN", "and") "\" },"
+  print "      { \"name\": \"left in SIDE10\", \"at\": \"FRAMING@3.75 m\", \"kind\": \"sedan_floor\" }"
+  print "    ]"
+  print "  },\n"
+}
+
+# A track with the stations of one transfer, in the order of the list. Body k ends 1 m before 7k m; its middle is where the next drive begins.
+function track(track_name, transfer, before, next_track,    s, k, stops, sensors) {
+  for (s = 1; s <= stations; s++) {
+    if (transfer_of(station[s]) != transfer || station[s] == transfer) continue
+    k++
+    stops = stops (k == 1 ? "" : ",") "\n          { \"at\": \"" 7 * k - 1 " m\", \"when\": \"" every(station[s], "PIN", "UP", "or") "\" }"
+    sensors = sensors (k == 1 ? "" : ",") sensors_of(station[s], 7 * k - 1)
+  }
+  sensors = sensors "," sensors_of(transfer, 7 * k + 6)
+  printf "%s      \"%s\": {\n        \"length\": \"%d m\", \"drives\": [", track_name == "UNDERBODY" ? "" : ",\n", track_name, 7 * k + 13
+  if (before != "") printf "\n          { \"until\": \"3750 mm\", \"forward\": \"%s.RUN\", \"speed\": \"1 m/s\" },", name(before, "DRIVE2")
+  printf "\n          { \"until\": \"%d mm\", \"forward\": \"%s.moving and %s_O_FRONT3\", \"speed\": \"1 m/s\" },",
+         7000 * k + 3750, name(transfer, "SHUTTLE1"), name(transfer, "SHUTTLE1")
+  printf "\n          { \"forward\": \"%s.RUN\", \"speed\": \"1 m/s\" } ],", name(transfer, "DRIVE1")
+  printf "\n        \"stops\": [%s ],\n        \"sensors\": [%s ],\n        \"end\": \"%s\"\n      }%s", stops, sensors, next_track, next_track == "out" ? "\n" : ""
+}
+
+# The sensors of a body whose front is at a position: part 1 near its front, part 2 near its rear, the reader of the skid in the middle.
+function sensors_of(place, front,    text) {
+  text = sensor(name(place, "PART1_I_SEEN"), front * 1000 - 200)
+  if (has(place, "PART") > 1) text = text "," sensor(name(place, "PART2_I_SEEN"), front * 1000 - 4300)
+  return text "," sensor(name(place, "VARIANT_I_CODE"), front * 1000 - 2250, ", \"reads\": \"code\"")
+}
+
+function sensor(symbol, at, more) { return "\n          { \"symbol\": \"" symbol "\", \"at\": \"" at " mm\"" more " }" }
 
 function name(place, what) { return "BODY_" place "_" what }
 
