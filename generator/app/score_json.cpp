@@ -50,7 +50,8 @@ class ScoreWriter {
   void write_counts(const score::Counts& counts) {
     json_.member("symbols", counts.counted());
     json_.member("paired", counts.paired());
-    for (const Verdict verdict : {Verdict::constant, Verdict::operator_panel, Verdict::data}) {
+    for (const Verdict verdict : {Verdict::constant, Verdict::operator_panel, Verdict::data, Verdict::parts,
+                                  Verdict::follow, Verdict::condition}) {
       json_.member(score::verdict_key(verdict), counts.of(verdict));
     }
     json_.member("accounted", counts.accounted());

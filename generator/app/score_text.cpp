@@ -119,10 +119,18 @@ std::string questions_text(const model::PlantModel& plant, const score::Score& s
 
 std::string score_text(const score::Counts& counts) {
   const std::size_t all = counts.counted();
-  return fmt::format("of {} BOOL I/O {} {} ({} %) paired, {} ({} %) accounted for: {} constant, {} operator, {} data",
-                     all, number(all, "symbol", "symbols"), counts.paired(), percent(counts.paired(), all),
-                     counts.accounted(), percent(counts.accounted(), all), counts.of(Verdict::constant),
-                     counts.of(Verdict::operator_panel), counts.of(Verdict::data));
+  std::string text =
+      fmt::format("of {} BOOL I/O {} {} ({} %) paired, {} ({} %) accounted for: {} constant, {} operator, {} data", all,
+                  number(all, "symbol", "symbols"), counts.paired(), percent(counts.paired(), all), counts.accounted(),
+                  percent(counts.accounted(), all), counts.of(Verdict::constant), counts.of(Verdict::operator_panel),
+                  counts.of(Verdict::data));
+  if (counts.of(Verdict::parts) != 0)
+    text += fmt::format(", {} {}", counts.of(Verdict::parts),
+                        number(counts.of(Verdict::parts), "sensor of parts", "sensors of parts"));
+  if (counts.of(Verdict::follow) != 0) text += fmt::format(", {} by `follow`", counts.of(Verdict::follow));
+  if (counts.of(Verdict::condition) != 0)
+    text += fmt::format(", {} read by `material` or `follow`", counts.of(Verdict::condition));
+  return text;
 }
 
 std::string score_details(const model::PlantModel& plant, const score::Score& score, bool verbose) {

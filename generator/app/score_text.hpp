@@ -8,7 +8,8 @@
 
 namespace symplant::app {
 
-/// "of 23 BOOL I/O symbols 20 (87 %) paired, 23 (100 %) accounted for: 1 constant, 2 operator, 0 data".
+/// "of 23 BOOL I/O symbols 20 (87 %) paired, 23 (100 %) accounted for: 1 constant, 2 operator, 0 data", and
+/// ", 4 sensors of parts", ", 1 by `follow`", ", 2 read by `material` or `follow`" if there are any.
 std::string score_text(const score::Counts& counts);
 
 /// The symbols that are left over, as lines; with `verbose` also the stations, and events to ask for. Empty for the

@@ -1,7 +1,10 @@
 // Gives each symbol its verdict.
 #include "score/score.hpp"
 
+#include <optional>
+
 #include "base/large_memory.hpp"
+#include "score/described_operations.hpp"
 #include "score/paired_by_task.hpp"
 
 namespace symplant::score {
@@ -41,6 +44,13 @@ Verdict verdict_of(pairing::Account account, const Symbol& symbol) {
   return Verdict::no_rule;
 }
 
+/// Of a symbol that the description drives; nothing for all others.
+std::optional<Verdict> verdict_by_description(const Symbol& symbol) {
+  if (symbol.unmodelled == Unmodelled::senses_parts) return Verdict::parts;
+  if (symbol.unmodelled == Unmodelled::follows) return Verdict::follow;
+  return std::nullopt;
+}
+
 /// Whether it is a contact with an initial value that nothing changes.
 bool keeps_its_value(const model::PlantModel& plant, std::uint32_t index) {
   const Symbol& symbol = plant.symbols[index];
@@ -67,17 +77,32 @@ Verdict verdict_by_task(const model::PlantModel& plant, std::uint32_t index, boo
   }
 }
 
+/// `paired`: by paired_by_task(), empty under a custom naming rule. `described`: by described_operations().
+Verdict verdict_of_symbol(const model::PlantModel& plant, std::uint32_t index, const std::vector<bool>& paired,
+                          const std::vector<bool>& described) {
+  const Symbol& symbol = plant.symbols[index];
+  if (symbol.type != tables::DataType::boolean) return Verdict::not_counted;
+  if (const auto driven = verdict_by_description(symbol)) return *driven;
+  const Verdict verdict = plant.pairing != nullptr ? verdict_of(plant.pairing->accounts[index], symbol)
+                                                   : verdict_by_task(plant, index, paired[index]);
+  return is_left_over(verdict) && described[index] ? Verdict::condition : verdict;
+}
+
 }  // namespace
 
 std::string_view verdict_key(Verdict verdict) {
   constexpr std::array<std::string_view, kVerdicts> kKeys = {
-      "not_counted",  "paired",   "constant",   "operator",       "data",           "no_rule",  "no_direction",
-      "no_operation", "no_event", "task_taken", "unit_too_large", "named_internal", "role_none"};
+      "not_counted", "paired",         "constant",       "operator",     "data",         "parts",
+      "follow",      "condition",      "no_rule",        "no_direction", "no_operation", "no_event",
+      "task_taken",  "unit_too_large", "named_internal", "role_none"};
   return kKeys[static_cast<std::size_t>(verdict)];
 }
 
 std::size_t Counts::accounted() const {
-  return paired() + of(Verdict::constant) + of(Verdict::operator_panel) + of(Verdict::data);
+  std::size_t count = 0;
+  for (auto v = static_cast<std::size_t>(Verdict::paired); v < static_cast<std::size_t>(Verdict::no_rule); ++v)
+    count += by_verdict_[v];
+  return count;
 }
 
 std::size_t Counts::left_over() const {
@@ -89,14 +114,11 @@ std::size_t Counts::left_over() const {
 Score score_of(const model::PlantModel& plant) {
   Score score;
   base::reserve_large(score.verdicts, plant.symbols.size());
-  const bool by_task = plant.pairing == nullptr;
-  const std::vector<bool> paired = by_task ? paired_by_task(plant) : std::vector<bool>();
+  const std::vector<bool> paired = plant.pairing == nullptr ? paired_by_task(plant) : std::vector<bool>();
+  const std::vector<bool> described = described_operations(plant);
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
-    Verdict verdict = Verdict::not_counted;
-    if (symbol.type == tables::DataType::boolean) {
-      verdict = by_task ? verdict_by_task(plant, i, paired[i]) : verdict_of(plant.pairing->accounts[i], symbol);
-    }
+    const Verdict verdict = verdict_of_symbol(plant, i, paired, described);
     if (symbol.reading.fault == name::NameFault::none) ++score.named;
     score.total.add(verdict);
     score.verdicts.push_back(verdict);

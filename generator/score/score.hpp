@@ -18,6 +18,9 @@ enum class Verdict : std::uint8_t {
   constant,
   operator_panel,
   data,
+  parts,           ///< a sensor of parts
+  follow,          ///< an input that follows a condition
+  condition,       ///< an operation that moves no event, but parts or an input that follows
   no_rule,         ///< its name or comment matches no rule
   no_direction,    ///< neither address nor name says a direction
   no_operation,    ///< an event that nothing moves
@@ -27,7 +30,7 @@ enum class Verdict : std::uint8_t {
   named_internal,  ///< its name says that it is neither operation nor event
   role_none,       ///< its rule has the role `none`
 };
-inline constexpr std::size_t kVerdicts = 13;
+inline constexpr std::size_t kVerdicts = 16;
 
 constexpr bool is_left_over(Verdict verdict) { return verdict >= Verdict::no_rule; }
 /// The key in JSON: `no_rule`.

@@ -192,6 +192,10 @@ SYMPLANT_ALWAYS_INLINE tables::Time Engine::takes_by_model(std::uint32_t unit, c
   return time >= 0 ? time : drawn(unit, type, transition, time);
 }
 
+inline tables::Time Flow::now() const noexcept { return engine_.head_->now; }
+
+inline bool Flow::truth(std::uint32_t condition) const noexcept { return engine_.truth(condition); }
+
 inline const Behaviour* Engine::behaviour_of(const GeneralRow& general) const noexcept {
   if (general.behaviour == tables::kNone) return nullptr;
   const std::uint32_t name = tables_.behaviour_units[general.behaviour].name;

@@ -179,7 +179,10 @@ class Flow {
   void freeze(std::uint32_t track) noexcept;
   Position speed_of_drive(std::uint32_t drive) const noexcept;
   Position drive_speed(std::uint32_t track, const Part& part, Position x) const noexcept;
-  bool stop_holds_at(std::uint32_t track, Position at) const noexcept;
+  bool stop_holds_at(std::uint32_t track, Position at) const noexcept {
+    return index_.tracks[track].stop_count != 0 && a_stop_holds_at(track, at);
+  }
+  bool a_stop_holds_at(std::uint32_t track, Position at) const noexcept;
   void compute_speeds(std::uint32_t track) noexcept;
   void set_stale_dues(std::uint32_t track) noexcept;
   void all_speeds(std::uint32_t track) noexcept {
@@ -197,7 +200,7 @@ class Flow {
   void set_track_wheel(std::uint32_t track) noexcept;
   void set_wheel(std::uint32_t entry, tables::Time due) noexcept;
 
-  // Moves between locations (flow_moves.cpp).
+  // Moves between locations (flow_moves.cpp), work and sources (flow_work.cpp).
   void try_end(std::uint32_t track) noexcept;
   bool try_transfer(std::uint32_t transfer) noexcept;
   bool try_work(std::uint32_t work) noexcept;
@@ -217,7 +220,7 @@ class Flow {
   void set_next_due(std::uint32_t source) noexcept;
   void settle(std::uint32_t location) noexcept;
 
-  // Sensors (flow_sensors.cpp).
+  // Sensors (flow_round.cpp).
   void set_sensor(std::uint32_t sensor) noexcept;
   std::uint64_t reading(std::uint32_t sensor) const noexcept;
   bool is_blocked(std::uint32_t transfer) const noexcept;

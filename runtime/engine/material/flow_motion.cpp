@@ -44,8 +44,7 @@ Position Flow::drive_speed(std::uint32_t track, const Part& part, Position x) co
   return x - length(part.kind) / 2 == boundary && speed_of_drive(drive - 1) > 0 ? 0 : speed;
 }
 
-bool Flow::stop_holds_at(std::uint32_t track, Position at) const noexcept {
-  if (index_.tracks[track].stop_count == 0) return false;
+bool Flow::a_stop_holds_at(std::uint32_t track, Position at) const noexcept {
   const auto stops = index_.tracks[track].sorted_stops();
   auto stop = std::lower_bound(stops.begin(), stops.end(), at, [](const tables::StopRow& row, Position position) {
     return row.at * kMicrometer < position;
@@ -60,32 +59,32 @@ bool Flow::stop_holds_at(std::uint32_t track, Position at) const noexcept {
 void Flow::track_due(std::uint32_t track) noexcept {
   TrackState& state = tracks_[track];
   const tables::Time time = now();
-  bool marks = false;
-  bool speeds = false;
-  Part* const parts = &part(track, 0);
-  for (std::uint32_t i = 0; i < state.size; ++i) {
-    marks = marks || parts[i].mark_due <= time;
-    speeds = speeds || parts[i].speed_due <= time;
+  tables::Time next_mark = tables::kNever;
+  tables::Time next_speed = tables::kNever;
+  const Part* const end = &part(track, 0) + state.size;
+  for (const Part* p = &part(track, 0); p != end; ++p) {
+    next_mark = std::min(next_mark, p->mark_due);
+    next_speed = std::min(next_speed, p->speed_due);
   }
-  if (marks || speeds) count_instant(track);
+  const bool speeds = next_speed <= time;
+  if (speeds || next_mark <= time) count_instant(track);
   if (speeds) put_overshot(track);
   if (state.room_due <= time) {
     state.room_due = tables::kNever;
     room_may_appear(track);
   }
-  tables::Time due = state.room_due;
-  for (std::uint32_t i = 0; i < state.size; ++i) {
-    Part& p = parts[i];
-    if (p.speed_due <= time) {
-      find_drive(track, p, p.at(time));
-      p.stale = 1;
+  next_mark = tables::kNever;
+  for (Part* p = &part(track, 0); p != end; ++p) {
+    if (p->speed_due <= time) {
+      find_drive(track, *p, p->at(time));
+      p->stale = 1;
     }
-    if (p.mark_due <= time || p.stale != 0) cover(track, p);
-    if (p.mark_due <= time) set_mark_due(track, p);
-    due = std::min(due, std::min(p.mark_due, p.speed_due));
+    if (p->mark_due <= time || p->stale != 0) cover(track, *p);
+    if (p->mark_due <= time) set_mark_due(track, *p);
+    next_mark = std::min(next_mark, p->mark_due);
   }
   if (!speeds) {
-    set_wheel(first_entry_ + track, due);
+    set_wheel(first_entry_ + track, std::min({state.room_due, next_mark, next_speed}));
     return;
   }
   due_speeds_.mark(track);
@@ -170,10 +169,17 @@ void Flow::compute_speeds(std::uint32_t track) noexcept {
   Position* const speeds = speeds_;
   Part* const parts = &part(track, 0);
   Position ahead_tail = kBeyond;
+  std::uint32_t drive = tables::kNone;  // of the part ahead
+  Position forward = 0;                 // its speed, if that is forward; else 0
   for (std::uint32_t i = 0; i < state.size; ++i) {
     const Part& p = parts[i];
     const Position x = p.at(time);
-    Position w = state.frozen != 0 ? 0 : drive_speed(track, p, x);
+    Position w = forward;
+    if (forward == 0 || p.drive != drive) {
+      w = state.frozen != 0 ? 0 : drive_speed(track, p, x);
+      drive = p.drive;
+      forward = std::max<Position>(w, 0);
+    }
     if (w > 0) {
       if (x >= row.length || stop_holds_at(track, x)) w = 0;
       if (i > 0 && x >= ahead_tail - row.gap) w = std::min(w, std::max<Position>(speeds[i - 1], 0));

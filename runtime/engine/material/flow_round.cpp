@@ -7,10 +7,6 @@
 
 namespace symplant::engine {
 
-tables::Time Flow::now() const noexcept { return engine_.head_->now; }
-
-bool Flow::truth(std::uint32_t condition) const noexcept { return engine_.truth(condition); }
-
 void Flow::entry_due(std::uint32_t entry) noexcept {
   const auto track_count = static_cast<std::uint32_t>(material_->tracks.size());
   if (entry < track_count) {

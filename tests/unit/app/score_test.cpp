@@ -30,6 +30,23 @@ TEST_CASE("check: The score is a line of the summary") {
   CHECK_FALSE(contains(run.out, "left over"));
 }
 
+TEST_CASE("check: Sensors of parts, inputs that follow and the operations that move them are accounted for") {
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text(bits({"L_P1_BELT_O_RUN", "L_P1_LAMP_O_ON", "L_P1_HORN_O_ON", "L_P1_EYE_I_PART",
+                                            "L_P1_READY_I_ON", "L_P1_BUTTON_I_PUSH"}));
+  files.files["plant.json"] = R"({ "symplant": 1, "symbols": ["list.csv"],
+    "follow": { "L_P1_READY_I_ON": "L_P1_LAMP_O_ON" },
+    "material": { "kinds": { "box": { "length": "1 m" } },
+      "tracks": { "CV": { "length": "2 m", "drives": [ { "forward": "L_P1_BELT.RUN", "speed": "1 m/s" } ],
+                          "sensors": [ { "symbol": "L_P1_EYE_I_PART", "at": "1 m" } ], "end": "out" } },
+      "sources": [ { "name": "boxes", "at": "CV", "kind": "box" } ] } })";
+  const ToolRun run = run_tool({"check", "plant.json"}, files);
+  INFO(run.out);
+  CHECK(contains(run.out,
+                 "of 6 BOOL I/O symbols 0 (0 %) paired, 4 (67 %) accounted for: 0 constant, 0 operator, 0 data, 1 "
+                 "sensor of parts, 1 by `follow`, 2 read by `material` or `follow`"));
+}
+
 TEST_CASE("check --verbose: Stations are shown worst first, then the shapes that are left over") {
   const ToolRun run = check_list({"--verbose"});
   INFO(run.out);
@@ -72,7 +89,7 @@ TEST_CASE("check: The JSON has the score of each plant on all levels") {
   const auto& score = plant.at("score");
   CHECK(score.at("total") ==
         nlohmann::json::parse(R"({"symbols": 10, "paired": 6, "constant": 1, "operator": 0, "data": 0,
-    "accounted": 7, "left_over": {"no_rule": 1, "no_operation": 2}})"));
+    "parts": 0, "follow": 0, "condition": 0, "accounted": 7, "left_over": {"no_rule": 1, "no_operation": 2}})"));
   CHECK(score.at("lists").at(0).at("list") == "list.csv");
   CHECK(score.at("lines").size() == 2);
   CHECK(score.at("stations").at(1).at("process") == "P2");
