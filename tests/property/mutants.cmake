@@ -1,4 +1,5 @@
-# Planted bugs of the engine, one line each. The property test must find every one of them within CI's plants.
+# Planted bugs of the engine, one line each. The property test must find every one of them within 6,000
+# plants; it ends at the first one that shows it.
 #
 # symplant_planted_source(NAME FOLDER INCLUDE FROM TO): a source in which the line FROM of a file of FOLDER, included as
 # INCLUDE/..., is TO. Its path is then in `source`, the folder to include first in `include`.
@@ -25,7 +26,7 @@ function(symplant_mutant NAME FROM TO)
   add_executable(property_mutant_${NAME} $<TARGET_OBJECTS:property_main> ${source})
   target_include_directories(property_mutant_${NAME} BEFORE PRIVATE ${include})
   target_link_libraries(property_mutant_${NAME} PRIVATE symplant_property symplant_options)
-  add_test(NAME property.mutant.${NAME} COMMAND property_mutant_${NAME} --wrong --quiet)
+  add_test(NAME property.mutant.${NAME} COMMAND property_mutant_${NAME} --wrong --quiet --plants 6000)
   set_tests_properties(property.mutant.${NAME} PROPERTIES TIMEOUT 600 LABELS mutants)
 endfunction()
 
