@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/evidence.hpp"
-#include "model/material_entries.hpp"
+#include "model/material/entries.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::model {

@@ -1,7 +1,7 @@
 // Finds the symbols of sensors of parts, before the symbols are grouped by device.
 #include <unordered_set>
 
-#include "model/material_entries.hpp"
+#include "model/material/entries.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::model {

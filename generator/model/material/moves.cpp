@@ -1,5 +1,5 @@
 // Resolves transfers, work and sources.
-#include "model/material_moves.hpp"
+#include "model/material/moves.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // Resolves tracks and places.
-#include "model/material_tracks.hpp"
+#include "model/material/tracks.hpp"
 
 #include <algorithm>
 #include <string>

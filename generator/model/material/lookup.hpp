@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/material_entries.hpp"
+#include "model/material/entries.hpp"
 #include "model/plant_names.hpp"
 
 namespace symplant::model {

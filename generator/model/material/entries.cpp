@@ -1,5 +1,5 @@
 // Makes the entries of the material flow.
-#include "model/material_entries.hpp"
+#include "model/material/entries.hpp"
 
 #include <algorithm>
 #include <unordered_set>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/material_entries.hpp"
+#include "model/material/entries.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::model {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/material_lookup.hpp"
+#include "model/material/lookup.hpp"
 
 namespace symplant::model {
 

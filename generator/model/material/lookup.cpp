@@ -1,5 +1,5 @@
 // Resolves the names, locations and conditions in entries of the material flow, and reports those that are invalid.
-#include "model/material_lookup.hpp"
+#include "model/material/lookup.hpp"
 
 #include <utility>
 #include <variant>

@@ -1,14 +1,14 @@
 // Resolves the material flow.
-#include "model/resolve_material.hpp"
+#include "model/material/resolve.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "model/material_moves.hpp"
-#include "model/material_names.hpp"
-#include "model/material_tracks.hpp"
+#include "model/material/moves.hpp"
+#include "model/material/names.hpp"
+#include "model/material/tracks.hpp"
 
 namespace symplant::model {
 namespace {

@@ -1,5 +1,5 @@
 // Checks the names of kinds, tracks and places.
-#include "model/material_names.hpp"
+#include "model/material/names.hpp"
 
 #include <string>
 #include <string_view>

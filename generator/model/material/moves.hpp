@@ -4,7 +4,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "model/material_lookup.hpp"
+#include "model/material/lookup.hpp"
 
 namespace symplant::model {
 
