@@ -44,6 +44,22 @@ bool Outputs::open(std::uint64_t model_hash, std::ostream& err) {
 }
 
 void Outputs::take(const trace::Record& record) {
+  using Kind = trace::Record::Kind;
+  if (record.kind != Kind::part && record.kind != Kind::part_move) {
+    write(record);
+    if (record.kind == Kind::note) return;
+  } else {
+    parts_.push_back(record);
+  }
+  if (!record.last) return;
+  for (const trace::Record& part : parts_) write(part);
+  parts_.clear();
+  const bool of_host = record.kind == Kind::finding && trace::is_of_host(record.finding);
+  if (!of_host) ++instants_;
+  end_instant(record.time);
+}
+
+void Outputs::write(const trace::Record& record) {
   history_.apply(record);
   switch (record.kind) {
     case trace::Record::Kind::change:
@@ -76,10 +92,6 @@ void Outputs::take(const trace::Record& record) {
   }
   if (trace_) trace_->write(record);
   if (vcd_) vcd_->write(record);
-  if (!record.last) return;
-  const bool of_host = record.kind == trace::Record::Kind::finding && trace::is_of_host(record.finding);
-  if (!of_host) ++instants_;
-  end_instant(record.time);
 }
 
 void Outputs::end_instant(tables::Time time) {

@@ -10,8 +10,8 @@ constexpr std::size_t kRealTimeRecords = std::size_t{1} << 16;
 /// In real time all memory is populated before the first cycle. Without a file of changes the records only serve the
 /// texts of findings, for which a change of each symbol and unit suffices.
 std::size_t capacity(const tables::PlantTables& tables, const RunOptions& options, bool real_time) {
+  if (!real_time) return trace::Recorder::enough_for_a_loop(tables);
   const std::size_t enough = trace::Recorder::enough_for_an_instant(tables);
-  if (!real_time) return enough;
   return std::max(kRealTimeRecords,
                   records_changes(options) ? 2 * enough : tables.symbols.size() + tables.units.size());
 }

@@ -11,17 +11,37 @@ std::uint32_t initial_word(const tables::UnitRow& unit) {
   return static_cast<std::uint32_t>(unit.initial | unit.initial << 8);
 }
 
+std::size_t parts_in(const tables::MaterialTables& material) {
+  std::size_t parts = 0;
+  for (const tables::TrackRow& track : material.tracks) parts += most_parts(material, track);
+  for (const tables::PlaceRow& place : material.places) parts += place.holds;
+  return parts;
+}
+
+/// What moves at most one part in a round.
+std::size_t movers_in(const tables::MaterialTables& material) {
+  return material.tracks.size() + material.transfers.size() + material.sources.size();
+}
+
 }  // namespace
 
 std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables) {
   // A symbol changes once and has at most two findings, a unit at most four; the rest is room for notes.
   const tables::MaterialTables& material = tables.material;
-  std::size_t parts = 0;  // twice as many as there can be, and four for each element that moves them
-  for (const tables::TrackRow& track : material.tracks) parts += 2 * std::size_t{most_parts(material, track)};
-  for (const tables::PlaceRow& place : material.places) parts += 2 * std::size_t{place.holds};
-  parts += 4 * (material.tracks.size() + material.transfers.size() + material.sources.size());
+  // Twice as many as there can be, and four for each element that moves them.
+  const std::size_t parts = 2 * parts_in(material) + 4 * movers_in(material);
   return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts +
          material.transfers.size() + 64;
+}
+
+std::size_t Recorder::enough_for_a_loop(const tables::PlantTables& tables) {
+  constexpr std::size_t kMost = std::size_t{1} << 22;
+  constexpr std::size_t kRounds = 1000;  // a loop is frozen after 200; what it moved may begin others
+  const tables::MaterialTables& material = tables.material;
+  // In a round each work changes each part at most.
+  const std::size_t in_round = movers_in(material) + (material.work.empty() ? 0 : parts_in(material));
+  const std::size_t enough = enough_for_an_instant(tables);
+  return std::max(enough, std::min(kMost, enough + 2 * kRounds * in_round));
 }
 
 Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity)

@@ -14,14 +14,18 @@ namespace symplant::trace {
 
 /// An observer that fills a ring. One thread runs the plant, another one (or the same) drains the ring; both are
 /// wait-free. The records of an instant are its findings in their order, then changes of symbols in list order, then
-/// units, then parts. They become available to drain() together. A ring that is empty starts again at its first slot,
-/// so that it takes memory only for the most records that it has held at once.
+/// units, then parts; parts in an instantaneous loop may come before all of them. They become available to drain()
+/// together. A ring that is empty starts again at its first slot, so that it takes memory only for the most records
+/// that it has held at once.
 class Recorder final : public engine::Observer {
  public:
   /// Allocates `capacity` records, rounded up to a power of two. Records that do not fit are counted as lost.
   Recorder(const tables::PlantTables& tables, std::size_t capacity);
-  /// A capacity that loses nothing if the ring is drained after each instant.
+  /// A capacity that loses nothing if the ring is drained after each instant, unless parts are in an instantaneous
+  /// loop.
   static std::size_t enough_for_an_instant(const tables::PlantTables& tables);
+  /// The same, also with such a loop, up to 4 million records.
+  static std::size_t enough_for_a_loop(const tables::PlantTables& tables);
 
   /// Sets the observed plant; to be called before the plant advances.
   void attach(const plant::Plant& plant) { plant_ = &plant; }

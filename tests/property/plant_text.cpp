@@ -63,15 +63,20 @@ model::Derived build(const PlantText& text) {
   return model::describe(model::derive(lists, text.name, reader, description.get()), description);
 }
 
-bool runnable(const model::Derived& derived) {
-  const model::PlantModel& plant = derived.plant;
-  // What the reading of plant.json ensures, and what the model is not asked about.
+// What the reading of plant.json ensures, and what the model is not asked about.
+bool drives_are_complete(const model::PlantModel& plant) {
   for (const description::GivenTrack& track : plant.description->material.tracks) {
     if (track.drives.empty()) return false;
     for (const description::GivenDrive& drive : track.drives) {
       if (drive.until.has_value() == (&drive == &track.drives.back())) return false;
     }
   }
+  return true;
+}
+
+bool runnable(const model::Derived& derived) {
+  const model::PlantModel& plant = derived.plant;
+  if (!drives_are_complete(plant)) return false;
   if (!derived.evidence.faults.empty() || !derived.evidence.driven_twice.empty()) return false;
   return std::all_of(plant.units.begin(), plant.units.end(), [](const model::Unit& unit) {
     return unit.described == nullptr || unit.described->behaviour.empty() || serves_behaviour(unit);

@@ -67,6 +67,9 @@ struct Case {
 /// The model of a plant's list and description. Check runnable() before running it.
 model::Derived build(const PlantText& text);
 
+/// Whether each track has a drive for every position: only the last one has no `until`.
+bool drives_are_complete(const model::PlantModel& plant);
+
 /// Whether a plant may run: its description is valid, no address is driven by two units, and the test's own
 /// behaviors have what they need.
 bool runnable(const model::Derived& derived);

@@ -172,6 +172,15 @@ KnownNames known_names(const model::PlantModel& plant) {
       known.in_conditions.insert(path + "." + reference::upper(state.name));
     }
   }
+  const model::Material& material = plant.material;
+  for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+    const std::string location = reference::upper(material.location_name(i)) + ".";
+    known.in_conditions.insert(location + "PART");
+    known.in_conditions.insert(location + "PARTS");
+    for (const model::PartKind& kind : material.kinds) {
+      known.in_conditions.insert(location + reference::upper(kind.name));
+    }
+  }
   for (const model::Symbol& symbol : plant.symbols) known.in_conditions.insert(reference::upper(symbol.name()));
   return known;
 }

@@ -37,7 +37,7 @@ void edit_texts(nlohmann::json& value, const std::string& key,
 /// What a plant has, in upper case.
 struct KnownNames {
   std::set<std::string> devices;
-  std::set<std::string> in_conditions;  ///< symbols, DEVICE.STATE and DEVICE.moving
+  std::set<std::string> in_conditions;  ///< symbols, DEVICE.STATE and DEVICE.moving, parts
 };
 KnownNames known_names(const model::PlantModel& plant);
 bool knows_device(const KnownNames& known, const std::string& path);

@@ -94,7 +94,7 @@ class Copier {
   Dice& dice_;
   PlantText& plant_;
   const std::string path_;
-  std::size_t next_ = 40'000;  ///< a free address
+  std::size_t next_ = 42'000;  ///< a free address
 };
 
 /// Inputs have no effect without a behavior.
@@ -149,7 +149,9 @@ bool follows(const PlantText& plant, const std::string& path) {
 void add_copies(Dice dice, PlantText& plant) {
   if (plant.rows.empty() || dice.percent(35)) return;
   PlantText copy = plant;
-  const std::string path = dice.pick(unit_paths(copy));
+  const std::vector<std::string> paths = unit_paths(copy);
+  if (paths.empty()) return;
+  const std::string path = dice.pick(paths);
   if (follows(copy, path)) return;
   if (dice.percent(60)) depend_on_the_line(dice, copy, path);
   if (dice.percent(40)) add_inputs(dice, copy, path);

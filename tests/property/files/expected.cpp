@@ -6,6 +6,7 @@
 
 #include "lower/lower.hpp"
 #include "property/files/plant_json.hpp"
+#include "property/files/random_hands.hpp"
 #include "property/files/random_scenario.hpp"
 #include "property/files/resolved_steps.hpp"
 #include "property/files/scenario_json.hpp"
@@ -17,7 +18,9 @@ namespace {
 
 using When = Step::When;
 
-bool is_case(const model::Evidence& evidence) { return evidence.faults.empty() && evidence.driven_twice.empty(); }
+bool is_case(const model::Derived& derived) {
+  return derived.evidence.faults.empty() && derived.evidence.driven_twice.empty() && drives_are_complete(derived.plant);
+}
 
 std::string header_of(const model::PlantModel& plant, std::uint64_t seed) {
   const lower::EngineTables tables = lower::lower(plant);
@@ -35,11 +38,15 @@ void count_actions(const Step& step, const model::PlantModel& plant, Counts& cou
     }
   }
   counts[Seen::states] += std::ssize(step.states);
+  counts[Seen::puts_and_takes] += !step.put.empty() && !step.take.empty() ? 1 : 0;
+  counts[Seen::lists_of_puts] += step.put.size() > 1 ? 1 : 0;
+  counts[Seen::lists_of_takes] += step.take.size() > 1 ? 1 : 0;
   counts[Seen::forces] += std::ssize(step.force);
   counts[Seen::releases] += std::ssize(step.release);
 }
 
-void count_verdict(const Step& step, const reference::Verdict& verdict, tables::Time start, Counts& counts) {
+void count_verdict(const Step& step, const model::PlantModel& plant, const reference::Verdict& verdict,
+                   tables::Time start, Counts& counts) {
   if (!verdict.reached) {
     ++counts[Seen::never_reached];
   } else if (step.when == When::wait) {
@@ -47,10 +54,34 @@ void count_verdict(const Step& step, const reference::Verdict& verdict, tables::
     if (verdict.held && step.time && verdict.time > start && verdict.time == start + *step.time) {
       ++counts[Seen::waits_met_at_last];
     }
+  } else if (step.expect.empty() && step.expect_condition.empty()) {
+    counts[Seen::steps_by_hand_failed] += verdict.held ? 0 : 1;
   } else {
     ++(verdict.held ? counts[Seen::expectations_held] : counts[Seen::expectations_failed]);
     counts[Seen::expected_values] += std::ssize(step.expect);
     counts[Seen::expected_conditions] += step.expect_condition.empty() ? 0 : 1;
+    counts[Seen::conditions_of_parts] += names_parts(step.expect_condition, plant.material) ? 1 : 0;
+  }
+}
+
+void count_parts(const reference::Plant& reference, Counts& counts) {
+  using What = engine::PartChange::What;
+  using reference::Counted;
+  counts[Seen::puts] += reference.counters[Counted::put_by_hand];
+  counts[Seen::puts_failed] += reference.counters[Counted::put_refused];
+  counts[Seen::takes] += reference.counters[Counted::taken_by_hand];
+  counts[Seen::takes_failed] += reference.counters[Counted::take_refused];
+  for (const reference::InstantRecord& instant : reference.instants()) {
+    for (const engine::PartChange& change : instant.parts) {
+      const bool gone = change.what == What::moved && change.to == tables::kOut;
+      ++counts[gone                         ? Seen::parts_gone
+               : change.what == What::made  ? Seen::parts_made
+               : change.what == What::moved ? Seen::parts_moved
+                                            : Seen::parts_changed];
+    }
+  }
+  for (const reference::TrackWorld& track : reference.save().material.tracks) {
+    counts[Seen::tracks_frozen] += track.frozen ? 1 : 0;
   }
 }
 
@@ -61,7 +92,7 @@ class CountingRun {
       : it_(it), plant_(plant), reference_(reference), counts_(counts), resolver_(plant) {}
 
   std::optional<std::vector<reference::Verdict>> play() {
-    reference::ScenarioPlayer player(plant_, reference_, it_.until, 4 * kMostInstants);
+    reference::ScenarioPlayer player(plant_, reference_, it_.until, 4 * most_instants(plant_));
     for (const Step& step : it_.steps) {
       const auto resolved = resolver_.resolve(step);
       if (!resolved) return std::nullopt;
@@ -69,7 +100,7 @@ class CountingRun {
       const std::size_t before = player.verdicts().size();
       player.play(*resolved);
       count(step, start, player.cut());
-      if (player.verdicts().size() > before) count_verdict(step, player.verdicts().back(), start, counts_);
+      if (player.verdicts().size() > before) count_verdict(step, plant_, player.verdicts().back(), start, counts_);
     }
     counts_[Seen::until_cut] += player.cut() ? 1 : 0;
     player.end();
@@ -101,11 +132,12 @@ class CountingRun {
 std::optional<Outcome> expected(const FileCase& it, Counts& counts) {
   const model::Derived derived = build(it.plant);
   const model::PlantModel& plant = derived.plant;
-  if (!is_case(derived.evidence)) return std::nullopt;
+  if (!is_case(derived)) return std::nullopt;
   reference::Plant reference(plant);
   reference.reset(it.seed);
   const auto verdicts = CountingRun(it, plant, reference, counts).play();
   if (!verdicts) return std::nullopt;
+  count_parts(reference, counts);
   Outcome outcome;
   outcome.header = header_of(plant, it.seed);
   outcome.trace = reference::trace_lines(plant, reference.instants());

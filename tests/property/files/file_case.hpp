@@ -22,6 +22,8 @@ struct Step {
   std::string wait;                  ///< a condition
   std::vector<Setting> set;
   std::vector<std::pair<std::string, std::string>> states;  ///< device and state
+  std::vector<std::pair<std::string, std::string>> put;     ///< location (TRACK, TRACK@POSITION or PLACE) and kind
+  std::vector<std::string> take;                            ///< locations
   std::vector<Setting> force;
   std::vector<std::string> release;
   std::vector<Setting> expect;   ///< symbols with their values

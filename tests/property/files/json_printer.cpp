@@ -24,8 +24,12 @@ class Printer {
  private:
   void object(const nlohmann::json& it) {
     std::vector<std::string> keys;
-    for (const auto& member : it.items()) keys.push_back(member.key());
-    if (decorated_) dice_.shuffle(keys);
+    const auto order = it.find(kOrder);
+    for (const auto& member : it.items()) {
+      if (order == it.end()) keys.push_back(member.key());
+    }
+    if (order != it.end()) keys = order->get<std::vector<std::string>>();
+    if (order == it.end() && decorated_) dice_.shuffle(keys);
     text += "{";
     ++depth_;
     for (std::size_t i = 0; i < keys.size(); ++i) {

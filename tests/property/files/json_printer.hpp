@@ -8,7 +8,11 @@
 
 namespace symplant::property::files {
 
-/// The value as text. If decorated, members are in any order, with comments, blanks and escapes between them.
+/// The member of an object that holds the order of its other members; it is not printed.
+inline constexpr const char* kOrder = "\n";
+
+/// The value as text. If decorated, members are in any order unless they have one (kOrder), with comments, blanks and
+/// escapes between them.
 /// `comments` counts them.
 std::string print_json(const nlohmann::json& value, bool decorated, Dice dice, long& comments);
 

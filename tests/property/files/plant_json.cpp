@@ -8,8 +8,10 @@
 #include <set>
 
 #include "property/files/copies.hpp"
+#include "property/files/joined_material.hpp"
 #include "property/files/joined_requirements.hpp"
 #include "property/files/json_printer.hpp"
+#include "property/files/material_json.hpp"
 #include "property/files/spread.hpp"
 #include "property/words.hpp"
 
@@ -43,6 +45,16 @@ void add_behaviour(Dice& dice, const PlantText& plant, description::DeviceDescri
   }
 }
 
+/// Whether the symbol belongs to a sensor, and so to no device.
+bool is_part_sensor(const description::GivenMaterial& material, const std::string& symbol) {
+  const auto has_it = [&](const auto& location) {
+    return std::any_of(location.sensors.begin(), location.sensors.end(),
+                       [&](const description::GivenSensor& sensor) { return sensor.symbol == symbol; });
+  };
+  return std::any_of(material.tracks.begin(), material.tracks.end(), has_it) ||
+         std::any_of(material.places.begin(), material.places.end(), has_it);
+}
+
 std::set<std::string> tasks_of(const PlantText& plant, const std::string& path,
                                const description::DeviceDescription* said) {
   std::set<std::string> tasks;
@@ -52,6 +64,7 @@ std::set<std::string> tasks_of(const PlantText& plant, const std::string& path,
   };
   for (const Row& row : plant.rows) {
     if (!upper(row.name).starts_with(upper(path) + "_") || row.name.size() < path.size() + 3) continue;
+    if (is_part_sensor(plant.description.material, row.name)) continue;
     tasks.insert(upper(row.name.substr(path.size() + 3)));
   }
   if (said != nullptr) {
@@ -106,10 +119,15 @@ json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
 void make_sayable(PlantText& plant, std::uint64_t seed) {
   Dice dice(seed ^ 0xF11E5);
   add_copies(Dice(seed ^ 0xCE115), plant);
+  add_joinable_material(Dice(seed ^ 0xCE117), plant);
   description::Description& description = plant.description;
   clip(description.defaults.travel);
   clip(description.defaults.dwell);
   for (description::GivenRequirement& requirement : description.requirements) clip(requirement.within);
+  for (description::GivenSource& source : description.material.sources) {
+    clip(source.every);
+    clip(source.first);
+  }
   if (dice.percent(15)) {
     plant.second_list = dice.below(plant.rows.size());
     if (dice.percent(50)) plant.second_controller = "PLC2";
@@ -155,6 +173,9 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
   }
   for (const description::GivenRequirement& requirement : joined_requirements(plant, style, known, counts)) {
     said["requirements"].push_back(sayer.requirement(requirement));
+  }
+  if (!plant.description.material.empty()) {
+    said["material"] = material_json(joined_material(plant, style, counts), sayer, counts);
   }
   if (style.decorated) {
     if (dice.percent(10)) said["$schema"] = "plant.schema.json";

@@ -23,7 +23,6 @@ FileCase random_case(std::uint64_t draw) {
   options.behaviours = false;
   options.most_units = 100;
   options.naming_rules = false;  // the files of these plants have no naming rule
-  options.material = false;      // and no material
   FileCase it;
   it.plant = random_plant(draw, options).text;
   make_sayable(it.plant, draw);

@@ -6,9 +6,12 @@
 #include <string>
 
 #include "property/files/plan_of_model.hpp"
+#include "property/files/random_hands.hpp"
 #include "property/files/resolved_steps.hpp"
+#include "property/random_material.hpp"
 #include "property/random_plant.hpp"
 #include "property/random_unit.hpp"
+#include "support/reference/round.hpp"
 
 namespace symplant::property::files {
 namespace {
@@ -24,7 +27,7 @@ class ScenarioDrawer {
         plan_(plan_of(plant)),
         resolver_(plant),
         reference_(plant),
-        player_(plant, reference_, std::nullopt, kMostInstants),
+        player_(plant, reference_, std::nullopt, most_instants(plant)),
         fails_(dice.percent(55) ? 12 : 0) {
     reference_.reset(seed);
     for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
@@ -41,6 +44,7 @@ class ScenarioDrawer {
   }
 
   DrawnScenario write() {
+    if (has_reversing_tracks(plant_)) return freeze_tracks();
     const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
     for (std::size_t i = 4 + dice_.below((8 + dice_.below(90)) / large); i > 0 && !ended_; --i) step();
     if (dice_.percent(25)) repeat();
@@ -50,6 +54,18 @@ class ScenarioDrawer {
   }
 
  private:
+  /// Each track has an instant every nanosecond until it freezes.
+  DrawnScenario freeze_tracks() {
+    for (int i = 0; i < 2; ++i) {
+      Step step;
+      step.time = 3 * kMillisecond;
+      if (i == 1) step.put.emplace_back(plant_.material.tracks[0].name, plant_.material.kinds[0].name);
+      if (i == 1) step.expect_condition = condition_of_parts(dice_, plant_.material);
+      steps_.push_back(std::move(step));
+    }
+    return {std::move(steps_), {}};
+  }
+
   /// On an address with an event of a device that the user's code drives.
   bool may_be_driven_by_code(std::uint32_t symbol) const {
     const auto leader = [&](std::uint32_t of) {
@@ -91,6 +107,7 @@ class ScenarioDrawer {
     timing(step);
     const tables::Time nominal = step.when == When::at ? *step.time : earliest_ + *step.time;
     actions(step);
+    hands(step);
     if (dice_.percent(35)) expect(step);
     take(std::move(step), nominal);
   }
@@ -126,6 +143,20 @@ class ScenarioDrawer {
     if (dice_.percent(6)) state(step);
     if (dice_.percent(8)) force(step);
     if (dice_.percent(10) && !forced_.empty()) release(step);
+  }
+
+  /// Parts by hand; without `fails_` only if that succeeds.
+  void hands(Step& step) {
+    add_hands(dice_, plant_.material, reference_.save(), step);
+    if ((step.put.empty() && step.take.empty()) || fails_ != 0) return;
+    const reference::World world = reference_.save();
+    const reference::ScenarioPlayer before = player_;
+    if (!play(step) || !player_.verdicts().back().held) {
+      step.put.clear();
+      step.take.clear();
+    }
+    reference_.restore(world);
+    player_ = before;
   }
 
   /// One operation of a unit on, its other operations off.
@@ -168,11 +199,11 @@ class ScenarioDrawer {
     const reference::ScenarioPlayer before = player_;
     only_looked_at.expect_condition = some_condition();
     if (only_looked_at.expect_condition.empty() || !play(only_looked_at)) return;
-    const bool held = player_.verdicts().back().held;
+    const std::string& wanted = only_looked_at.expect_condition;
+    const bool held = reference::holds(*resolver_.condition(wanted), reference_.save());
     const bool fails = dice_.percent(fails_);
     if (dice_.percent(35)) {
-      const std::string& text = only_looked_at.expect_condition;
-      step.expect_condition = held != fails ? text : "not (" + text + ")";
+      step.expect_condition = held != fails ? wanted : "not (" + wanted + ")";
     } else {
       values(step, fails);
     }
@@ -227,6 +258,7 @@ class ScenarioDrawer {
   }
 
   std::string some_condition() {
+    if (!plant_.material.empty() && dice_.percent(30)) return condition_of_parts(dice_, plant_.material);
     if (plan_.units.empty()) return {};
     for (int tries = 0; tries < 8; ++tries) {
       std::string text = random_condition(dice_, plan_, dice_.pick(plan_.units));
@@ -280,6 +312,8 @@ class ScenarioDrawer {
 };
 
 }  // namespace
+
+long most_instants(const model::PlantModel& plant) { return has_reversing_tracks(plant) ? 60'000 : 3000; }
 
 DrawnScenario random_scenario(std::uint64_t draw, std::uint64_t seed, const model::PlantModel& plant) {
   Dice dice(draw * 2 + 0x5CE4'0000'0000);

@@ -9,8 +9,8 @@
 
 namespace symplant::property::files {
 
-/// The highest number of instants of one run.
-inline constexpr long kMostInstants = 3000;
+/// The highest number of instants of one run. A track freezes after 10,000 within a millisecond.
+long most_instants(const model::PlantModel& plant);
 
 struct DrawnScenario {
   std::vector<Step> steps;

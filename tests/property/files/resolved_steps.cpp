@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "property/part_differences.hpp"
 #include "support/reference/rules.hpp"
 #include "symplant/condition/resolve.hpp"
 
@@ -42,6 +43,19 @@ class PlainNames final : public condition::Names {
   std::optional<Symbol> symbol(std::string_view name) const override {
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       if (same_name(plant_.symbols[i].name(), name)) return Symbol{i, plant_.symbols[i].type};
+    }
+    return std::nullopt;
+  }
+  std::optional<std::uint32_t> location(std::string_view name) const override {
+    const model::Material& material = plant_.material;
+    for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+      if (same_name(material.location_name(i), name)) return i;
+    }
+    return std::nullopt;
+  }
+  std::optional<std::uint32_t> part_kind(std::string_view name) const override {
+    for (std::uint32_t i = 0; i < plant_.material.kinds.size(); ++i) {
+      if (same_name(plant_.material.kinds[i].name, name)) return i;
     }
     return std::nullopt;
   }
@@ -90,6 +104,17 @@ std::optional<reference::ScenarioStep> StepResolver::resolve(const Step& step) {
     const auto position = unit ? names.state(*unit, state) : std::nullopt;
     if (!position) return std::nullopt;
     it.states.emplace_back(*unit, *position);
+  }
+  for (const auto& [at, name] : step.put) {
+    const auto location = part_location(plant_.material, at);
+    const auto kind = names.part_kind(name);
+    if (!location || !kind) return std::nullopt;
+    it.put.emplace_back(*location, *kind);
+  }
+  for (const std::string& from : step.take) {
+    const auto location = part_location(plant_.material, from);
+    if (!location) return std::nullopt;
+    it.take.push_back(*location);
   }
   for (const std::string& name : step.release) {
     const auto symbol = names.symbol(name);

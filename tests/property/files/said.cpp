@@ -9,6 +9,7 @@
 #include "property/words.hpp"
 #include "symplant/engine/wide.hpp"
 #include "symplant/tables/digest.hpp"
+#include "symplant/tables/material.hpp"
 
 namespace symplant::property::files {
 namespace {
@@ -17,14 +18,17 @@ using nlohmann::json;
 
 struct Unit {
   const char* name;
-  tables::Time length;
+  std::int64_t size;
 };
-constexpr std::array<Unit, 6> kUnits{{{"ns", 1},
+constexpr std::array<Unit, 6> kTimes{{{"ns", 1},
                                       {"us", 1000},
                                       {"ms", tables::kMillisecond},
                                       {"s", tables::kSecond},
                                       {"min", 60 * tables::kSecond},
                                       {"h", 3600 * tables::kSecond}}};
+constexpr std::array<Unit, 4> kLengths{{{"um", 1}, {"mm", 1'000}, {"cm", 10'000}, {"m", 1'000'000}}};
+constexpr std::array<Unit, 2> kSpeeds{{{"mm/s", 1'000}, {"m/s", 1'000'000}}};
+constexpr std::array<Unit, 1> kSpeedsPerMinute{{{"m/min", 1'000'000}}};
 
 std::uint64_t seed_of(const Style& style, std::string_view of) {
   tables::Fnv1a64 hash;
@@ -35,28 +39,51 @@ std::uint64_t seed_of(const Style& style, std::string_view of) {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-}  // namespace
-
-Sayer::Sayer(const Style& style, std::string_view of, Counts& counts)
-    : dice(seed_of(style, of)), decorated_(style.decorated), counts_(counts) {}
-
-std::string Sayer::time(tables::Time time) {
-  const Unit& unit = kUnits[decorated_ ? dice.below(kUnits.size()) : 0];
+/// An amount of the smallest unit as a number and a unit.
+template <std::size_t N>
+std::string quantity(Dice& dice, bool decorated, std::int64_t amount, const std::array<Unit, N>& units) {
+  const Unit& unit = units[decorated ? dice.below(N) : 0];
   for (int decimals = 0; decimals <= 9; ++decimals) {
-    engine::SignedWide scaled = time;
+    engine::SignedWide scaled = amount;
     for (int i = 0; i < decimals; ++i) scaled *= 10;
-    if (scaled % unit.length != 0) continue;
-    std::string digits = std::to_string(static_cast<std::int64_t>(scaled / unit.length));
+    if (scaled % unit.size != 0) continue;
+    std::string digits = std::to_string(static_cast<std::int64_t>(scaled / unit.size));
     if (decimals > 0) {
       const auto least = static_cast<std::size_t>(decimals) + 1;
       if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
       digits.insert(digits.size() - static_cast<std::size_t>(decimals), ".");
       if (dice.percent(20)) digits += "00";
     }
-    if (decorated_ && decimals == 0 && dice.percent(5)) digits += ".0";
-    return digits + (decorated_ && dice.percent(30) ? " " : "") + unit.name;
+    if (decorated && decimals == 0 && dice.percent(5)) digits += ".0";
+    return digits + (decorated && dice.percent(30) ? " " : "") + unit.name;
   }
-  return std::to_string(time) + "ns";
+  return {};
+}
+
+}  // namespace
+
+Sayer::Sayer(const Style& style, std::string_view of, Counts& counts)
+    : dice(seed_of(style, of)), decorated_(style.decorated), counts_(counts) {}
+
+std::string Sayer::time(tables::Time time) {
+  const std::string text = quantity(dice, decorated_, time, kTimes);
+  return text.empty() ? std::to_string(time) + "ns" : text;
+}
+
+std::string Sayer::length(std::int64_t length) { return quantity(dice, decorated_, length, kLengths); }
+
+std::string Sayer::speed(std::int64_t speed) {
+  if (!decorated_ || !dice.percent(30)) return quantity(dice, decorated_, speed, kSpeeds);
+  const auto rounded = speed < tables::kMaxSpeed ? static_cast<std::int64_t>(dice.below(60)) : 0;
+  ++counts_[Seen::speeds_per_minute];
+  return quantity(dice, decorated_, 60 * speed + rounded, kSpeedsPerMinute);
+}
+
+std::string Sayer::location(const std::string& location) {
+  const std::size_t at = location.find('@');
+  if (at == location.npos || location.find('{', at) != location.npos) return name(location);
+  const std::string position = length(std::stoll(location.substr(at + 1)));
+  return name(location.substr(0, at)) + (decorated_ && dice.percent(10) ? " @ " : "@") + position;
 }
 
 std::string Sayer::sequence(description::Sequence sequence) {

@@ -26,6 +26,12 @@ class Sayer {
   std::string time(tables::Time time);
   /// A time, or `never` for kNever.
   std::string overrun(tables::Time overrun);
+  /// A length in um.
+  std::string length(std::int64_t length);
+  /// A speed in um/s; in m/min perhaps one that is rounded down to it.
+  std::string speed(std::int64_t speed);
+  /// TRACK, TRACK@POSITION with whole um, PLACE or `out`. A position with braces stays.
+  std::string location(const std::string& location);
   std::string sequence(description::Sequence sequence);
   nlohmann::json duration(const description::Duration& duration);
   std::string name(const std::string& name);

@@ -32,6 +32,8 @@ class ScenarioWriter {
     }
     if (!step.set.empty()) said["set"] = settings(step.set);
     for (const auto& [device, state] : step.states) said["state"][sayer_.name(device)] = sayer_.name(state);
+    if (!step.put.empty()) said["put"] = puts(step);
+    if (!step.take.empty()) said["take"] = takes(step);
     if (!step.force.empty()) said["force"] = settings(step.force);
     for (const std::string& symbol : step.release) said["release"].push_back(sayer_.name(symbol));
     if (!step.expect.empty()) said["expect"] = settings(step.expect);
@@ -40,6 +42,24 @@ class ScenarioWriter {
   }
 
  private:
+  /// One without a list, perhaps.
+  json listed(json list) {
+    if (list.size() == 1 && sayer_.dice.percent(70)) return list.front();
+    return list;
+  }
+
+  json puts(const Step& step) {
+    json all = json::array();
+    for (const auto& [at, kind] : step.put) all.push_back({{"at", sayer_.location(at)}, {"kind", sayer_.name(kind)}});
+    return listed(std::move(all));
+  }
+
+  json takes(const Step& step) {
+    json all = json::array();
+    for (const std::string& from : step.take) all.push_back(sayer_.location(from));
+    return listed(std::move(all));
+  }
+
   json settings(const std::vector<Setting>& settings) {
     json said = json::object();
     for (const auto& [symbol, value] : settings) said[sayer_.name(symbol)] = number(types_.at(symbol), value);

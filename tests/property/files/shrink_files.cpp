@@ -55,6 +55,8 @@ class Shrinker {
       };
       each([](Step & step) -> auto& { return step.set; });
       each([](Step & step) -> auto& { return step.states; });
+      each([](Step & step) -> auto& { return step.put; });
+      each([](Step & step) -> auto& { return step.take; });
       each([](Step & step) -> auto& { return step.force; });
       each([](Step & step) -> auto& { return step.release; });
       each([](Step & step) -> auto& { return step.expect; });

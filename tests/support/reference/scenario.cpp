@@ -46,7 +46,7 @@ bool ScenarioPlayer::go_to(Time time) {
   return !cut_;
 }
 
-void ScenarioPlayer::act(const ScenarioStep& step) {
+bool ScenarioPlayer::act(const ScenarioStep& step) {
   for (const auto& [symbol, value] : step.set) {
     if (model_->symbols[symbol].direction == tables::Direction::operation) {
       plant_->set_operation(symbol, value);
@@ -55,8 +55,12 @@ void ScenarioPlayer::act(const ScenarioStep& step) {
     }
   }
   for (const auto& [unit, state] : step.states) plant_->set_state(unit, state);
+  bool all = true;
+  for (const auto& [at, kind] : step.put) all = plant_->put(at, kind) && all;
+  for (const tables::PartLocation& from : step.take) all = plant_->take(from) && all;
   for (const auto& [symbol, value] : step.force) plant_->force(symbol, value);
   for (const std::uint32_t symbol : step.release) plant_->release(symbol);
+  return all;
 }
 
 void ScenarioPlayer::wait(const ScenarioStep& step) {
@@ -93,15 +97,13 @@ void ScenarioPlayer::play(const ScenarioStep& step) {
     if (step.when == When::wait) {
       wait(step);
     } else if (go_to(step.when == When::at ? std::max(now, *step.time) : plus(now, *step.time))) {
-      act(step);
-      if (step.expects) {
-        instant();
-        verdicts_.push_back({number_, expected(step), true, plant_->now()});
-      }
+      const bool acted = act(step);
+      if (step.expects) instant();
+      if (step.is_checked()) verdicts_.push_back({number_, acted && expected(step), true, plant_->now()});
     }
   }
   const bool reported = !verdicts_.empty() && verdicts_.back().step == number_;
-  if (cut_ && !reported && (step.expects || step.when == When::wait)) {
+  if (cut_ && !reported && step.is_checked()) {
     verdicts_.push_back({number_, false, false, until_.value_or(0)});
   }
   ++number_;

@@ -28,11 +28,16 @@ struct ScenarioStep {
   const condition::Tree* wait = nullptr;  ///< of `wait`
   std::vector<std::pair<std::uint32_t, std::uint64_t>> set;
   std::vector<std::pair<std::uint32_t, std::uint8_t>> states;
+  std::vector<std::pair<tables::PartLocation, std::uint32_t>> put;  ///< with the kind
+  std::vector<tables::PartLocation> take;
   std::vector<std::pair<std::uint32_t, std::uint64_t>> force;
   std::vector<std::uint32_t> release;
   bool expects = false;
   std::vector<std::pair<std::uint32_t, std::uint64_t>> expect;
   const condition::Tree* expect_condition = nullptr;
+
+  /// Whether it has a verdict.
+  bool is_checked() const { return expects || when == When::wait || !put.empty() || !take.empty(); }
 };
 
 /// Plays the given steps, one after the other, on a plant that has just been reset.
@@ -54,7 +59,8 @@ class ScenarioPlayer {
 
  private:
   bool go_to(Time time);
-  void act(const ScenarioStep& step);
+  /// False if a part had no room, or there was none to take.
+  bool act(const ScenarioStep& step);
   void wait(const ScenarioStep& step);
   bool expected(const ScenarioStep& step) const;
   void instant();
