@@ -63,6 +63,7 @@ enum class Seen : std::size_t {
   sources_at_random,
   material_for,
   material_for_several,
+  material_left_out,
   // In scenarios, as played.
   at,
   at_past,
@@ -160,6 +161,7 @@ inline constexpr std::array<std::string_view, kSeen> kSeenNames = {
     "sources with a random `every`",
     "entries of material `for` a pattern",
     "entries of material `for` a pattern of several devices",
+    "entries of material left out for a device",
     "steps by `at`",
     "steps whose `at` is past",
     "steps by `plus`",
