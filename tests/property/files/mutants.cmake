@@ -70,3 +70,28 @@ symplant_files_mutant(release_before_force runtime/scenario symplant/scenario
 symplant_files_mutant(cycle_without_its_wrap generator/model model
   "return ranks_[to] == (ranks_[from] + 1) % numbers_;"
   "return ranks_[to] == ranks_[from] + 1;")
+
+# Of material flow.
+symplant_files_mutant(take_before_put runtime/scenario symplant/scenario
+  "  const bool well = act_by_hand(step);"
+  "  Step rest = step; bool well = true; if (!step.put.empty()) { rest.take.clear(); for (const auto& from : step.take) well = plant_.take(from) && well; } well = act_by_hand(rest) && well;")
+
+symplant_files_mutant(step_without_room_holds runtime/scenario symplant/scenario
+  "  const auto failed = [&](std::uint64_t which) {"
+  "  const auto failed = [&](std::uint64_t which) { if (!step.expect) return;")
+
+symplant_files_mutant(inverted_of_a_sensor_not_read generator/description description
+  "      sensor.inverted = flag_member(one, \"inverted\");"
+  "")
+
+symplant_files_mutant(until_is_the_length_of_a_drive generator/description description
+  "         [&](const Json& drive, const Pointer& at) { track.drives.push_back(this->drive(drive, at)); });"
+  "         [&](const Json& drive, const Pointer& at) { GivenDrive it = this->drive(drive, at); if (it.until && !track.drives.empty()) *it.until += *track.drives.back().until; track.drives.push_back(it); });")
+
+symplant_files_mutant(ends_in_reverse_order generator/description description
+  "      track.ends.push_back({text_or_empty(one, \"to\"), text_or_empty(one, \"when\")});"
+  "      track.ends.insert(track.ends.begin(), {text_or_empty(one, \"to\"), text_or_empty(one, \"when\")});")
+
+symplant_files_mutant(braces_in_the_end_of_a_track_stay generator/model model
+  "    edit(track.ends[i].to, here / \"end\" / i / \"to\");"
+  "")
