@@ -53,6 +53,14 @@ void add_hands(Dice& dice, const model::Material& material, const reference::Wor
   }
 }
 
+std::vector<Step> steps_that_freeze_tracks(Dice& dice, const model::Material& material) {
+  std::vector<Step> steps(2);
+  for (Step& step : steps) step.time = 3 * tables::kMillisecond;
+  steps.back().put.emplace_back(material.tracks[0].name, material.kinds[0].name);
+  steps.back().expect_condition = condition_of_parts(dice, material);
+  return steps;
+}
+
 std::string condition_of_parts(Dice& dice, const model::Material& material) {
   static const std::vector<std::string> kCompared = {"> 0", ">= 2", "= 1", "< 3", "= 0", "> 1.5", "<= 4"};
   const std::string name = material.location_name(any_location(dice, material)) + ".";

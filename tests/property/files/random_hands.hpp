@@ -12,6 +12,9 @@ namespace symplant::property::files {
 /// Adds `put` and `take` to some steps. Many find room or a part in this world, some do not.
 void add_hands(Dice& dice, const model::Material& material, const reference::World& world, Step& step);
 
+/// Steps while tracks have an instant every nanosecond until they freeze.
+std::vector<Step> steps_that_freeze_tracks(Dice& dice, const model::Material& material);
+
 /// Such as `CV1.part`, `not CV1.raw` or `CV1.parts < 2`.
 std::string condition_of_parts(Dice& dice, const model::Material& material);
 

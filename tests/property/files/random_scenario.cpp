@@ -8,6 +8,7 @@
 #include "property/files/plan_of_model.hpp"
 #include "property/files/random_hands.hpp"
 #include "property/files/resolved_steps.hpp"
+#include "property/files/shared_symbols.hpp"
 #include "property/random_material.hpp"
 #include "property/random_plant.hpp"
 #include "property/random_unit.hpp"
@@ -35,7 +36,7 @@ class ScenarioDrawer {
         operations_.push_back(i);
         continue;
       }
-      if (may_be_driven_by_code(i)) continue;
+      if (may_be_driven_by_code(plant, i)) continue;
       const reference::World before = reference_.save();
       if (reference_.set_input(i, 0)) inputs_.push_back(i);
       reference_.restore(before);
@@ -44,7 +45,7 @@ class ScenarioDrawer {
   }
 
   DrawnScenario write() {
-    if (has_reversing_tracks(plant_)) return freeze_tracks();
+    if (has_reversing_tracks(plant_)) return {steps_that_freeze_tracks(dice_, plant_.material), {}};
     const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
     for (std::size_t i = 4 + dice_.below((8 + dice_.below(90)) / large); i > 0 && !ended_; --i) step();
     if (dice_.percent(25)) repeat();
@@ -54,31 +55,6 @@ class ScenarioDrawer {
   }
 
  private:
-  /// Each track has an instant every nanosecond until it freezes.
-  DrawnScenario freeze_tracks() {
-    for (int i = 0; i < 2; ++i) {
-      Step step;
-      step.time = 3 * kMillisecond;
-      if (i == 1) step.put.emplace_back(plant_.material.tracks[0].name, plant_.material.kinds[0].name);
-      if (i == 1) step.expect_condition = condition_of_parts(dice_, plant_.material);
-      steps_.push_back(std::move(step));
-    }
-    return {std::move(steps_), {}};
-  }
-
-  /// On an address with an event of a device that the user's code drives.
-  bool may_be_driven_by_code(std::uint32_t symbol) const {
-    const auto leader = [&](std::uint32_t of) {
-      return plant_.symbols[of].leader == model::kNone ? of : plant_.symbols[of].leader;
-    };
-    for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
-      const std::uint32_t unit = plant_.symbols[i].unit;
-      if (leader(i) != leader(symbol) || unit == model::kNone) continue;
-      if (plant_.units[unit].has_behaviour()) return true;
-    }
-    return false;
-  }
-
   /// Plays the step; false, without effect, if it takes too long.
   bool play(const Step& step) {
     const auto resolved = resolver_.resolve(step);
@@ -90,6 +66,15 @@ class ScenarioDrawer {
     reference_.restore(world);
     player_ = before;
     return false;
+  }
+  /// Without effect. The step has a verdict.
+  bool would_hold(const Step& step) {
+    const reference::World world = reference_.save();
+    const reference::ScenarioPlayer before = player_;
+    const bool held = play(step) && player_.verdicts().back().held;
+    reference_.restore(world);
+    player_ = before;
+    return held;
   }
   void take(Step step, tables::Time nominal) {
     if (!play(step)) {
@@ -148,15 +133,9 @@ class ScenarioDrawer {
   /// Parts by hand; without `fails_` only if that succeeds.
   void hands(Step& step) {
     add_hands(dice_, plant_.material, reference_.save(), step);
-    if ((step.put.empty() && step.take.empty()) || fails_ != 0) return;
-    const reference::World world = reference_.save();
-    const reference::ScenarioPlayer before = player_;
-    if (!play(step) || !player_.verdicts().back().held) {
-      step.put.clear();
-      step.take.clear();
-    }
-    reference_.restore(world);
-    player_ = before;
+    if ((step.put.empty() && step.take.empty()) || fails_ != 0 || would_hold(step)) return;
+    step.put.clear();
+    step.take.clear();
   }
 
   /// One operation of a unit on, its other operations off.
@@ -176,7 +155,9 @@ class ScenarioDrawer {
   void state(Step& step) {
     std::set<std::string_view> reported;
     for (std::size_t i = 1 + dice_.below(2); i > 0 && !plant_.units.empty(); --i) {
-      const model::Unit& unit = plant_.units[dice_.below(plant_.units.size())];
+      const auto index = static_cast<std::uint32_t>(dice_.below(plant_.units.size()));
+      const model::Unit& unit = plant_.units[index];
+      if (!step.states.empty() && shares_an_address(plant_, index)) continue;
       if (unit.states.empty() || !reported.insert(unit.path).second) continue;
       step.states.emplace_back(unit.path, dice_.pick(unit.states).name);
     }
@@ -230,15 +211,7 @@ class ScenarioDrawer {
     if (step.wait.empty()) return;
     if (dice_.percent(75)) step.time = wait_time(step);
     // Without `fails_` every wait is met.
-    const reference::World world = reference_.save();
-    const reference::ScenarioPlayer before = player_;
-    if (fails_ == 0 && (!play(step) || !player_.verdicts().back().held)) {
-      reference_.restore(world);
-      player_ = before;
-      return;
-    }
-    reference_.restore(world);
-    player_ = before;
+    if (fails_ == 0 && !would_hold(step)) return;
     take(std::move(step), earliest_);
   }
 

@@ -67,6 +67,40 @@ TEST_CASE("run: Parts that are put, sensed, picked and worked on are in the trac
   CHECK(contains(made.run.out, R"({"t":13000000000,"part":2,"kind":"done","to":"CV1","x":1100000,"by":"hand"})"));
 }
 
+TEST_CASE(
+    "run: No move of an instantaneous loop is missing in the trace, and all come after the bits of their instant") {
+  constexpr int kPairs = 4;  // with three and more the engine passes the moves on before the instant ends
+  std::string places = R"("BOX":{"sensors":[{"symbol":"L_S_PE1_I_PART"}]})";
+  std::string transfers = R"({"name":"away","from":"BOX","to":"out","when":"L_S_RBT_O_PICK"})";
+  std::string puts = R"({"at":"BOX","kind":"raw"})";
+  for (const char pair : std::string_view("1234").substr(0, kPairs)) {
+    const std::string a = std::string("A") + pair;
+    const std::string b = std::string("B") + pair;
+    const std::string when = R"(","when":"L_S_RBT_O_PICK"})";
+    places += ",\"" + a + "\":{},\"" + b + "\":{}";
+    transfers += R"(,{"name":"t)" + a + R"(","from":")" + a + R"(","to":")" + b + when;
+    transfers += R"(,{"name":"t)" + b + R"(","from":")" + b + R"(","to":")" + a + when;
+    puts += R"(,{"at":")" + a + R"(","kind":"raw"})";
+  }
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text({{"L_S_RBT_O_PICK", "Y2"}, {"L_S_PE1_I_PART", "X1"}});
+  files.files["plant.json"] = R"({"symplant":1,"symbols":["list.csv"],"material":{"kinds":{"raw":{"length":"2 mm"}},
+    "places":{)" + places + R"(},"transfers":[)" +
+                              transfers + "]}}";
+  const TemporaryFolder folder;
+  folder.write("scenario.json", R"({"symplant-scenario":1,"steps":[{"at":"0s","put":[)" + puts +
+                                    R"(]},{"at":"1s","set":{"L_S_RBT_O_PICK":true}}]})");
+  const ToolRun run = run_tool({"run", "plant.json", "--scenario", folder / "scenario.json", "--trace", "-"}, files);
+  REQUIRE(run.code == 0);
+  std::size_t moves = 0;
+  for (std::size_t at = run.out.find(R"("from":)"); at != run.out.npos; at = run.out.find(R"("from":)", at + 1))
+    ++moves;
+  CHECK(moves == 1 + kPairs * 2 * 200);  // each part there and back in each of 200 rounds
+  const std::size_t bit = run.out.find(R"({"t":1000000000,"symbol":"L_S_PE1_I_PART","value":false})");
+  CHECK(bit < run.out.find(R"({"t":1000000000,"part":1,"kind":"raw","from":"BOX","to":"out"})"));
+  CHECK_FALSE(contains(run.err, "missing in the trace"));
+}
+
 TEST_CASE("run: A part without room, or none to take, fails the step and changes nothing") {
   const PartRun made(R"({"at":"2s","put":[{"at":"FIXTURE","kind":"raw"},{"at":"FIXTURE","kind":"done"}]},
                         {"plus":"1s","take":["CV1","FIXTURE"]},
