@@ -1,5 +1,5 @@
-// Lays out tracks and places. The marks of a track are flags: a line at the position, and a text in a row of its own
-// distance, so that no line crosses a text.
+// Lays out tracks and places. The marks of a track are flags: a line at the position, and a text in one of several
+// rows, so that no line crosses a text.
 #include "view/location_drawing.hpp"
 
 #include <fmt/format.h>

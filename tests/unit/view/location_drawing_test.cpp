@@ -47,7 +47,7 @@ TEST_CASE("A mark is drawn at its position, to scale") {
   const int end = text_shape(drawing, "2 m").x;
   CHECK(end - begin == 720);
   CHECK(text_shape(drawing, "1 m").x - begin == 360);
-  // A flag's text is 4 beside its position, a tick's text 2.
+  // A flag's text begins 4 after its position, a tick's text 2.
   CHECK(text_shape(drawing, "L_P_PE_I_ON").x - begin == 720 * 300 / 2000 + 2);
   CHECK(text_shape(drawing, "stop when").x - begin == 720 * 500 / 2000 + 2);
   CHECK(text_shape(drawing, "transfer pick").x - begin == 720 / 2 + 2);
