@@ -13,6 +13,7 @@
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
 #include "emit/link_rows.hpp"
+#include "emit/material_rows.hpp"
 #include "emit/render.hpp"
 #include "emit/rows.hpp"
 #include "emit/table_views.hpp"
@@ -30,6 +31,18 @@ void add_rows(View& view, const std::string& key, bool any, RowSource source) {
   } else {
     view.texts[key];
   }
+}
+
+/// Names of locations and kinds, and the class with their functions, if there are any.
+void add_parts(View& view, const model::Material& material) {
+  const bool parts = !material.empty();
+  view.texts["plant_base"] = parts ? "PartsPlant" : "NamedPlant";
+  view.texts["plant_enumerations"] = parts ? "Symbol, Location, PartKind" : "Symbol";
+  view.lists["parts"];
+  if (!parts) return;
+  view.lists["parts"].push_back({{{"location_constant_rows", location_constant_rows(material)},
+                                  {"part_kind_constant_rows", part_kind_constant_rows(material)}},
+                                 {}});
 }
 
 View plant_view(const model::PlantModel& plant, const lower::EngineTables& tables) {
@@ -53,6 +66,7 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   add_rows(view, "accessor_rows", !plant.units.empty(), std::move(by_name.plant));
   add_rows(view, "symbol_constant_rows", !plant.symbols.empty(),
            [&tables](RowWriter& rows) { symbol_constant_rows(rows, tables); });
+  add_parts(view, plant.material);
   texts["type_rows"] = type_rows(tables, plant, classes, texts["namespace"]);
   texts["link_count"] = std::to_string(plant.description->links.size());
   texts["link_rows"] = link_rows(*plant.description);

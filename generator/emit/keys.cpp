@@ -118,6 +118,12 @@ constexpr auto kKeys = std::to_array<Key>({
     {"behaviour_file", "behaviours", false, "the user's file"},
 
     {"symbol_constant_rows", "", false, "enumerators of Symbol"},
+    {"plant_base", "", false,
+     "the class from which the plant class is derived: NamedPlant, or PartsPlant if it has parts"},
+    {"plant_enumerations", "", false, "its template arguments: enumerations of plant_gen.hpp"},
+    {"parts", "", true, "one item if the plant has a material flow, else empty"},
+    {"location_constant_rows", "parts", false, "enumerators of Location"},
+    {"part_kind_constant_rows", "parts", false, "enumerators of PartKind"},
     {"group_rows", "", false, "a class for each line and process"},
     {"accessor_rows", "", false, "functions of the plant class that give its devices"},
     {"link_count", "", false, "links of the plant's description"},

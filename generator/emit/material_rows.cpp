@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "emit/row_writer.hpp"
+#include "text/identifier.hpp"
 
 namespace symplant::emit {
 namespace {
@@ -175,6 +176,25 @@ std::string part_counter_rows(const lower::EngineTables& tables, const model::Ma
     rows.comment(material.location_name(row.location)).text(row.kind == tables::kNone ? ".parts" : ".");
     if (row.kind != tables::kNone) rows.comment(material.kinds[row.kind].name);
     rows.text("\n");
+  }
+  return rows.take();
+}
+
+std::string location_constant_rows(const model::Material& material) {
+  RowWriter rows;
+  text::IdentifierScope scope;
+  const auto count = static_cast<std::uint32_t>(material.tracks.size() + material.places.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    rows.text("  ").text(scope.unique(material.location_name(i))).text(" = ").number(i).text(",\n");
+  }
+  return rows.take();
+}
+
+std::string part_kind_constant_rows(const model::Material& material) {
+  RowWriter rows;
+  text::IdentifierScope scope;
+  for (std::uint32_t i = 0; i < material.kinds.size(); ++i) {
+    rows.text("  ").text(scope.unique(material.kinds[i].name)).text(" = ").number(i).text(",\n");
   }
   return rows.take();
 }

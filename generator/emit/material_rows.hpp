@@ -24,4 +24,8 @@ std::string kind_number_rows(const std::vector<std::uint32_t>& kinds, const mode
 std::string part_counter_rows(const lower::EngineTables& tables, const model::Material& material);
 std::string part_watch_rows(const lower::EngineTables& tables);
 
+/// Enumerators of the tracks and then of the places, and of the kinds.
+std::string location_constant_rows(const model::Material& material);
+std::string part_kind_constant_rows(const model::Material& material);
+
 }  // namespace symplant::emit

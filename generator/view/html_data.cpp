@@ -16,6 +16,7 @@
 #include "symplant/tables/digest.hpp"
 #include "view/cross_references.hpp"
 #include "view/html_kinds.hpp"
+#include "view/html_material.hpp"
 #include "view/json_writer.hpp"
 #include "view/words.hpp"
 
@@ -54,6 +55,7 @@ class DataWriter {
     json_.array(plant_.requirements, [&](const model::Requirement& requirement) {
       json_.row(visible(requirement.name), visible(requirement_text(requirement, plant_)));
     });
+    write_page_material(scene_, json_);
     json_.key("symbols");
     json_.begin_array();
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {

@@ -11,7 +11,9 @@
 #include "model/condition_text.hpp"
 #include "symplant/tables/digest.hpp"
 #include "view/cross_references.hpp"
+#include "view/duration_json.hpp"
 #include "view/json_writer.hpp"
+#include "view/material_json.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -21,16 +23,6 @@ using model::kNone;
 
 void write_names(const std::vector<std::uint32_t>& side, const model::PlantModel& plant, JsonWriter& json) {
   json.array(side, [&](std::uint32_t index) { json.value(plant.symbols[index].name()); });
-}
-
-/// Nanoseconds, or the parameters of a random time.
-void write_time(const description::Duration& time, JsonWriter& json) {
-  if (time.kind == description::Duration::Kind::fixed) return json.value(time.a);
-  const bool uniform = time.kind == description::Duration::Kind::uniform;
-  json.begin_object();
-  json.member(uniform ? "min" : "mean", time.a);
-  json.member(uniform ? "max" : "sigma", time.b);
-  json.end_object();
 }
 
 /// The exact initial value: integers beyond 2^53, NaN and infinities are strings.
@@ -267,6 +259,7 @@ void write_model(const Scene& scene, JsonWriter& json) {
     json.member("condition", model::condition_text(follow.condition, plant));
     json.end_object();
   });
+  write_material(plant, json);
   json.key("symbols");
   json.array(plant.symbols, [&](const model::Symbol& symbol) { write_symbol(symbol, plant, json); });
   json.key("internal_rows");

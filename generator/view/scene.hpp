@@ -1,4 +1,4 @@
-// The input of every view: a plant, its tables, and the devices to show.
+// The input of every view: a plant, its tables, and the devices, tracks and places to show.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,7 @@ struct Scene {
   const model::PlantModel& plant;
   const lower::EngineTables& tables;
   std::vector<std::uint32_t> units;         ///< the units to show, ascending
+  std::vector<std::uint32_t> locations;     ///< the tracks and places to show, ascending, as in tables::MaterialTables
   base::ProcessRunner* programs = nullptr;  ///< null: no other program is run
 };
 

@@ -28,6 +28,11 @@ constexpr std::string_view kScxmlHead =
     "     times (a delay is the minimum or the mean). Commands are levels in the model and events here, and a delay\n"
     "     counts from entering a state, not from when its condition holds. -->\n";
 
+constexpr std::string_view kNoMaterial =
+    "<!-- The material flow is left out: tracks, places, transfers, work and sources. The numbers of parts in "
+    "conditions\n"
+    "     are data that nothing changes. -->\n";
+
 /// Seconds in the syntax of CSS: `1.5s`.
 std::string delay_text(tables::Time time) {
   std::string text = fmt::format("{}.{:09}", time / tables::kSecond, time % tables::kSecond);
@@ -49,6 +54,7 @@ class ScxmlWriter {
   std::string write() {
     for (const std::uint32_t unit : scene_.units) add_unit(unit);
     std::string document(kScxmlHead);
+    if (!plant_.material.empty()) document += kNoMaterial;
     document +=
         "<scxml xmlns=\"http://www.w3.org/2005/07/scxml\" xmlns:symplant=\"urn:symplant:model:1\" version=\"1.0\"";
     document += attribute("name", text::identifier(plant_.name)) + " datamodel=\"ecmascript\" initial=\"plant\">\n";

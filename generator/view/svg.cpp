@@ -11,6 +11,7 @@
 #include "view/chart.hpp"
 #include "view/dot.hpp"
 #include "view/layout.hpp"
+#include "view/location_drawing.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -27,6 +28,12 @@ constexpr std::string_view kStyle =
     ".card{fill:#fff;stroke:#bbb}.state{fill:#eef4fb;stroke:#345}.rest{stroke-width:3}.name{font-weight:bold}"
     ".way{fill:none;stroke:#345}.automatic{stroke-dasharray:5 3}.label{fill:#fff;fill-opacity:.85}.fact{fill:#444}"
     ".middle{text-anchor:middle}</style>\n";
+constexpr std::string_view kLocationStyle =
+    "<style>.belt{fill:#dfe5ec;stroke:#345}.other{fill:#cdd6e0}.part{fill:#c79a5b;stroke:#7a5a2a}.chevron{stroke:#345;"
+    "stroke-width:2}"
+    ".tick{stroke:#999;fill:#777}.leader{stroke:#aaa}.sensor{fill:#1769c5}.stop{fill:#c62828}.transfer{fill:#0e7c66}."
+    "work{fill:#8a4fbf}"
+    ".source{fill:#d17a00}text.tick{stroke:#fff;stroke-width:3;paint-order:stroke}</style>\n";
 constexpr std::string_view kSvgHead =
     "<defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"8\" markerHeight=\"8\" "
     "orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#345\"/></marker></defs>\n";
@@ -68,6 +75,16 @@ class CardWriter {
     add_lines(facts_of(index, plant, references));
   }
 
+  /// A track or place.
+  explicit CardWriter(const Drawing& drawing) {
+    add_title(drawing.title);
+    out("<g transform=\"translate(0 {})\">\n", card_.height + 4);
+    for (const Shape& shape : drawing.shapes) add_shape(shape);
+    card_.content += "</g>\n";
+    card_.width = std::max(card_.width, drawing.width);
+    card_.height += drawing.height + kLineHeight;
+  }
+
   Card card() && { return std::move(card_); }
 
  private:
@@ -89,6 +106,23 @@ class CardWriter {
       card_.width = std::max(card_.width, static_cast<int>(columns(line)) * kLetterWidth + 28);
     }
     card_.height += kLineHeight;
+  }
+
+  void add_shape(const Shape& shape) {
+    switch (shape.kind) {
+      case Shape::Kind::rect:
+        out("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", shape.style, shape.x, shape.y,
+            shape.a, shape.b);
+        return;
+      case Shape::Kind::line:
+        out("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", shape.style, shape.x, shape.y, shape.a, shape.b);
+        return;
+      case Shape::Kind::dot:
+        out("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", shape.style, shape.x, shape.y, shape.a);
+        return;
+      case Shape::Kind::text:
+        out("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", shape.style, shape.x, shape.y, markup_text(shape.text));
+    }
   }
 
   void add_arrow(const ArrowPosition& arrow, const ChartEdge& edge) {
@@ -137,7 +171,10 @@ std::string own_picture(const Scene& scene) {
   const CrossReferences references = cross_references(scene.plant);
   std::vector<Card> cards;
   for (const std::uint32_t unit : scene.units) cards.push_back(CardWriter(unit, scene.plant, references).card());
-  if (!scene.plant.requirements.empty()) {
+  for (const std::uint32_t location : scene.locations) {
+    cards.push_back(CardWriter(draw_location(scene.plant, location)).card());
+  }
+  if (!scene.units.empty() && !scene.plant.requirements.empty()) {
     std::vector<std::string> lines;
     for (const model::Requirement& requirement : scene.plant.requirements) {
       lines.push_back(requirement.name + ": " + requirement_text(requirement, scene.plant));
@@ -165,15 +202,18 @@ std::string own_picture(const Scene& scene) {
   }
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n{2}<title>{3}"
-      "</title>\n{4}{5}<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{6}</svg>\n",
-      width, y + row_height + kCardGap, kComment, markup_text(scene.plant.name), kStyle, kSvgHead, content);
+      "</title>\n{4}{5}{6}<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{7}</svg>\n",
+      width, y + row_height + kCardGap, kComment, markup_text(scene.plant.name), kStyle,
+      scene.locations.empty() ? std::string_view() : kLocationStyle, kSvgHead, content);
 }
 
 }  // namespace
 
 View svg_view(const Scene& scene) {
   std::string decision = "the picture is laid out by symplant itself";
-  if (scene.programs != nullptr) {
+  if (!scene.locations.empty()) {
+    decision += ", since Graphviz does not draw tracks";
+  } else if (scene.programs != nullptr) {
     const std::string dot = base::text_of(dot_view(scene).text);
     auto drawn = scene.programs->run({"dot", {"-Tsvg"}, dot});
     if (drawn && drawn->find("<svg") != std::string::npos) {

@@ -31,6 +31,7 @@ constexpr Load kLoads[] = {
     {"types100", run<EngineTypes<100>>}, {"distinct", run<EngineDistinct>}, {"rich", run<EngineRich>},
     {"guarded", run<EngineGuarded>},     {"while", run<EngineWhile>},       {"symbols", run<EngineSymbols>},
     {"inverted", run<EngineInverted>},   {"parts", run<EngineParts>},       {"parts_by_hand", run<HandParts>},
+    {"queue", run<EngineQueue>},
 };
 
 }  // namespace

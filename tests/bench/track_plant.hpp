@@ -95,6 +95,50 @@ class EngineParts {
   std::vector<std::uint64_t> seen_;
 };
 
+/// A queue of touching parts on one track, which starts and stops as a whole.
+struct QueuePlant : BenchPlant {
+  explicit QueuePlant(std::uint32_t parts) {
+    const std::int64_t length = parts * kPartLength + 10'000'000;
+    rows.push_back({length, 0, {0, 1}, {}, {}, {}});
+    drives.push_back({length, 0, tables::kNone, tables::kNone, kPartSpeed});
+    conditions.push_back({0b10, 0, 0, tables::ReaderKind::drive});
+    watches.push_back({0, 0, 0});
+    tables.conditions = conditions;
+    tables.operation_watches = watches;
+    tables.operation_bits = 64;
+    tables.material.kinds = kinds;
+    tables.material.tracks = rows;
+    tables.material.drives = drives;
+    make_as_is();
+    for (std::uint32_t p = 0; p < parts; ++p) plant->put({0, kPartLength / 2 + p * kPartLength}, 0);
+    plant->advance_to(0);
+  }
+
+ private:
+  std::vector<tables::KindRow> kinds{{kPartLength, 0}};
+  std::vector<tables::TrackRow> rows;
+  std::vector<tables::DriveRow> drives;
+  std::vector<tables::ConditionRow> conditions;
+  std::vector<tables::BitWatch> watches;
+};
+
+/// A step is a start or a stop, 1 ms after the last one.
+class EngineQueue {
+ public:
+  explicit EngineQueue(std::uint32_t parts) : made_(parts) {}
+  std::int64_t step() {
+    runs_ = !runs_;
+    made_.plant->set_operation(0, runs_);
+    made_.plant->advance_to(now_ += tables::kMillisecond);
+    return 1;
+  }
+
+ private:
+  QueuePlant made_;
+  tables::Time now_ = 0;
+  bool runs_ = false;
+};
+
 /// The same load as it is usually written by hand: every cycle of 1 ms moves every part and evaluates every sensor.
 class HandParts {
  public:

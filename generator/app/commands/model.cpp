@@ -32,13 +32,21 @@ void show(const ModelOptions& options, Context& context) {
   for (std::uint32_t u = 0; u < compiled->plant.units.size(); ++u) {
     if (text::matches_pattern(compiled->plant.units[u].path, options.device)) units.push_back(u);
   }
-  if (units.empty() && options.device != "*") {
-    context.err << "error: no device matches `" << options.device << "`: `*` matches any text, `?` one character\n";
+  const model::Material& material = compiled->plant.material;
+  const auto location_count = static_cast<std::uint32_t>(material.tracks.size() + material.places.size());
+  std::vector<std::uint32_t> locations;
+  for (std::uint32_t l = 0; l < location_count; ++l) {
+    if (text::matches_pattern(material.location_name(l), options.device)) locations.push_back(l);
+  }
+  if (units.empty() && locations.empty() && options.device != "*") {
+    context.err << "error: no device, track or place matches `" << options.device
+                << "`: `*` matches any text, `?` one character\n";
     context.exit_code = host::kBadInput;
     return;
   }
-  const view::View view = view::find_format(options.format)
-                              ->render({compiled->plant, compiled->tables, std::move(units), context.programs});
+  const view::View view =
+      view::find_format(options.format)
+          ->render({compiled->plant, compiled->tables, std::move(units), std::move(locations), context.programs});
   if (options.plant_options.verbose) {
     for (const std::string& decision : view.decisions) context.err << "decided: " << decision << "\n";
   }
@@ -59,7 +67,7 @@ void add_model(CLI::App& app, Context& context) {
     help.append(help.empty() ? "" : "; ").append(format.name).append(": ").append(format.what);
   }
   command->add_option("--format", options->format, help)->check(CLI::IsMember(names));
-  command->add_option("--device", options->device, "only the devices that match; * and ? allowed")
+  command->add_option("--device", options->device, "only the devices, tracks and places that match; * and ? allowed")
       ->type_name("PATTERN");
   command->add_option("-o,--output", options->output, "write the result to this file")->type_name("FILE");
   add_plant_options(*command, options->plant_options);

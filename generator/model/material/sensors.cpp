@@ -1,6 +1,10 @@
 // Finds the symbols of sensors of parts, before the symbols are grouped by device.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <unordered_set>
 
+#include "model/classify.hpp"
 #include "model/material/entries.hpp"
 #include "text/ascii.hpp"
 
@@ -9,10 +13,25 @@ namespace {
 
 using description::ticked;
 
+/// The largest code of a kind that a number holds.
+std::uint32_t most_code(tables::DataType type) {
+  switch (type) {
+    case tables::DataType::sint:
+      return 127;
+    case tables::DataType::usint:
+    case tables::DataType::byte:
+      return 255;
+    case tables::DataType::int_:
+      return 32'767;
+    default:
+      return 65'535;
+  }
+}
+
 class SensorMarker {
  public:
-  SensorMarker(PlantModel& plant, std::vector<std::uint32_t>& inverted, description::Faults& faults)
-      : plant_(plant), inverted_(inverted), faults_(faults) {
+  SensorMarker(PlantModel& plant, MadeMaterial& made, description::Faults& faults)
+      : plant_(plant), inverted_(made.inverted), kinds_(made.entries.kinds), faults_(faults) {
     symbols_.reserve(plant.symbols.size());
     for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.try_emplace(plant.symbols[i].name(), i);
   }
@@ -68,6 +87,21 @@ class SensorMarker {
     if (boolean && reads) return " is BOOL; remove `reads`";
     if (!boolean && !reads) return " is numeric; add `\"reads\": \"code\"` or `\"reads\": \"number\"`";
     if (!boolean && sensor.inverted) return " is numeric; only BOOL symbols can be `inverted`";
+    return sensor.reads == tables::SensorReads::code ? code_too_large(sensor, symbol.type) : std::string();
+  }
+
+  /// What to say of a kind whose code the symbol's type does not hold; nothing if there is none.
+  std::string code_too_large(const description::GivenSensor& sensor, tables::DataType type) const {
+    const std::uint32_t most = most_code(type);
+    for (const description::GivenKind& kind : kinds_) {
+      const auto& seen = sensor.kinds;
+      const bool sees = seen.empty() || std::any_of(seen.begin(), seen.end(), [&](const std::string& name) {
+                          return text::equal_ignoring_case(name, kind.name);
+                        });
+      if (!sees || kind.code <= most) continue;
+      return fmt::format(" is of type {}, which holds at most {}; the code of {} is {}; write a smaller code",
+                         data_type_name(type), most, ticked(kind.name), kind.code);
+    }
     return {};
   }
 
@@ -77,6 +111,7 @@ class SensorMarker {
 
   PlantModel& plant_;
   std::vector<std::uint32_t>& inverted_;
+  const std::vector<description::GivenKind>& kinds_;
   description::Faults& faults_;
   text::ByName<std::uint32_t> symbols_;
   std::unordered_set<std::uint32_t> marked_;
@@ -85,7 +120,7 @@ class SensorMarker {
 }  // namespace
 
 void mark_sensors(PlantModel& plant, MadeMaterial& made, description::Faults& faults) {
-  SensorMarker marker(plant, made.inverted, faults);
+  SensorMarker marker(plant, made, faults);
   marker.mark_all(made.entries.tracks, "tracks", made.tracks);
   marker.mark_all(made.entries.places, "places", made.places);
 }

@@ -222,11 +222,26 @@
         : make("p", {}, "There are no such symbols.")];
   };
 
+  // The material flow: tracks to scale and places, drawn as shapes, and lists.
+  const drawShape = ([shape, style, x, y, a, b]) => {
+    if (shape === "rect") return draw("rect", {class: style, x, y, width: a, height: b});
+    if (shape === "line") return draw("path", {class: style, d: "M" + x + " " + y + "L" + a + " " + b});
+    if (shape === "dot") return draw("circle", {class: style, cx: x, cy: y, r: a});
+    return drawText(x, y, a, style);
+  };
+  const drawLocation = ({title, width, height, shapes}) => section(title, make("div", {class: "wide"}, draw("svg",
+    {width, height, role: "img", viewBox: "0 0 " + width + " " + height, "aria-label": title}, shapes.map(drawShape))));
+  const showMaterial = () => [make("h1", {}, "Material flow"),
+    data.material.locations.map(drawLocation),
+    [["Kinds of parts", "kinds"], ["Transfers", "transfers"], ["Work", "work"], ["Sources", "sources"]].map(([title, key]) =>
+      data.material[key].length ? section(title, lines(data.material[key].map(code))) : null)];
+
   const showAbout = () => [make("h1", {}, data.plant),
     table(null, [
       ["devices", String(data.units.length)], ["I/O symbols", String(data.symbols.length)],
       ["in no device", make("a", {href: "#none"}, String(data.symbols.filter((symbol) => symbol[UNIT] < 0).length))],
       ["requirements", make("a", {href: "#requirements"}, String(data.requirements.length))],
+      ...(data.material ? [["tracks and places", make("a", {href: "#material"}, String(data.material.locations.length))]] : []),
       ["symbol lists", data.lists.join(", ")], ["model hash", code(data.hash)],
       ...data.internal.map(([reason, rows]) => ["rows: " + reason, String(rows)]),
     ]),
@@ -244,6 +259,10 @@
     return match && Number(match[1]) < data.units.length ? Number(match[1]) : null;
   };
   const pages = {"#requirements": showRequirements, "#none": showNone, "#about": showAbout};
+  if (data.material) {
+    pages["#material"] = showMaterial;
+    document.getElementById("parts").hidden = false;
+  }
   const show = () => {
     if (location.hash === "#main") return;
     const index = currentDevice();

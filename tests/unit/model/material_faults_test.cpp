@@ -184,6 +184,28 @@ TEST_CASE("A sensor drives an input of the PLC, which belongs to no other sensor
         here + "`S_10_RFID_I_CODE` is numeric; only BOOL symbols can be `inverted`");
 }
 
+TEST_CASE("The codes that a sensor may read fit its type") {
+  const auto reader = [](const std::string& type, const std::string& members) {
+    std::vector<Row> rows = line_rows();
+    rows[rows.size() - 2] = {"S_10_RFID_I_CODE", "", type, "0"};
+    return faults(
+        line_with(R"("kinds": {"low": {"length": "1 m", "code": 127}, "high": {"length": "1 m", "code": 40000}},
+                               "places": {"P": {"sensors": [{"symbol": "S_10_RFID_I_CODE")" +
+                      members + "}]}}",
+                  "", rows));
+  };
+  const std::string here = "/material/places/P/sensors/0/symbol: `S_10_RFID_I_CODE` is of type ";
+  const std::string code = R"(, "reads": "code")";
+  CHECK(reader("INT", code) ==
+        here + "INT, which holds at most 32767; the code of `high` is 40000; write a smaller code");
+  CHECK(reader("BYTE", code) ==
+        here + "BYTE, which holds at most 255; the code of `high` is 40000; write a smaller code");
+  CHECK(reader("SINT", code + R"(, "kinds": ["low"])") == "");
+  CHECK(reader("INT", code + R"(, "kinds": ["LOW"])") == "");
+  CHECK(reader("INT", R"(, "reads": "number")") == "");
+  for (const char* type : {"UINT", "WORD", "DINT", "REAL"}) CHECK(reader(type, code) == "");
+}
+
 TEST_CASE("A symbol that follows a condition is not a sensor too") {
   CHECK(faults(line_of(R"("work": [], "sources": [])", R"("follow": {"S_10_PE1_I_PART": "T.part"})")) == "");
   CHECK(faults(line_with(kinds() + R"(, "places": {"P": {"sensors": [{"symbol": "S_10_PE1_I_PART"}]}})",

@@ -14,6 +14,15 @@ TEST_CASE("Each view of the described cell equals its golden") {
   check_view_golden(cell, "svg", "cell.svg");
 }
 
+TEST_CASE("Views with a material flow equal their goldens") {
+  const CompiledText plant = plant_with_material();
+  check_view_golden(plant, "json", "material.json");
+  check_view_golden(plant, "svg", "material.svg");
+  check_view_golden(plant, "dot", "material.dot");
+  check_view_golden(plant, "mermaid", "material.mmd");
+  check_view_golden(plant, "scxml", "material.scxml");
+}
+
 TEST_CASE("A view is the same each time") {
   for (const view::Format& format : view::formats()) {
     INFO(format.name);

@@ -55,6 +55,20 @@ TEST_CASE("No name ends the page's script or becomes an element") {
   CHECK(data.at("kinds")[0].at("states")[1][0] == shown);
 }
 
+TEST_CASE("The page has the drawings and lists of a material flow, and nothing of it without one") {
+  const Json data = data_of(render(plant_with_material(), "html").text);
+  const Json& material = data.at("material");
+  REQUIRE(material.at("locations").size() == 2);
+  CHECK(material.at("locations")[0].at("title") == "CV1: 2 m, gap 10 mm");
+  CHECK(material.at("locations")[0].at("width").get<int>() > 700);
+  CHECK(contains(material.at("locations")[0].at("shapes").dump(), R"("L_P_PE_I_ON, sees raw, inverted")"));
+  CHECK(material.at("transfers") == Json::parse(R"(["pick: CV1@1 m to out, when L_P_CV.RUN, once"])"));
+  CHECK(material.at("kinds").size() == 2);
+  CHECK(material.at("work").size() == 1);
+  CHECK(material.at("sources").size() == 1);
+  CHECK_FALSE(data_of(render(described_cell(), "html").text).contains("material"));
+}
+
 TEST_CASE("The title of the page is text, too") {
   CompiledText compiled = compile_text(list_text({{"START", "X1"}}), "a&<b>.csv");
   CHECK(contains(render(compiled, "html").text, "<title>a&amp;&lt;b&gt;</title>"));

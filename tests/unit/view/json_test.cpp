@@ -24,6 +24,7 @@ TEST_CASE("The output of --format json matches its schema") {
   CHECK(faults(Json::parse(render(described_cell(), "json").text)) == "");
   CHECK(faults(Json::parse(render(hostile_cell(), "json").text)) == "");
   CHECK(faults(Json::parse(render(cell_with_parts(), "json").text)) == "");
+  CHECK(faults(Json::parse(render(plant_with_material(), "json").text)) == "");
   CHECK(faults(Json::parse(render(compile_rows({{"START", "X1"}}), "json").text)) == "");
 }
 
@@ -69,7 +70,7 @@ TEST_CASE("Python's jsonschema agrees, if it is installed") {
       "schema = json.load(open(sys.argv[1]))\n"
       "jsonschema.Draft7Validator.check_schema(schema)\n"
       "jsonschema.Draft7Validator(schema).validate(json.load(sys.stdin))\n";
-  for (const CompiledText& plant : {described_cell(), hostile_cell()}) {
+  for (const CompiledText& plant : {described_cell(), hostile_cell(), plant_with_material()}) {
     const std::string text = render(plant, "json").text;
     CHECK(runner.run({"python3", {"-c", program, kSchemaFile}, text, std::chrono::seconds(60)}));
   }

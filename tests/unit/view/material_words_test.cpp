@@ -17,28 +17,7 @@ TEST_CASE("Lengths are shown in the largest unit that leaves no zero before the 
 TEST_CASE("A plant without material has no lines") { CHECK(view::material_lines(described_cell().plant()).empty()); }
 
 TEST_CASE("Every element of a material flow is a line, with its conditions") {
-  description::Description given;
-  given.material.kinds = {{"raw", 200'000, 1}, {"done", 200'000, 0}};
-  description::GivenTrack track;
-  track.name = "CV1";
-  track.length = 2'000'000;
-  track.gap = 10'000;
-  track.drives = {{1'000'000, "L_P_CV.RUN", "", {400'000, ""}}, {{}, "", "L_P_CV.RUN", {10'000, "L_P_CV_O_SPEED"}}};
-  track.stops = {{500'000, "L_P_CV.RUN"}};
-  track.sensors = {{"L_P_PE_I_ON", 300'000, {"raw"}, true, tables::SensorReads::part}};
-  track.ends = {{"FIX", "L_P_CV.RUN"}, {"out", ""}};
-  given.material.tracks = {track};
-  given.material.places = {{"FIX", "", 2, {{"L_P_NR_I_CODE", {}, {}, false, tables::SensorReads::number}}}};
-  given.material.transfers = {{"pick", "", "CV1@1 m", "out", "L_P_CV.RUN", true}};
-  given.material.work = {{"mill", "", "FIX", "L_P_CV.RUN", "raw", "done"}};
-  given.material.sources = {
-      {"feed", "", "CV1", {"raw"}, description::Duration::fixed(tables::kSecond), tables::kSecond, "", 3}};
-  const CompiledText made = compile_described({{"L_P_CV_O_RUN", "Y1"},
-                                               {"L_P_CV_I_RUN", "X1"},
-                                               {"L_P_PE_I_ON", "X2"},
-                                               {"L_P_CV_O_SPEED", "", "INT"},
-                                               {"L_P_NR_I_CODE", "", "INT"}},
-                                              given);
+  const CompiledText made = plant_with_material();
   CHECK(view::material_lines(made.plant()) ==
         std::vector<std::string>{"kind raw: 200 mm, code 1", "kind done: 200 mm", "track CV1: 2 m, gap 10 mm",
                                  "  drive up to 1 m, 400 mm/s, forward when L_P_CV.RUN",

@@ -1,6 +1,7 @@
 // Shared parts of the tests of views: a plant with every feature of descriptions, and one with hostile names.
 #pragma once
 
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -106,6 +107,34 @@ inline CompiledText cell_with_parts() {
                            std::move(description));
 }
 
+/// A track and a place with every element of a material flow.
+inline CompiledText plant_with_material() {
+  description::Description given;
+  given.material.kinds = {{"raw", 200'000, 1}, {"done", 200'000, 0}};
+  description::GivenTrack track;
+  track.name = "CV1";
+  track.length = 2'000'000;
+  track.gap = 10'000;
+  track.drives = {{1'000'000, "L_P_CV.RUN", "", {400'000, ""}}, {{}, "", "L_P_CV.RUN", {10'000, "L_P_CV_O_SPEED"}}};
+  track.stops = {{500'000, "L_P_CV.RUN"}};
+  track.sensors = {{"L_P_PE_I_ON", 300'000, {"raw"}, true, tables::SensorReads::part}};
+  track.ends = {{"FIX", "L_P_CV.RUN"}, {"out", ""}};
+  given.material.tracks = {track};
+  given.material.places = {{"FIX", "", 2, {{"L_P_NR_I_CODE", {}, {}, false, tables::SensorReads::number}}}};
+  given.material.transfers = {{"pick", "", "CV1@1 m", "out", "L_P_CV.RUN", true}};
+  given.material.work = {{"mill", "", "FIX", "L_P_CV.RUN", "raw", "done"}};
+  given.material.sources = {
+      {"feed", "", "CV1", {"raw"}, description::Duration::fixed(tables::kSecond), tables::kSecond, "", 3}};
+  CompiledText made = compile_described({{"L_P_CV_O_RUN", "Y1"},
+                                         {"L_P_CV_I_RUN", "X1"},
+                                         {"L_P_PE_I_ON", "X2"},
+                                         {"L_P_CV_O_SPEED", "", "INT"},
+                                         {"L_P_NR_I_CODE", "", "INT"}},
+                                        given);
+  REQUIRE(made.compiled);
+  return made;
+}
+
 /// Names that would end a string, an element, a comment or a line, everywhere a name can be.
 inline const std::string kHarm = "</script><img src=x onerror=\"a('&')\">]]>--\\N;\xE2\x80\xAE%%\n";
 
@@ -136,8 +165,14 @@ struct Rendered {
 
 inline Rendered render(const CompiledText& compiled, std::string_view format, std::vector<std::uint32_t> units,
                        base::ProcessRunner* programs = nullptr) {
-  view::View view =
-      view::find_format(format)->render({compiled.plant(), compiled.tables(), std::move(units), programs});
+  std::vector<std::uint32_t> locations;
+  if (units.size() == compiled.plant().units.size()) {
+    const model::Material& material = compiled.plant().material;
+    locations.resize(material.tracks.size() + material.places.size());
+    std::iota(locations.begin(), locations.end(), 0);
+  }
+  view::View view = view::find_format(format)->render(
+      {compiled.plant(), compiled.tables(), std::move(units), std::move(locations), programs});
   return {base::text_of(view.text), std::move(view.decisions)};
 }
 
