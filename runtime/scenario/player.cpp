@@ -8,7 +8,8 @@
 namespace symplant::scenario {
 namespace {
 
-constexpr std::size_t kMostLate = 256;  ///< notes that wait for one instant
+constexpr std::size_t kMostLate = 256;    ///< notes that wait for one instant
+constexpr std::size_t kMostHands = 1000;  ///< parts put and taken between two instants: the engine notes 1,024
 
 }  // namespace
 
@@ -59,7 +60,9 @@ void Player::set(const SymbolValue& value) noexcept {
 
 /// False if a part had no room, or there was none to take.
 bool Player::act_by_hand(const Step& step) noexcept {
-  if (late_notes_.size() > kMostLate) advance_plant(plant_.now());
+  const std::size_t hands = step.put.size() + step.take.size();
+  if (late_notes_.size() > kMostLate || hands_ + hands > kMostHands) advance_plant(plant_.now());
+  hands_ += hands;
   bool all = true;
   const auto failed = [&](std::uint64_t which) {
     late_notes_.push_back({kHandNote, which});
@@ -146,6 +149,7 @@ void Player::advance_plant(tables::Time time) noexcept {
   plant_.advance_to(time, this);
   for (const LateNote& note : late_notes_) recorder_.note(plant_.now(), note.of, note.value);
   late_notes_.clear();
+  hands_ = 0;
 }
 
 void Player::advance_to(tables::Time time) noexcept {

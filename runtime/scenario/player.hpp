@@ -89,6 +89,7 @@ class Player final : public engine::Observer, public exec::Stepper {
     std::uint64_t value;
   };
   std::vector<LateNote> late_notes_;
+  std::size_t hands_ = 0;      ///< parts put and taken since the last instant
   std::size_t at_ = 0;         ///< index of the next step, or of the current wait
   tables::Time moment_ = 0;    ///< time of the previous step
   bool waiting_ = false;       ///< step at_ is a wait, and has begun

@@ -1,4 +1,6 @@
 // Tests of symplant run with parts: scenarios that put and take them, traces, findings, statistics, maps.
+#include <algorithm>
+
 #include "app_support.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -99,6 +101,16 @@ TEST_CASE(
   const std::size_t bit = run.out.find(R"({"t":1000000000,"symbol":"L_S_PE1_I_PART","value":false})");
   CHECK(bit < run.out.find(R"({"t":1000000000,"part":1,"kind":"raw","from":"BOX","to":"out"})"));
   CHECK_FALSE(contains(run.err, "missing in the trace"));
+}
+
+TEST_CASE("run: Parts that are put and taken many times at one time are all in the trace") {
+  const PartRun made(R"({"repeat":700,"steps":[{"plus":"0s","put":{"at":"FIXTURE","kind":"raw"}},
+                                               {"plus":"0s","take":"FIXTURE"}]})",
+                     {"--trace", "-"});
+  CHECK(made.run.code == 0);
+  CHECK(contains(made.run.out, R"({"t":0,"part":700,"kind":"raw","from":"FIXTURE","to":"out","by":"hand"})"));
+  CHECK(std::count(made.run.out.begin(), made.run.out.end(), '\n') > 1400);
+  CHECK_FALSE(contains(made.run.err, "missing in the trace"));
 }
 
 TEST_CASE("run: A part without room, or none to take, fails the step and changes nothing") {
