@@ -1,9 +1,13 @@
 // Drawings and lists of the material flow for the page.
 #include "view/html_material.hpp"
 
+#include <optional>
+#include <string>
+
 #include "diag/visible_text.hpp"
 #include "view/location_drawing.hpp"
 #include "view/material_words.hpp"
+#include "view/words.hpp"
 
 namespace symplant::view {
 namespace {
@@ -24,8 +28,9 @@ void write_shape(const Shape& shape, JsonWriter& json) {
   }
 }
 
-void write_drawing(const Drawing& drawing, JsonWriter& json) {
+void write_drawing(const std::string& name, const Drawing& drawing, JsonWriter& json) {
   json.begin_object();
+  json.member("name", visible(name));
   json.member("title", visible(drawing.title));
   json.member("width", drawing.width);
   json.member("height", drawing.height);
@@ -43,17 +48,31 @@ void write_page_material(const Scene& scene, JsonWriter& json) {
   json.key("material");
   json.begin_object();
   json.key("locations");
-  json.array(scene.locations,
-             [&](std::uint32_t location) { write_drawing(draw_location(scene.plant, location), json); });
+  json.array(scene.locations, [&](std::uint32_t location) {
+    write_drawing(material.location_name(location), draw_location(scene.plant, location), json);
+  });
   json.key("kinds");
   json.array(material.kinds, [&](const model::PartKind& kind) { json.value(visible(words.kind(kind))); });
+  const auto when = [&](const std::optional<condition::Tree>& tree) {
+    return tree ? visible(words.condition(*tree)) : std::string();
+  };
   json.key("transfers");
-  json.array(material.transfers,
-             [&](const model::Transfer& transfer) { json.value(visible(words.transfer(transfer))); });
+  json.array(material.transfers, [&](const model::Transfer& transfer) {
+    json.row(visible(transfer.name), visible(words.location(transfer.from)), visible(words.location(transfer.to)),
+             when(transfer.condition), transfer.once ? "once" : "");
+  });
   json.key("work");
-  json.array(material.work, [&](const model::Work& work) { json.value(visible(words.work(work))); });
+  json.array(material.work, [&](const model::Work& work) {
+    json.row(visible(work.name), visible(words.location(work.at)), visible(material.kinds[work.from].name),
+             visible(material.kinds[work.to].name), visible(words.condition(work.condition)));
+  });
   json.key("sources");
-  json.array(material.sources, [&](const model::Source& source) { json.value(visible(words.source(source))); });
+  json.array(material.sources, [&](const model::Source& source) {
+    json.row(visible(source.name), visible(words.location(source.to)), visible(words.kinds(source.kinds)),
+             duration_text(description::Duration::fixed(source.first)),
+             source.every ? duration_text(*source.every) : std::string(), when(source.condition),
+             source.count ? std::to_string(*source.count) : std::string());
+  });
   json.end_object();
 }
 

@@ -30,7 +30,8 @@ struct Flag {
 };
 
 /// Sorts flags by position and gives them rows: a text is further from the belt than those to its right that it
-/// passes. Returns the number of rows. O(n^2) comparisons in short ranges.
+/// passes, and of one position the last flag is the nearest. Returns the number of rows. O(n^2) comparisons in short
+/// ranges.
 int arrange(std::vector<Flag>& flags) {
   std::stable_sort(flags.begin(), flags.end(), [](const Flag& a, const Flag& b) { return a.x < b.x; });
   int rows = 0;
@@ -76,6 +77,7 @@ class LocationDrawer {
     const int parts_height = draw_kinds();
     const int belt = parts_height + arrange(above_) * kLineHeight + 10;
     const int ruler_end = belt + kBeltHeight + kRulerHeight;
+    std::reverse(below_.begin(), below_.end());  // of one position, the first is nearest to the belt
     const int rows = arrange(below_);
     for (Flag& flag : above_) flag.base = belt - 6 - flag.row * kLineHeight;
     for (Flag& flag : below_) flag.base = ruler_end + 12 + flag.row * kLineHeight;
@@ -99,6 +101,8 @@ class LocationDrawer {
       drawing_.shapes.push_back({Shape::Kind::rect, "part", x, 2, width, 10});
       x = add_text("fact start", x + width + 4, 11, words_.kind(kind)) + 18;
     }
+    const std::size_t hidden = material_.kinds.size() - shown;
+    if (hidden != 0) add_text("fact start", x, 11, fmt::format("{} other {}", hidden, hidden == 1 ? "kind" : "kinds"));
     return kLineHeight + 8;
   }
 

@@ -4,11 +4,15 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 #include <ostream>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/tables/nearest.hpp"
 #include "text/pattern.hpp"
 #include "view/formats.hpp"
 
@@ -22,6 +26,24 @@ struct ModelOptions {
   std::string device = "*";
   std::string output;
 };
+
+/// A message for a pattern without a match. A name without `*` and `?` gets the nearest existing name.
+void report_no_match(const std::string& pattern, const model::PlantModel& plant, std::uint32_t locations,
+                     std::ostream& err) {
+  std::string_view nearest;
+  std::vector<std::string> names;
+  if (pattern.find_first_of("*?") == std::string::npos) {
+    for (const model::Unit& unit : plant.units) names.emplace_back(unit.path);
+    for (std::uint32_t l = 0; l < locations; ++l) names.emplace_back(plant.material.location_name(l));
+    tables::NearestName found(pattern);
+    for (const std::string& name : names) found.offer(name);
+    nearest = found.name();
+  }
+  err << "error: no device, track or place matches `" << pattern << "`"
+      << (nearest.empty() ? ": `*` matches any text, `?` one character"
+                          : "; did you mean `" + std::string(nearest) + "`?")
+      << "\n";
+}
 
 void show(const ModelOptions& options, Context& context) {
   auto made = compile_for(context, options.plant, options.plant_options);
@@ -39,8 +61,7 @@ void show(const ModelOptions& options, Context& context) {
     if (text::matches_pattern(material.location_name(l), options.device)) locations.push_back(l);
   }
   if (units.empty() && locations.empty() && options.device != "*") {
-    context.err << "error: no device, track or place matches `" << options.device
-                << "`: `*` matches any text, `?` one character\n";
+    report_no_match(options.device, compiled->plant, location_count, context.err);
     context.exit_code = host::kBadInput;
     return;
   }

@@ -9,6 +9,7 @@
   const count = document.getElementById("count");
   const mostFound = 200;
   const [NAME, ROW, LIST, DIRECTION, TYPE, ADDRESS, IEC, INITIAL, UNIT, WHY, LEADER] = Array(11).keys();
+  const locations = data.material ? data.material.locations : [];
   const unitOfPath = new Map(data.units.map((unit, index) => [unit.path, index]));
 
   // Elements: make("p", {class: "x"}, "text", otherElement)
@@ -92,15 +93,16 @@
     const found = [];
     const fits = (text) => text.toLowerCase().includes(wanted);
     const rows = [];
-    data.units.forEach((unit, index) => { if (fits(unit.path)) rows.push([index, unit.path]); });
+    data.units.forEach((unit, index) => { if (fits(unit.path)) rows.push(["#d" + index, unit.path]); });
+    locations.forEach(({name, shapes}, index) => {
+      if (fits(name) || shapes.some(([shape, , , , text]) => shape === "text" && fits(text))) rows.push(["#m" + index, name]);
+    });
     for (const symbol of data.symbols) {
       if (fits(symbol[NAME]) || fits(symbol[ADDRESS]) || fits(symbol[IEC])) {
-        rows.push([symbol[UNIT], symbol[NAME] + "  " + (symbol[ADDRESS] || symbol[IEC])]);
+        rows.push([symbol[UNIT] < 0 ? "#none" : "#d" + symbol[UNIT], symbol[NAME] + "  " + (symbol[ADDRESS] || symbol[IEC])]);
       }
     }
-    for (const [index, text] of rows.slice(0, mostFound)) {
-      found.push(index < 0 ? make("a", {href: "#none"}, text) : treeLink(index, text));
-    }
+    for (const [href, text] of rows.slice(0, mostFound)) found.push(make("a", {href}, text));
     tree.replaceChildren(...found);
     count.textContent = rows.length > mostFound ? "the first " + mostFound + " of " + rows.length + " found"
                                                 : rows.length + " found";
@@ -229,19 +231,35 @@
     if (shape === "dot") return draw("circle", {class: style, cx: x, cy: y, r: a});
     return drawText(x, y, a, style);
   };
-  const drawLocation = ({title, width, height, shapes}) => section(title, make("div", {class: "wide"}, draw("svg",
-    {width, height, role: "img", viewBox: "0 0 " + width + " " + height, "aria-label": title}, shapes.map(drawShape))));
+  const drawLocation = ({title, width, height, shapes}, index) => [make("h2", {id: "drawing" + index}, title),
+    make("div", {class: "wide"}, draw("svg", {width, height, role: "img", viewBox: "0 0 " + width + " " + height,
+      "aria-label": title}, shapes.map(drawShape)))];
+  const locationLink = (text) => {
+    const index = locations.findIndex((shown) => shown.name === text.split("@")[0]);
+    return index < 0 ? code(text) : make("a", {href: "#m" + index, class: "code"}, text);
+  };
+  const materialHeads = {
+    transfers: ["name", "from", "to", "when", "moves"],
+    work: ["name", "at", "from", "to", "when"],
+    sources: ["name", "at", "kinds", "first", "every", "when", "at most"],
+  };
+  const linked = {transfers: ["from", "to"], work: ["at"], sources: ["at"]};
+  const materialList = (key) => key === "kinds" ? lines(data.material.kinds.map(code)) : table(materialHeads[key],
+    data.material[key].map((row) => row.map((text, i) => {
+      const head = materialHeads[key][i];
+      return linked[key].includes(head) ? locationLink(text) : head === "when" && text ? code(text) : text;
+    })));
   const showMaterial = () => [make("h1", {}, "Material flow"),
-    data.material.locations.map(drawLocation),
+    locations.map(drawLocation),
     [["Kinds of parts", "kinds"], ["Transfers", "transfers"], ["Work", "work"], ["Sources", "sources"]].map(([title, key]) =>
-      data.material[key].length ? section(title, lines(data.material[key].map(code))) : null)];
+      data.material[key].length ? section(title, materialList(key)) : null)];
 
   const showAbout = () => [make("h1", {}, data.plant),
     table(null, [
       ["devices", String(data.units.length)], ["I/O symbols", String(data.symbols.length)],
       ["in no device", make("a", {href: "#none"}, String(data.symbols.filter((symbol) => symbol[UNIT] < 0).length))],
       ["requirements", make("a", {href: "#requirements"}, String(data.requirements.length))],
-      ...(data.material ? [["tracks and places", make("a", {href: "#material"}, String(data.material.locations.length))]] : []),
+      ...(data.material ? [["tracks and places", make("a", {href: "#material"}, String(locations.length))]] : []),
       ["symbol lists", data.lists.join(", ")], ["model hash", code(data.hash)],
       ...data.internal.map(([reason, rows]) => ["rows: " + reason, String(rows)]),
     ]),
@@ -258,6 +276,10 @@
     const match = /^#d(\d+)$/.exec(location.hash);
     return match && Number(match[1]) < data.units.length ? Number(match[1]) : null;
   };
+  const currentLocation = () => {
+    const match = /^#m(\d+)$/.exec(location.hash);
+    return match && Number(match[1]) < locations.length ? Number(match[1]) : null;
+  };
   const pages = {"#requirements": showRequirements, "#none": showNone, "#about": showAbout};
   if (data.material) {
     pages["#material"] = showMaterial;
@@ -266,9 +288,12 @@
   const show = () => {
     if (location.hash === "#main") return;
     const index = currentDevice();
-    const content = index !== null ? showDevice(index) : (pages[location.hash] || showAbout)();
+    const shown = currentLocation();
+    const content = index !== null ? showDevice(index) : shown !== null ? showMaterial()
+      : (pages[location.hash] || showAbout)();
     main.replaceChildren(...content.flat(Infinity).filter((child) => child !== null));
     main.scrollTop = 0;
+    if (shown !== null) document.getElementById("drawing" + shown).scrollIntoView();
     document.title = (index !== null ? data.units[index].path + " - " : "") + data.plant;
     markCurrent(true);
   };

@@ -49,6 +49,24 @@ TEST_CASE("model: A table shows the eight elements, for all devices or those of 
   }
 }
 
+TEST_CASE("model --device: A name that is not found gives the nearest one, of tracks and places, too") {
+  MemoryFileSystem files = lists();
+  files.files["plant.json"] =
+      R"({"symplant": 1, "symbols": ["excell.csv"], "material": {"kinds": {"box": {"length": "100 mm"}},
+    "tracks": {"LINE": {"length": "1 m", "drives": [{"forward": "EXLINE_MB_MC.RUN2", "speed": "1 m/s"}]}},
+    "places": {"FIXTURE": {}}}})";
+  const auto message = [&](const std::string& device) {
+    const ToolRun run = run_tool({"model", "plant.json", "--device", device}, files);
+    CHECK(run.code == 2);
+    return run.err;
+  };
+  CHECK(contains(message("EXLINE_MB_AGW"), "matches `EXLINE_MB_AGW`; did you mean `EXLINE_MB_AGV`?\n"));
+  CHECK(contains(message("LIN"), "matches `LIN`; did you mean `LINE`?\n"));
+  CHECK(contains(message("FIXTUER"), "did you mean `FIXTURE`?\n"));
+  CHECK(contains(message("LINEE*"), "matches `LINEE*`: `*` matches any text, `?` one character\n"));
+  CHECK(contains(message("NOTHING"), "matches `NOTHING`: `*` matches"));
+}
+
 TEST_CASE("model: Every format gives a file, an unknown format is a usage error") {
   for (const char* format : {"table", "json", "html", "dot", "svg", "mermaid", "scxml"}) {
     MemoryFileSystem files = lists();

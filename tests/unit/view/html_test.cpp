@@ -62,10 +62,11 @@ TEST_CASE("The page has the drawings and lists of a material flow, and nothing o
   CHECK(material.at("locations")[0].at("title") == "CV1: 2 m, gap 10 mm");
   CHECK(material.at("locations")[0].at("width").get<int>() > 700);
   CHECK(contains(material.at("locations")[0].at("shapes").dump(), R"("L_P_PE_I_ON, sees raw, inverted")"));
-  CHECK(material.at("transfers") == Json::parse(R"(["pick: CV1@1 m to out, when L_P_CV.RUN, once"])"));
+  CHECK(material.at("locations")[1].at("name") == "FIX");
   CHECK(material.at("kinds").size() == 2);
-  CHECK(material.at("work").size() == 1);
-  CHECK(material.at("sources").size() == 1);
+  CHECK(material.at("transfers") == Json::parse(R"([["pick", "CV1@1 m", "out", "L_P_CV.RUN", "once"]])"));
+  CHECK(material.at("work") == Json::parse(R"([["mill", "FIX", "raw", "done", "L_P_CV.RUN"]])"));
+  CHECK(material.at("sources") == Json::parse(R"([["feed", "CV1", "raw", "1 s", "1 s", "", "3"]])"));
   CHECK_FALSE(data_of(render(described_cell(), "html").text).contains("material"));
 }
 

@@ -84,6 +84,26 @@ TEST_CASE("No text of a track is covered by another text or crossed by a line") 
   }
 }
 
+TEST_CASE("The ends of a track are read from the top, as in the description") {
+  const Drawing drawing = view::draw_location(plant_with_material().plant(), 0);
+  CHECK(text_shape(drawing, "to FIX").y < text_shape(drawing, "to out").y);
+}
+
+TEST_CASE("Kinds that are not drawn are counted") {
+  description::Description given;
+  for (int k = 0; k < 8; ++k) given.material.kinds.push_back({"k" + std::to_string(k), 100'000, 0});
+  description::GivenTrack track;
+  track.name = "CV";
+  track.length = 1'000'000;
+  track.drives = {{{}, "L_P_CV_O_RUN", "", {400'000, ""}}};
+  given.material.tracks = {track};
+  const CompiledText made = compile_described({{"L_P_CV_O_RUN", "Y1"}}, given);
+  REQUIRE(made.compiled);
+  const Drawing drawing = view::draw_location(made.plant(), 0);
+  text_shape(drawing, "k5: 100 mm");
+  text_shape(drawing, "2 other kinds");
+}
+
 TEST_CASE("A place shows its slots, its sensors and what others do there") {
   const Drawing drawing = view::draw_location(plant_with_material().plant(), 1);
   CHECK(drawing.title == "FIX: holds 2");
