@@ -5,7 +5,7 @@
 #include <string>
 
 #include "address/address.hpp"
-#include "findings/selection.hpp"
+#include "findings/finish.hpp"
 #include "read/readers.hpp"
 
 namespace symplant::app {
@@ -17,6 +17,7 @@ struct CompileOptions {
   std::string today = {};              ///< YYYY-MM-DD, for findings ignored until a day; empty: no entry has expired
   bool tables = true;                  ///< false: only checks follow, and the plant is lowered only if they need it
   findings::Selection selection = {};  ///< which findings are reported
+  findings::Known known = {};          ///< findings that are not reported again
   std::string naming = {};             ///< a naming.json or `@PROFILE`; empty: what the plant.json gives
 };
 

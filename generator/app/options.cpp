@@ -180,7 +180,7 @@ void show_findings(Context& context, const diag::Diagnostics& diagnostics, bool 
   for (const diag::Diagnostic& finding : diagnostics.all()) {
     if (verbose || check::is_stopping(finding)) shown.push_back(finding);
   }
-  context.err << diag::render_text(shown, {context.colour_err, verbose ? 0U : 5U});
+  context.err << diag::render_text(shown, {.colour = context.colour_err, .all = verbose, .most_errors = 5});
   if (verbose) report_ignored(context, diagnostics);
 }
 

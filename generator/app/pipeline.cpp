@@ -83,7 +83,7 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
 void finish(const Inputs& inputs, const model::PlantModel& plant, const CompileOptions& options,
             diag::Diagnostics& diagnostics) {
   const description::GivenCheck settings = inputs.readable ? plant.description->check : description::GivenCheck();
-  diagnostics = findings::finish(std::move(diagnostics), settings, options.today, options.selection);
+  diagnostics = findings::finish(std::move(diagnostics), settings, options.today, options.selection, options.known);
   if (inputs.readable) locate(inputs.source, diagnostics);
   diagnostics.sort_by_location(plant.sources());
 }

@@ -18,7 +18,7 @@ using score::Shape;
 using score::Verdict;
 
 constexpr std::size_t kMostStations = 20;
-constexpr std::size_t kMostShapes = 10;
+constexpr std::size_t kMostShapes = 5;
 constexpr std::size_t kMostShapesVerbose = 20;
 
 std::size_t percent(std::size_t count, std::size_t of) { return of == 0 ? 0 : (count * 100 + of / 2) / of; }

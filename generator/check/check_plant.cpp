@@ -21,6 +21,12 @@ bool is_of_built_in_names(const Rule* rule) {
   return std::find(kOfBuiltInNames.begin(), kOfBuiltInNames.end(), rule) != kOfBuiltInNames.end();
 }
 
+/// Whether a rule judges the names of symbols and the devices that follow from them.
+bool needs_names(const Rule& rule) {
+  const bool by_name = rule.info.id.substr(0, 3) == "SP4" || rule.info.id.substr(0, 3) == "SP5" || &rule == &kNameSlip;
+  return by_name && &rule != &kNoDevice;
+}
+
 }  // namespace
 
 void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics) {
@@ -30,7 +36,9 @@ void check_plant(const model::PlantModel& plant, const model::Evidence& evidence
   const std::vector<bool> named_otherwise = lists_named_otherwise(plant);
   const Subject subject{plant, evidence, classes, overruled, conditions, named_otherwise};
   conditions = conditions_of(subject);
+  const bool named_by_rule = std::find(named_otherwise.begin(), named_otherwise.end(), false) != named_otherwise.end();
   for (const Rule* rule : kRules) {
+    if (!named_by_rule && needs_names(*rule)) continue;
     if (plant.pairing != nullptr && is_of_built_in_names(rule)) continue;
     if (rule->check != nullptr) rule->check(*rule, subject, diagnostics);
   }

@@ -4,12 +4,21 @@
 #include <algorithm>
 #include <utility>
 
-#include "check/spelling/device_classes.hpp"
+#include "text/shape.hpp"
 #include "text/utf8.hpp"
 
 namespace symplant::check {
 
 using Kind = diag::Subject::Kind;
+
+namespace {
+
+/// Of the text by which people know the symbol: its name, or its comment where the list has addresses for names.
+std::string shape_of(const read::ListRow& row) {
+  return text::shape_of(row.is_named_by_address() && !row.comment.empty() ? row.comment : row.name);
+}
+
+}  // namespace
 
 diag::Location location_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell) {
   const auto& source = plant.lists[plant.list_of(row)].table->source;
@@ -85,6 +94,7 @@ diag::Subjects about(const model::Symbol& symbol) {
   subjects.about.reserve(2);
   subjects.about.push_back(symbol_named(symbol.name()));
   if (symbol.reading.fault == name::NameFault::none) subjects.about.push_back(device(symbol.reading.device_path));
+  subjects.shape = shape_of(*symbol.row);
   return subjects;
 }
 
@@ -96,7 +106,7 @@ diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other) {
 
 diag::Subjects about(const model::Unit& unit) { return {{device(unit.path)}, {}, {}}; }
 
-diag::Subjects about(const read::ListRow& row) { return {{symbol_named(row.name)}, {}, {}}; }
+diag::Subjects about(const read::ListRow& row) { return {{symbol_named(row.name)}, {}, {}, shape_of(row)}; }
 
 diag::Subject device(std::string_view path) { return {Kind::device, std::string(path)}; }
 
@@ -148,6 +158,7 @@ std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const m
 
 diag::Subjects about_model(const model::PlantModel& plant, const model::Unit& unit) {
   diag::Subjects subjects = about(unit);
+  subjects.shape = text::shape_of(unit.path);
   subjects.follows = missing_sides(plant, unit, 2);
   subjects.follows.push_back(device(unit.path));
   subjects.follows.push_back(model_of(unit.path));
@@ -162,10 +173,6 @@ diag::Subjects about_sides(const model::PlantModel& plant, const model::Unit& un
   subjects.follows.push_back(side_of(unit.path, no_events ? tables::Direction::event : tables::Direction::operation));
   subjects.follows.push_back(device(unit.path));
   return subjects;
-}
-
-std::shared_ptr<const diag::Alike> alike(const model::Unit& unit, const model::Symbol& symbol) {
-  return std::make_shared<const diag::Alike>(diag::Alike{class_name(unit.device), std::string(symbol.name())});
 }
 
 const model::Symbol* symbol_of(const model::PlantModel& plant, const read::ListRow& row) {

@@ -69,8 +69,6 @@ diag::Subjects about(const model::Symbol& symbol);
 diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other);
 diag::Subjects about(const model::Unit& unit);
 diag::Subjects about(const read::ListRow& row);
-/// Findings on symbols of devices that are named alike become one finding.
-std::shared_ptr<const diag::Alike> alike(const model::Unit& unit, const model::Symbol& symbol);
 
 // Subjects that connect a finding with its cause and its consequences.
 diag::Subject device(std::string_view path);

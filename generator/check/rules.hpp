@@ -70,13 +70,15 @@ extern const Rule kConditionAlwaysHolds;       // SP615
 extern const Rule kRequirementDecided;         // SP616
 extern const Rule kConditionNotExamined;       // SP617
 
-// Of the section `check` of plant.json: apply_settings() finds them.
+// Of the section `check` of plant.json, and of --baseline: not found by check_plant().
 extern const Rule kIgnoreWithoutFinding;  // SP620
 extern const Rule kIgnoreIsOver;          // SP621
 extern const Rule kUnknownRule;           // SP622
 extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
 extern const Rule kRuleRenamed;           // SP625
+extern const Rule kBaselineStale;         // SP626
+extern const Rule kBaselineNotValid;      // SP627
 
 // Of `material` in plant.json.
 extern const Rule kPartSensorNotDescribed;  // SP630
@@ -150,6 +152,8 @@ inline constexpr std::array kRules{
     &kBindingRule,
     &kDateNotUnderstood,
     &kRuleRenamed,
+    &kBaselineStale,
+    &kBaselineNotValid,
     &kPartSensorNotDescribed,
     &kTrackNeverMoves,
     &kTransferWithoutParts,

@@ -62,12 +62,6 @@ struct Related {
   std::string message;
 };
 
-/// Findings of one rule and one kind become one finding: see findings::join_alike().
-struct Alike {
-  std::string kind;  ///< the type of the devices, such as `CLAMP#`
-  std::string name;  ///< of the symbol, to list it as an example
-};
-
 /// What a finding is about. Names compare without regard to case.
 struct Subject {
   enum class Kind : std::uint8_t {
@@ -93,6 +87,9 @@ struct Subjects {
   std::vector<Subject> about;     ///< what the user may name to ignore the finding; they make its fingerprint
   std::vector<Subject> explains;  ///< a finding that follows any of these may follow from this one
   std::vector<Subject> follows;   ///< what the finding may be a consequence of
+  /// Of the name of the first of `about`, such as `ST#_CLAMP#_O_ADV`, or of the type of its device. Findings of one
+  /// rule and one shape become one finding; empty if the finding stays single.
+  std::string shape = {};
 
   Subjects&& explaining(Subject subject) && {
     explains.push_back(std::move(subject));
@@ -114,8 +111,8 @@ struct Diagnostic {
   Subjects subjects;
   /// Findings that follow from this one, until show_consequences() makes related rows of them.
   std::vector<Diagnostic> consequences = {};
-  std::size_t shown_consequences = 0;            ///< how many of the related rows were findings
-  std::shared_ptr<const Alike> alike = nullptr;  ///< null if the finding stays single, as most do
+  std::size_t shown_consequences = 0;  ///< how many of the related rows were findings
+  std::size_t count = 1;               ///< findings of one shape that this one includes
 };
 
 /// A finding that plant.json ignores, and the reason given there.
@@ -129,8 +126,9 @@ struct LeftOutByOption {
   std::size_t not_selected = 0;
   std::size_t ignored = 0;
   std::size_t consequences = 0;  ///< that follow from the ignored ones
+  std::size_t baseline = 0;
 
-  std::size_t total() const { return not_selected + ignored + consequences; }
+  std::size_t total() const { return not_selected + ignored + consequences + baseline; }
 };
 
 /// The findings so far.
@@ -159,6 +157,7 @@ class Diagnostics {
     left_out_.not_selected += more.not_selected;
     left_out_.ignored += more.ignored;
     left_out_.consequences += more.consequences;
+    left_out_.baseline += more.baseline;
   }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
   /// Makes findings consequences of others: `into[i]` is the index of the one that takes the i-th, or i itself. One

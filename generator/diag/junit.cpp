@@ -31,7 +31,7 @@ struct Counts {
 /// Findings as text, with their line ends.
 std::string body_of(std::span<const Diagnostic> findings) {
   std::string body;
-  const std::string text = render_text(findings);
+  const std::string text = render_text(findings, {.all = true});
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     body += markup_text(std::string_view(text).substr(at, end - at)) + "\n";

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <tuple>
+#include <vector>
 
 #include "diag/visible_text.hpp"
 #include "text/utf8.hpp"
@@ -16,6 +18,8 @@ constexpr std::size_t kWindow = 120;         ///< the most columns shown of a ro
 constexpr std::size_t kBeforeLocation = 40;  ///< characters shown before the location in a long row
 constexpr std::size_t kTabStop = 4;
 constexpr std::string_view kEllipsis = "…";
+constexpr std::size_t kFewOfRule = 3;   ///< warnings or notes
+constexpr std::size_t kFewRelated = 3;  ///< related rows of one finding
 
 struct Colours {
   std::string_view bold, error, warning, note, mark, reset;
@@ -107,53 +111,102 @@ class TextRenderer {
  public:
   explicit TextRenderer(const TextOptions& options) : options_(options), colours_(options.colour ? kAnsi : kPlain) {}
 
-  std::string render(std::span<const Diagnostic> findings) {
-    std::map<std::string_view, Count> counts;
+  std::string render_all(std::span<const Diagnostic> findings) {
     for (const Diagnostic& finding : findings) {
-      Count& count = counts[finding.rule->id];
-      count.rule = finding.rule;
-      if (options_.fold_after != 0 && count.shown >= most(finding.severity)) {
-        ++count.left;
-        continue;
-      }
       one(finding);
-      ++count.shown;
-    }
-    for (const auto& [id, count] : counts) {
-      if (count.left == 0) continue;
-      text_ += "... and " + std::to_string(count.left) + " more of ";
-      text_.append(id).append(" ").append(count.rule->slug).append("; --format json lists all\n");
+      const Location* shown = &finding.location;
+      for (const Related& related : finding.related) {
+        head(related.location, Severity::note, related.message);
+        text_ += '\n';
+        if (!same(*shown, related.location)) row(related.location);
+        shown = &related.location;
+      }
     }
     return std::move(text_);
   }
 
- private:
-  struct Count {
-    const RuleInfo* rule = nullptr;
+  std::string render_first(std::span<const Diagnostic> findings) {
     std::size_t shown = 0;
-    std::size_t left = 0;
+    std::map<std::string_view, std::size_t> of_rule;
+    for (const Diagnostic* finding : by_importance(findings)) {
+      const bool error = finding->severity == Severity::error;
+      std::size_t& of_this = of_rule[finding->rule->slug];
+      if (finding->severity < options_.least || shown >= (error ? options_.most_errors : options_.most) ||
+          (of_this == kFewOfRule && !error)) {
+        leave_out(*finding);
+        continue;
+      }
+      ++shown;
+      ++of_this;
+      one(*finding);
+      if (finding->count == 1) first_related(*finding);
+    }
+    report_left_out();
+    return std::move(text_);
+  }
+
+ private:
+  struct LeftOutOfRule {
+    const RuleInfo* rule;
+    Severity severity;
+    std::size_t count;
   };
 
-  std::size_t most(Severity severity) const {
-    return severity == Severity::note ? std::min(options_.fold_after, options_.fold_notes_after) : options_.fold_after;
+  /// The most severe first; of these the rules of rows and addresses, which hold for every naming rule; of these what
+  /// concerns the most symbols.
+  static std::vector<const Diagnostic*> by_importance(std::span<const Diagnostic> findings) {
+    std::vector<const Diagnostic*> sorted;
+    sorted.reserve(findings.size());
+    for (const Diagnostic& finding : findings) sorted.push_back(&finding);
+    const auto key = [](const Diagnostic& finding) {
+      const char group = finding.rule->id.size() > 2 ? finding.rule->id[2] : ' ';
+      return std::tuple(-static_cast<int>(finding.severity), group != '1' && group != '3',
+                        -static_cast<std::ptrdiff_t>(finding.count + finding.shown_consequences));
+    };
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const Diagnostic* a, const Diagnostic* b) { return key(*a) < key(*b); });
+    return sorted;
+  }
+
+  void leave_out(const Diagnostic& finding) {
+    for (LeftOutOfRule& left : left_out_) {
+      if (left.rule != finding.rule || left.severity != finding.severity) continue;
+      left.count += finding.count;
+      return;
+    }
+    left_out_.push_back({finding.rule, finding.severity, finding.count});
+  }
+
+  void report_left_out() {
+    for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
+      std::string rules;
+      for (const LeftOutOfRule& left : left_out_) {
+        if (left.severity != severity) continue;
+        rules.append(rules.empty() ? "" : ", ").append(std::to_string(left.count)).append(" ").append(left.rule->slug);
+      }
+      if (rules.empty()) continue;
+      text_.append("... and ").append(severity < options_.least ? "" : "more ").append(severity_name(severity));
+      text_.append("s: ").append(rules).append("; --verbose shows all\n");
+    }
   }
 
   void one(const Diagnostic& finding) {
     head(finding.location, finding.severity, finding.message);
     text_.append(" [").append(finding.rule->id).append(" ").append(finding.rule->slug).append("]\n");
     row(finding.location);
-    const Location* shown = &finding.location;
-    const std::size_t most = options_.fold_after == 0 ? finding.related.size() : options_.fold_related_after;
-    for (std::size_t i = 0; i < std::min(most, finding.related.size()); ++i) {
-      const Related& related = finding.related[i];
-      head(related.location, Severity::note, related.message);
+  }
+
+  /// On one line each: where to look. An error shows the rows as well.
+  void first_related(const Diagnostic& finding) {
+    const std::size_t shown = std::min(kFewRelated, finding.related.size());
+    for (std::size_t i = 0; i < shown; ++i) {
+      head(finding.related[i].location, Severity::note, finding.related[i].message);
       text_ += '\n';
-      if (!same(*shown, related.location)) row(related.location);
-      shown = &related.location;
+      if (finding.severity == Severity::error) row(finding.related[i].location);
     }
-    if (finding.related.size() > most) {
+    if (finding.related.size() > shown) {
       text_ +=
-          "... and " + std::to_string(finding.related.size() - most) + " more related rows; --format json lists all\n";
+          "... and " + std::to_string(finding.related.size() - shown) + " more related rows; --verbose shows all\n";
     }
   }
 
@@ -191,13 +244,15 @@ class TextRenderer {
 
   const TextOptions& options_;
   const Colours& colours_;
+  std::vector<LeftOutOfRule> left_out_;
   std::string text_;
 };
 
 }  // namespace
 
 std::string render_text(std::span<const Diagnostic> findings, const TextOptions& options) {
-  return TextRenderer(options).render(findings);
+  TextRenderer renderer(options);
+  return options.all ? renderer.render_all(findings) : renderer.render_first(findings);
 }
 
 }  // namespace symplant::diag

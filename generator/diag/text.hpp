@@ -11,15 +11,17 @@ namespace symplant::diag {
 
 struct TextOptions {
   bool colour = false;
-  /// The most findings shown for one rule; the rest are counted in one line at the end. 0 shows all.
-  std::size_t fold_after = 20;
-  std::size_t fold_notes_after = 3;     ///< the same for notes, of which a long list has hundreds; at most `fold_after`
-  std::size_t fold_related_after = 10;  ///< the same for the related rows of one finding, unless fold_after is 0
+  bool all = false;  ///< all findings in their order, with all related rows
+  // Else the most important ones; what is left out is counted by rule at the end.
+  std::size_t most = 7;          ///< the most findings shown
+  std::size_t most_errors = 20;  ///< the same where all of them are errors
+  Severity least = Severity::warning;
 };
 
 /// `file:line:column: warning: message [SP201 wrong-number-of-levels]`, the row with the location underlined, then the
-/// related locations as notes. A finding in an empty text has no line, one without a source has no file. Unsafe
-/// characters are shown as `<U+XXXX>`. O(findings + length of their lines).
+/// related locations as notes. Without `all` the errors come first, then what concerns the most symbols. A finding in
+/// an empty text has no line, one without a source has no file. Unsafe characters are shown as `<U+XXXX>`. O(findings *
+/// log(findings) + length of the lines shown).
 std::string render_text(std::span<const Diagnostic> findings, const TextOptions& options = {});
 
 }  // namespace symplant::diag

@@ -6,22 +6,9 @@
 
 #include "name/naming.hpp"
 #include "text/ascii.hpp"
+#include "text/shape.hpp"
 
 namespace symplant::score {
-namespace {
-
-/// Replaces `shape`.
-void make_shape(std::string_view text, std::string& shape) {
-  shape.clear();
-  for (const char c : text) {
-    const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
-    const char as = text::is_digit(c) ? '#' : blank ? ' ' : c;
-    const bool repeated = (as == '#' && c != '#') || blank;
-    if (!repeated || shape.empty() || shape.back() != as) shape += as;
-  }
-}
-
-}  // namespace
 
 bool reads_comments_only(const model::PlantModel& plant) {
   if (plant.reader == nullptr) return false;
@@ -41,7 +28,7 @@ std::string_view known_text(const model::PlantModel& plant, const model::Symbol&
 Shapes::Shapes(const model::PlantModel& plant) : plant_(plant), by_comment_(reads_comments_only(plant)) {}
 
 void Shapes::add(std::uint32_t symbol, Verdict verdict) {
-  make_shape(known_text(plant_, plant_.symbols[symbol], by_comment_), text_);
+  text_ = text::shape_of(known_text(plant_, plant_.symbols[symbol], by_comment_));
   const auto next = static_cast<std::uint32_t>(shapes_.size());
   const std::uint64_t hash = text::hash_ignoring_case(text_) + static_cast<std::uint64_t>(verdict);
   const std::uint32_t index = table_.find_or_add(hash, next, [&](std::uint32_t other) {

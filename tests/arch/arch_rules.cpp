@@ -40,6 +40,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"score", " tables condition "},
     RuntimeUse{"lower", " tables condition "},
     RuntimeUse{"check", " tables condition "},
+    RuntimeUse{"findings", " json "},
     RuntimeUse{"emit", " tables plant "},
     RuntimeUse{"view", " tables "},
     RuntimeUse{"app", " tables json link trace scenario host "},

@@ -10,16 +10,36 @@
 namespace symplant::damage {
 namespace {
 
-/// Row numbers change when rows are added or removed; the words stay the same.
-std::string key_of(const diag::Diagnostic& finding) { return std::string(finding.rule->slug) + ": " + finding.message; }
+/// One finding, or one of those that a finding of many includes.
+struct Single {
+  std::string_view rule;
+  std::string key;  ///< row numbers change when rows are added or removed; the words stay the same
+  std::size_t line = 0;
+};
 
-std::size_t line_of(const diag::Diagnostic& finding) {
-  return finding.location.source == nullptr ? 0 : finding.location.source->position(finding.location.span.begin).line;
+Single single(const diag::Diagnostic& of, std::string_view message, const diag::Location& location) {
+  const std::size_t line = location.source == nullptr ? 0 : location.source->position(location.span.begin).line;
+  return {of.rule->slug, fmt::format("{}: {}", of.rule->slug, message), line};
+}
+
+std::vector<Single> singles_of(const diag::Diagnostics& diagnostics) {
+  constexpr std::string_view kAlso = "also: ";
+  std::vector<Single> singles;
+  for (const diag::Diagnostic& finding : diagnostics.all()) {
+    const std::string others = fmt::format("; {} more like `", finding.count - 1);
+    singles.push_back(
+        single(finding, std::string_view(finding.message).substr(0, finding.message.rfind(others)), finding.location));
+    for (const diag::Related& related : finding.related) {
+      if (related.message.compare(0, kAlso.size(), kAlso) != 0) continue;
+      singles.push_back(single(finding, std::string_view(related.message).substr(kAlso.size()), related.location));
+    }
+  }
+  return singles;
 }
 
 std::vector<std::string> sorted_keys(const diag::Diagnostics& diagnostics) {
   std::vector<std::string> keys;
-  for (const diag::Diagnostic& finding : diagnostics.all()) keys.push_back(key_of(finding));
+  for (const Single& finding : singles_of(diagnostics)) keys.push_back(finding.key);
   std::sort(keys.begin(), keys.end());
   return keys;
 }
@@ -32,21 +52,19 @@ Trial Clean::compare(const Kind& kind, const Damaged& damaged) const {
   const test::Analysed analysed = test::analyse_text(damaged.list.text());
   std::vector<std::string> left = findings_;
   Trial trial;
-  for (const diag::Diagnostic& finding : analysed.diagnostics.all()) {
-    const auto [begin, end] = std::equal_range(left.begin(), left.end(), key_of(finding));
+  for (const Single& finding : singles_of(analysed.diagnostics)) {
+    const auto [begin, end] = std::equal_range(left.begin(), left.end(), finding.key);
     if (begin != end) {
       left.erase(begin);
       continue;
     }
-    const std::size_t line = line_of(finding);
-    const bool at_root =
-        std::any_of(damaged.roots.begin(), damaged.roots.end(), [&](std::size_t row) { return row + 2 == line; });
-    const bool right = at_root && finding.rule->slug == kind.rule;
+    const bool at_root = std::any_of(damaged.roots.begin(), damaged.roots.end(),
+                                     [&](std::size_t row) { return row + 2 == finding.line; });
+    const bool right = at_root && finding.rule == kind.rule;
     trial.found = trial.found || right;
     ++trial.findings;
     trial.others += right ? 0U : 1U;
-    trial.reported += fmt::format("  {} line {}: {}\n", right ? "+" : "-", line, key_of(finding));
-    for (const diag::Related& related : finding.related) trial.reported += "      " + related.message + "\n";
+    trial.reported += fmt::format("  {} line {}: {}\n", right ? "+" : "-", finding.line, finding.key);
   }
   return trial;
 }

@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "app/baseline_file.hpp"
 #include "app/commands.hpp"
 #include "app/min_score.hpp"
 #include "app/options.hpp"
@@ -39,6 +40,8 @@ struct CheckOptions {
   std::vector<std::string> select;
   std::vector<std::string> ignore;
   std::vector<std::string> min_score;
+  std::string baseline;
+  std::string write_baseline;
 };
 
 findings::Selection selection_of(const CheckOptions& options) {
@@ -68,6 +71,7 @@ std::string selected_text(const diag::Diagnostics& findings) {
   const diag::LeftOutByOption& left_out = findings.left_out();
   if (left_out.not_selected != 0) text += fmt::format(", {} left out by --select", left_out.not_selected);
   if (left_out.ignored != 0) text += fmt::format(", {} left out by --ignore", left_out.ignored);
+  if (left_out.baseline != 0) text += fmt::format(", {} in the baseline", left_out.baseline);
   if (left_out.consequences != 0) text += fmt::format(" and {} that follow from them", left_out.consequences);
   return text;
 }
@@ -111,13 +115,16 @@ class Check {
         selection_(selection_of(options)),
         required_(min_scores_of(options)),
         fail_on_(*diag::severity_of_name(options.fail_on)),
+        baseline_(options.baseline, options.write_baseline, context),
         inputs_(options.plants) {}
 
   void run() {
     for (const std::string& word : selection_.renamed()) {
       context_.err << "warning: " << check::renamed_rule(word) << "\n";
     }
+    if (!baseline_.open()) return;
     for (const std::string& plant : options_.plants) look_at(plant);
+    look_at_baseline();
     write_result(context_, options_.output, base::whole(rendered()), inputs_);
   }
 
@@ -128,6 +135,7 @@ class Check {
     CompileOptions how = compile_options(context_, file, options_.plant);
     how.tables = false;
     how.selection = selection_;
+    how.known = {baseline_.baseline(), file};
     auto compiled = compile(how, context_.files, progress, diagnostics);
     if (compiled) {
       const std::vector<std::string> read = compiled->plant.input_files();
@@ -142,8 +150,9 @@ class Check {
     context_.exit_code = std::max(context_.exit_code, code);
     if (options_.format == "text") {
       if (compiled) text_ += lists_text(compiled->plant);
-      text_ += diag::render_text(diagnostics.all(), {context_.colour_out && options_.output.empty(),
-                                                     options_.plant.verbose ? std::size_t{0} : std::size_t{20}});
+      text_ += diag::render_text(diagnostics.all(), {.colour = context_.colour_out && options_.output.empty(),
+                                                     .all = options_.plant.verbose,
+                                                     .least = least_shown()});
     }
     std::vector<diag::Gate> gates =
         compiled ? look_at_score(file, compiled->plant, diagnostics) : std::vector<diag::Gate>();
@@ -151,6 +160,23 @@ class Check {
       reports_.push_back({file, std::move(diagnostics), compiled.has_value(), std::move(gates)});
     }
     if (compiled) context_.kept = std::make_shared<const Compiled>(std::move(*compiled));
+  }
+
+  void look_at_baseline() {
+    diag::Diagnostics stale;
+    baseline_.close(stale, inputs_);
+    if (stale.all().empty()) return;
+    if (reaches(stale, fail_on_)) context_.exit_code = std::max(context_.exit_code, int{host::kFindings});
+    if (options_.format == "text") {
+      text_ += diag::render_text(stale.all(), {.colour = context_.colour_out && options_.output.empty()});
+    } else {
+      reports_.push_back({options_.baseline, std::move(stale)});
+    }
+  }
+
+  /// Notes are only counted, unless the options ask for them.
+  diag::Severity least_shown() const {
+    return options_.select.empty() ? std::min(fail_on_, diag::Severity::warning) : diag::Severity::note;
   }
 
   /// Shows the score of a plant, and returns whether it is as required.
@@ -214,6 +240,7 @@ class Check {
   findings::Selection selection_;
   std::vector<MinScore> required_;
   diag::Severity fail_on_;
+  BaselineFile baseline_;
   std::vector<std::string> inputs_;
   std::vector<diag::Report> reports_;
   std::vector<std::string> scores_;  ///< of plants that could be read, as JSON
@@ -255,10 +282,20 @@ void add_check(CLI::App& app, Context& context) {
       ->type_name("SCORE,..")
       ->delimiter(',')
       ->allow_extra_args(false);
+  CLI::Option* baseline =
+      command->add_option("--baseline", options->baseline, "report only findings that this file does not have")
+          ->type_name("FILE");
+  command
+      ->add_option("--write-baseline", options->write_baseline,
+                   "write the findings to this file; if it exists, only remove what is fixed")
+      ->type_name("FILE")
+      ->excludes(baseline);
   add_plant_options(*command, options->plant);
   command->footer(
       "Examples:\n  symplant check symbols.csv\n  symplant check --fail-on warning --format json line1.csv line2.csv\n"
       "  symplant check --select SP2,SP3 --ignore no-address symbols.csv\n"
+      "  symplant check --write-baseline baseline.json symbols.csv\n"
+      "  symplant check --baseline baseline.json --fail-on warning symbols.csv\n"
       "  symplant check --format sarif --output symplant.sarif plant.json\n"
       "  symplant check --format junit --output symplant.xml plant.json");
   command->callback([options, &context] { Check(*options, context).run(); });

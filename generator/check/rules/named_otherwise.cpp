@@ -1,6 +1,9 @@
-// SP208 named-otherwise: few names of a list follow the naming rule.
+// SP208 named-otherwise: more than a third of a list breaks the naming rule alike.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "check/rules.hpp"
@@ -9,8 +12,9 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kNamedOtherwisePage =
-    R"(Less than a quarter of the I/O names of a list follow the naming rule, and many do not: the list is named by another rule.
-Single names are not reported then.
+    R"(More than a third of the I/O names of a list break the naming rule alike, such as another number of levels: the list is
+named by another rule. Single names are not reported then, and neither are their devices; the rules about addresses and types
+still report.
 
 **What the model loses.** The symbols whose names do not follow the rule are in no device: they are served, and nothing moves
 them.
@@ -20,20 +24,49 @@ naming.json`. `symplant naming` lists ready-made rules, and docs/naming.md expla
 )";
 
 /// Fewer names get a finding each.
-constexpr std::size_t kLeastFaulty = 20;
+constexpr std::size_t kLeastFaulty = 4;
+constexpr std::size_t kLargestShare = 3;  ///< one of 3
 
 struct NameCount {
+  std::size_t all = 0;
   std::size_t follow = 0;
-  std::size_t faulty = 0;
+  std::array<std::size_t, 6> by_fault{};  ///< by NameFault
+
+  /// The fault of more than a third of the names.
+  std::optional<name::NameFault> most_common() const {
+    const auto most = std::max_element(by_fault.begin(), by_fault.end());
+    if (*most < kLeastFaulty || *most * kLargestShare <= all) return std::nullopt;
+    return static_cast<name::NameFault>(most - by_fault.begin());
+  }
 };
 
+/// Under a custom rule the score counts the symbols that match none of its patterns.
 std::vector<NameCount> count_names(const model::PlantModel& plant) {
   std::vector<NameCount> counts(plant.lists.size());
   for (const model::Symbol& symbol : plant.symbols) {
     NameCount& count = counts[symbol.list];
-    ++(symbol.reading.fault == name::NameFault::none ? count.follow : count.faulty);
+    const name::NameFault fault = symbol.reading.fault;
+    ++count.all;
+    if (fault == name::NameFault::none) {
+      ++count.follow;
+    } else if (fault != name::NameFault::not_linked) {
+      ++count.by_fault[static_cast<std::size_t>(fault)];
+    }
   }
   return counts;
+}
+
+std::string_view in_words(name::NameFault fault) {
+  switch (fault) {
+    case name::NameFault::wrong_number_of_levels:
+      return "have another number of levels";
+    case name::NameFault::empty_level:
+      return "have an empty level";
+    case name::NameFault::direction_not_io:
+      return "have no direction";
+    default:
+      return "have characters that are neither letters nor digits";
+  }
 }
 
 void check_named_otherwise(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -43,16 +76,17 @@ void check_named_otherwise(const Rule& rule, const Subject& subject, diag::Diagn
   std::vector<bool> reported = subject.named_otherwise;
   reported.flip();
   for (const model::Symbol& symbol : plant.symbols) {
-    if (reported[symbol.list] || symbol.reading.fault == name::NameFault::none) continue;
-    reported[symbol.list] = true;
     const NameCount& count = counts[symbol.list];
+    if (reported[symbol.list] || symbol.reading.fault != count.most_common()) continue;
+    reported[symbol.list] = true;
+    const name::NameFault fault = symbol.reading.fault;
     const std::string file = plant.lists[symbol.list].name();
-    diagnostics.add(
-        rule.info,
-        fmt::format("{} of {} I/O names in `{}` follow `{}`: the list is named by another rule; let `symplant "
-                    "infer {} -o naming.json` propose it, or choose one that `symplant naming` lists",
-                    count.follow, count.follow + count.faulty, file, plant.rule->pattern, file),
-        location_of(plant, symbol));
+    diagnostics.add(rule.info,
+                    fmt::format("{} of {} I/O names in `{}` {}, and {} follow `{}`: the list is named by another rule; "
+                                "let `symplant infer {} -o naming.json` propose it",
+                                count.by_fault[static_cast<std::size_t>(fault)], count.all, file, in_words(fault),
+                                count.follow, plant.rule->pattern, file),
+                    location_of(plant, symbol));
   }
 }
 
@@ -60,9 +94,7 @@ void check_named_otherwise(const Rule& rule, const Subject& subject, diag::Diagn
 
 std::vector<bool> lists_named_otherwise(const model::PlantModel& plant) {
   std::vector<bool> otherwise;
-  for (const NameCount& count : count_names(plant)) {
-    otherwise.push_back(count.faulty >= kLeastFaulty && count.follow < (count.follow + count.faulty) / 4);
-  }
+  for (const NameCount& count : count_names(plant)) otherwise.push_back(count.most_common().has_value());
   return otherwise;
 }
 
@@ -70,8 +102,9 @@ bool breaks_rule(const Subject& subject, const model::Symbol& symbol, name::Name
   return symbol.reading.fault == fault && !subject.named_otherwise[symbol.list];
 }
 
-const Rule kNamedOtherwise{{"SP208", "named-otherwise", diag::Severity::warning,
-                            "few names of a list follow the naming rule", kNamedOtherwisePage, diag::Rank::name},
-                           check_named_otherwise};
+const Rule kNamedOtherwise{
+    {"SP208", "named-otherwise", diag::Severity::warning, "many names of a list break the naming rule alike",
+     kNamedOtherwisePage, diag::Rank::name},
+    check_named_otherwise};
 
 }  // namespace symplant::check

@@ -20,8 +20,8 @@ Under a custom naming rule devices are made from operations and events that the 
 **What the model loses.** All behavior. The symbols would be on the links, but nothing drives an input and no output has an
 effect.
 
-**How to fix it.** Rename the symbols by the rule; the other findings show each name that does not follow it. The other
-commands still serve the symbols. If you want a plant of plain signals, set `"check": { "severity": { "no-device": "note" } }` in
+**How to fix it.** Let symplant propose the naming rule of the list: `symplant infer LIST -o naming.json`, then `symplant check
+LIST --naming naming.json`. Or rename the symbols by the rule. The other commands still serve the symbols. If you want a plant of plain signals, set `"check": { "severity": { "no-device": "note" } }` in
 plant.json.
 )";
 
@@ -32,6 +32,8 @@ struct Outside {
   std::string_view several;
   std::string_view advice;
 };
+
+constexpr std::string_view kRename = "rename them by";
 
 /// Indexes in reasons_outside().
 enum OutsideBy : std::size_t { kByLevels, kByEmpty, kByDirection, kByCharacter, kByNumber, kBySize };
@@ -77,7 +79,6 @@ std::vector<Outside> reasons_unlinked(const model::PlantModel& plant) {
 }
 
 std::vector<Outside> reasons_outside(const model::PlantModel& plant) {
-  constexpr std::string_view kRename = "rename them by";
   std::vector<Outside> reasons{
       {0, "name has another number of levels", "names have another number of levels", kRename},
       {0, "name has an empty level", "names have an empty level", kRename},
@@ -108,12 +109,17 @@ void check_no_device(const Rule& rule, const Subject& subject, diag::Diagnostics
     text +=
         fmt::format("{}{} {}", text.empty() ? "" : ", ", reason.count, reason.count == 1 ? reason.one : reason.several);
   }
-  diagnostics.add(
-      rule.info,
-      fmt::format(
-          "none of {} I/O symbol{} is in a device: {}; {} `{}`; until then the symbols are served, and nothing moves",
-          plant.symbols.size(), plant.symbols.size() == 1 ? "" : "s", text, reasons.front().advice, plant.rule_text()),
-      location_of(plant, plant.symbols.front()));
+  const std::string other =
+      plant.pairing != nullptr || reasons.front().advice != kRename
+          ? ""
+          : fmt::format(", or let `symplant infer {} -o naming.json` propose the rule of the list",
+                        plant.lists[plant.symbols.front().list].name());
+  diagnostics.add(rule.info,
+                  fmt::format("none of {} I/O symbol{} is in a device: {}; {} `{}`{}; until then the symbols are "
+                              "served, and nothing moves",
+                              plant.symbols.size(), plant.symbols.size() == 1 ? "" : "s", text, reasons.front().advice,
+                              plant.rule_text(), other),
+                  location_of(plant, plant.symbols.front()));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "check/rules.hpp"
+#include "check/spelling/device_classes.hpp"
 
 namespace symplant::check {
 namespace {
@@ -48,7 +49,7 @@ void check_operation_without_event(const Rule& rule, const Subject& subject, dia
                                       "task `{}`",
                                       symbol.name(), state.name, unit.path, state.name),
                           location_of(plant, symbol));
-      finding.alike = alike(unit, symbol);
+      finding.subjects.shape = class_name(unit.device);
     }
   }
 }

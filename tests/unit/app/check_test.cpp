@@ -93,6 +93,48 @@ TEST_CASE("check: The JSON contains every finding of all plants, and parses") {
   CHECK(json.at("counts").at("error") == 2);
 }
 
+TEST_CASE("check: A baseline hides what is known, and only shrinks") {
+  MemoryFileSystem files;
+  const std::string head = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
+  const auto row = [](const std::string& name) { return "VAR_GLOBAL," + name + ",,,BOOL,\n"; };
+  files.files["l.csv"] = head + row("L_P_A_O_UP") + row("L_P_A_I_DOWN") + row("L_P_B_O_UP") + row("L_P_B_I_DOWN");
+  const auto check = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"check", "l.csv", "--fail-on", "warning"});
+    return run_tool(options, files);
+  };
+  CHECK(check({}).code == 1);
+  const ToolRun missing = check({"--baseline", "b.json"});
+  CHECK(missing.code == 2);
+  CHECK(contains(missing.err, "write the first baseline with `--write-baseline`"));
+  const ToolRun written = check({"--write-baseline", "b.json"});
+  CHECK(written.code == 0);
+  CHECK(contains(written.err, "b.json: "));
+  CHECK(contains(written.err, "written"));
+  const ToolRun known = check({"--baseline", "b.json"});
+  CHECK(known.code == 0);
+  CHECK(contains(known.out, "no findings"));
+  CHECK(contains(known.out, "in the baseline"));
+  files.files["l.csv"] += row("L_P_C_O_UP") + row("L_P_C_I_DOWN");
+  const ToolRun more = check({"--baseline", "b.json"});
+  CHECK(more.code == 1);
+  CHECK(contains(more.out, "L_P_C_O_UP"));
+  CHECK_FALSE(contains(more.out, "L_P_A_O_UP"));
+  const std::string before = files.files["b.json"];
+  CHECK(check({"--write-baseline", "b.json"}).code == 1);
+  CHECK(files.files["b.json"] == before);  // nothing new gets in
+  files.files["l.csv"] = head + row("L_P_A_O_UP") + row("L_P_A_I_DOWN");
+  const ToolRun stale = check({"--baseline", "b.json"});
+  CHECK(stale.code == 1);
+  CHECK(contains(stale.out, "SP626 baseline-stale"));
+  CHECK(check({"--write-baseline", "b.json"}).code == 0);
+  CHECK(files.files["b.json"].size() < before.size());
+  CHECK(check({"--baseline", "b.json"}).code == 0);
+  files.files["b.json"] = "{}";
+  CHECK(check({"--baseline", "b.json"}).code == 2);
+  CHECK(check({"--baseline", "b.json", "--write-baseline", "b.json"}).code == 2);
+  CHECK(check({"--write-baseline", "l.csv"}).code == 2);
+}
+
 TEST_CASE("check: A list in a code page is read if the command line or plant.json names the encoding") {
   MemoryFileSystem files;
   const std::string row = "VAR_GLOBAL,\xB6\xF3_P_D_I_\xC0\xFC\xC1\xF8,X1,,BOOL,FALSE\n";
@@ -105,7 +147,7 @@ TEST_CASE("check: A list in a code page is read if the command line or plant.jso
   CHECK(contains(refused.out, "`--encoding cp949` (`라_P_D_I_전진`)"));
   CHECK(contains(run_tool({"check", "plant.json"}, files).out, "`\"encoding\": \"cp949\"` (`라_P_D_I_전진`)"));
   CHECK(run_tool({"check", "--encoding", "EUC-KR", "korean.csv"}, files).code == 0);
-  const ToolRun read = run_tool({"check", "named.json"}, files);
+  const ToolRun read = run_tool({"check", "named.json", "--verbose"}, files);
   CHECK(read.code == 0);
   CHECK(contains(read.out, "korean.csv:2:12: note: `라_P_D_I_전진`"));
   CHECK(contains(read.out, "1 of 1 I/O names"));

@@ -37,7 +37,11 @@ TEST_CASE("A contradicting row is reported, and its IEC address counts") {
 TEST_CASE("Unrelated columns are reported once") {
   const Analysed list = analyse_rows(pairs(20, 1));
   CHECK(list.count("addresses-contradict") == 1);
-  CHECK(analyse_rows(pairs(8, 1)).count("addresses-contradict") == 8);
+  const Analysed few = analyse_rows(pairs(8, 1));
+  REQUIRE(few.count("addresses-contradict") == 1);
+  for (const diag::Diagnostic& finding : few.diagnostics.all()) {
+    if (finding.rule->slug == "addresses-contradict") CHECK(finding.count == 8);  // of one shape
+  }
 }
 
 TEST_CASE("A constant, and a row without an I/O address, are not checked") {

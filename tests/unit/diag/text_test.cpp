@@ -46,7 +46,7 @@ TEST_CASE("Related locations follow as notes") {
   related[0].location = {source, {0, 1}};
   related[0].message = "first declared here";
   found.add(kRule, "`A` again", {source, {5, 6}}, related);
-  CHECK(render_text(found.all()) ==
+  CHECK(render_text(found.all(), {.all = true}) ==
         "list.csv:2:1: warning: `A` again [SP201 wrong-number-of-levels]\n"
         "    2 | A,X2\n"
         "      | ^\n"
@@ -61,7 +61,7 @@ TEST_CASE("A row is shown once for successive findings at one location") {
   std::vector<diag::Related> related{
       {{source, {0, 1}}, "follows"}, {{source, {5, 6}}, "there"}, {{source, {0, 1}}, "as before"}};
   found.add(kRule, "odd", {source, {0, 1}}, related);
-  CHECK(render_text(found.all()) ==
+  CHECK(render_text(found.all(), {.all = true}) ==
         "list.csv:1:1: warning: odd [SP201 wrong-number-of-levels]\n"
         "    1 | A,X1\n"
         "      | ^\n"
@@ -135,41 +135,78 @@ TEST_CASE("Color is used only if requested") {
         "    1 | abc\n      | \x1b[1;32m^\x1b[0m\n");
 }
 
-TEST_CASE("After a number of findings of one rule the rest are counted") {
+/// How often a text has a word.
+std::size_t count_of(const std::string& text, std::string_view word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST_CASE("Three warnings of a rule are shown, every error, and the rest are counted") {
   const auto source = source_of("abc");
   Diagnostics found;
   for (int i = 0; i < 5; ++i) found.add(kRule, "odd", {source, {0, 1}});
-  found.add(kError, "bad", {source, {0, 1}});
-  const std::string text = render_text(found.all(), {.fold_after = 2});
-  CHECK_THAT(text,
-             Catch::Matchers::EndsWith("... and 3 more of SP201 wrong-number-of-levels; --format json lists all\n"));
-  CHECK(test::contains(text, "error: bad"));
-  std::size_t shown = 0;
-  for (std::size_t at = text.find("odd"); at != std::string::npos; at = text.find("odd", at + 1)) ++shown;
-  CHECK(shown == 2);
-  CHECK(render_text(found.all(), {.fold_after = 5}).find("more of") == std::string::npos);
-  CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
+  for (int i = 0; i < 4; ++i) found.add(kError, "bad", {source, {0, 1}});
+  const std::string text = render_text(found.all());
+  CHECK_THAT(text, Catch::Matchers::StartsWith("list.csv:1:1: error: bad"));
+  CHECK_THAT(text, Catch::Matchers::EndsWith("... and more warnings: 2 wrong-number-of-levels; --verbose shows all\n"));
+  CHECK(count_of(text, "odd") == 3);
+  CHECK(count_of(text, "bad") == 4);
+  const std::string all = render_text(found.all(), {.all = true});
+  CHECK_THAT(all, Catch::Matchers::StartsWith("list.csv:1:1: warning: odd"));
+  CHECK(count_of(all, "odd") == 5);
+  CHECK(all.find("... and") == std::string::npos);
 }
 
-TEST_CASE("Fewer notes than other findings are shown before the rest are counted") {
+TEST_CASE("No more findings than asked are shown, errors excepted") {
+  const auto source = source_of("abc");
+  Diagnostics found;
+  for (int i = 0; i < 2; ++i) found.add(kRule, "odd", {source, {0, 1}});
+  for (int i = 0; i < 3; ++i) found.add(kError, "bad", {source, {0, 1}});
+  const std::string text = render_text(found.all(), {.most = 1, .most_errors = 2});
+  CHECK(count_of(text, "odd") == 0);
+  CHECK(count_of(text, "bad") == 2);
+  CHECK_THAT(text, Catch::Matchers::EndsWith("... and more errors: 1 cannot-read-file; --verbose shows all\n"
+                                             "... and more warnings: 2 wrong-number-of-levels; --verbose shows all\n"));
+}
+
+TEST_CASE("Notes are counted by rule, unless they are asked for") {
   constexpr diag::RuleInfo kNote{"SP404", "event-not-driven", diag::Severity::note, "", ""};
   const auto source = source_of("abc");
   Diagnostics found;
   for (int i = 0; i < 5; ++i) found.add(kNote, "still", {source, {0, 1}});
-  for (int i = 0; i < 5; ++i) found.add(kRule, "odd", {source, {0, 1}});
-  const std::string text = render_text(found.all());
-  CHECK_THAT(text, Catch::Matchers::EndsWith("... and 2 more of SP404 event-not-driven; --format json lists all\n"));
-  CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
+  CHECK(render_text(found.all()) == "... and notes: 5 event-not-driven; --verbose shows all\n");
+  const std::string text = render_text(found.all(), {.least = diag::Severity::note});
+  CHECK(count_of(text, "still") == 3);
+  CHECK_THAT(text, Catch::Matchers::EndsWith("... and more notes: 2 event-not-driven; --verbose shows all\n"));
 }
 
-TEST_CASE("Of many related rows the first are shown and the rest counted") {
+TEST_CASE("Of findings of one severity, those on rows and addresses come first, then what concerns most symbols") {
+  constexpr diag::RuleInfo kAddress{"SP303", "address-used-twice", diag::Severity::warning, "", ""};
+  const auto source = source_of("abc");
+  Diagnostics found;
+  found.add(kRule, "one", {source, {0, 1}});
+  diag::Diagnostic many{&kRule, diag::Severity::warning, "nine", {source, {0, 1}}, {}, {}};
+  many.count = 9;
+  found.add(many);
+  found.add(kAddress, "first", {source, {0, 1}});
+  const std::string text = render_text(found.all());
+  CHECK(text.find("first") < text.find("nine"));
+  CHECK(text.find("nine") < text.find("one"));
+}
+
+TEST_CASE("Of many related rows the first are shown and the rest counted, of a finding of many none") {
   const auto source = source_of("abc");
   Diagnostics found;
   std::vector<diag::Related> related(12, {{source, {0, 1}}, "the same"});
   found.add(kRule, "odd", {source, {0, 1}}, related);
-  CHECK_THAT(render_text(found.all()),
-             Catch::Matchers::EndsWith("... and 2 more related rows; --format json lists all\n"));
-  CHECK(render_text(found.all(), {.fold_after = 0}).find("more related") == std::string::npos);
+  const std::string text = render_text(found.all());
+  CHECK(count_of(text, "the same") == 3);
+  CHECK_THAT(text, Catch::Matchers::EndsWith("... and 9 more related rows; --verbose shows all\n"));
+  CHECK(count_of(render_text(found.all(), {.all = true}), "the same") == 12);
+  diag::Diagnostic joined = found.all().front();
+  joined.count = 2;
+  CHECK(count_of(render_text(std::span(&joined, 1)), "the same") == 0);
 }
 
 TEST_CASE("Findings are counted by severity") {

@@ -67,6 +67,13 @@ description::GivenCheck ignoring(const std::string& rule) {
   return check;
 }
 
+/// Those of one shape count each.
+std::size_t single_findings(const Analysed& analysed) {
+  std::size_t count = 0;
+  for (const diag::Diagnostic& finding : analysed.diagnostics.all()) count += finding.count;
+  return count;
+}
+
 std::size_t rows_that_follow(const Analysed& analysed) {
   std::size_t rows = 0;
   for (const diag::Diagnostic& finding : analysed.diagnostics.all()) rows += finding.shown_consequences;
@@ -153,8 +160,8 @@ TEST_CASE("To ignore a rule never raises the count of another one") {
     }
     const diag::LeftOutByOption& counts = left.diagnostics.left_out();
     CHECK(counts.ignored >= plain.count(ignored));
-    CHECK(plain.diagnostics.all().size() + rows_that_follow(plain) ==
-          left.diagnostics.all().size() + rows_that_follow(left) + counts.total());
+    CHECK(single_findings(plain) + rows_that_follow(plain) ==
+          single_findings(left) + rows_that_follow(left) + counts.total());
   }
 }
 

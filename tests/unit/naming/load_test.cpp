@@ -38,7 +38,7 @@ ReadPlant read(const MemoryFileSystem& files, const std::string& option = {},
   diag::Diagnostics diagnostics;
   ReadPlant result;
   result.inputs = app::read_inputs(options, files, progress, diagnostics);
-  result.findings = diag::render_text(diagnostics.all(), {.fold_after = 0});
+  result.findings = diag::render_text(diagnostics.all(), {.all = true});
   return result;
 }
 

@@ -26,7 +26,7 @@ void reads_or_says_why(const std::string& path) {
   check(table.has_value() != diagnostics.has_errors(), path + ": neither a table nor an error, or both");
   check(!table || !table->rows.empty(), path + ": a table without rows");
   std::printf("%s: %zu rows\n%s\n", path.c_str(), table ? table->rows.size() : 0,
-              symplant::diag::render_text(diagnostics.all(), {.fold_after = 2}).c_str());
+              symplant::diag::render_text(diagnostics.all(), {.most = 2}).c_str());
 }
 
 void has_rows(const std::string& path, std::size_t rows) {

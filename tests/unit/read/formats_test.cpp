@@ -14,7 +14,7 @@ TEST_CASE("Exports of the formats are read as expected") {
     REQUIRE(reading.table);
     std::string text = test::rows_with_extras(*reading.table) + "\n";
     for (const std::string& decision : reading.table->decisions) text += decision + "\n";
-    text += "\n" + diag::render_text(reading.diagnostics.all());
+    text += "\n" + diag::render_text(reading.diagnostics.all(), {.all = true});
     test::check_golden(folder + file + ".expected.txt", text);
   }
 }

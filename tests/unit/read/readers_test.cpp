@@ -19,7 +19,7 @@ TEST_CASE("A bad list gives a message with the fault, its location, and a hint")
     const test::Reading reading = test::read_golden(folder + file);
     CHECK(reading.table.has_value() != reading.diagnostics.has_errors());
     CHECK(reading.diagnostics.count(diag::Severity::error) <= 1);
-    std::string text = diag::render_text(reading.diagnostics.all());
+    std::string text = diag::render_text(reading.diagnostics.all(), {.all = true});
     if (reading.table) text += "\n" + test::rows_as_text(*reading.table);
     test::check_golden(folder + file + ".expected.txt", text);
   }
@@ -43,7 +43,7 @@ TEST_CASE("A directory, a missing file and one without permission are reported b
   diag::Diagnostics found;
   CHECK_FALSE(read::read_symbol_list("list.csv", {}, memory, found));
   REQUIRE(found.all().size() == 1);
-  CHECK(diag::render_text(found.all()) ==
+  CHECK(diag::render_text(found.all(), {.all = true}) ==
         "list.csv: error: cannot read `list.csv`: no permission [SP101 cannot-read-file]\n");
 }
 

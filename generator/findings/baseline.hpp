@@ -1,0 +1,50 @@
+// Findings that a plant has had before: `--baseline`.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "base/result.hpp"
+#include "diag/diagnostic.hpp"
+
+namespace symplant::findings {
+
+/// Counts findings by plant, rule, and the shape or name of what they are about. Rows do not count, so that a list may
+/// be sorted. A baseline only shrinks: what it does not have is reported.
+class Baseline {
+ public:
+  /// Has every finding: to write the first baseline.
+  Baseline() = default;
+  /// From the text of a file. On error, findings of its rule (SP627) in the file.
+  static base::Result<Baseline, diag::Diagnostics> read(std::shared_ptr<const text::SourceFile> file);
+
+  /// Removes the findings that it has, with what follows from them, and counts them as left out. If there are more than
+  /// it counts, all of that kind are reported, since none of them is known to be the new one. Errors that make a valid
+  /// plant impossible stay. O(findings * log(entries)).
+  diag::Diagnostics apply(const std::string& plant, const diag::Diagnostics& findings);
+
+  /// Adds one finding (SP626) if it has more than what was found; O(entries).
+  void report_stale(diag::Diagnostics& findings) const;
+
+  /// The file for what was found of the baseline. O(entries).
+  std::string text() const;
+  /// How many findings that file has.
+  std::size_t size() const;
+
+ private:
+  using Key = std::tuple<std::string, std::string, std::string>;  ///< plant, id of the rule, shape or name
+  struct Count {
+    std::size_t given = 0;
+    std::size_t found = 0;
+  };
+
+  std::shared_ptr<const text::SourceFile> file_;  ///< null: it has every finding
+  std::map<Key, Count> counts_;
+};
+
+}  // namespace symplant::findings
