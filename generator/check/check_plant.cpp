@@ -16,7 +16,7 @@ namespace {
 bool is_of_built_in_names(const Rule* rule) {
   constexpr std::array kOfBuiltInNames{
       &kWrongNumberOfLevels, &kEmptyLevel,       &kDirectionNotIo, &kIllegalCharacter, &kNameSlip,
-      &kTwoWordsOneState,    &kTaskClaimedTwice, &kOneTaskAlone,   &kShapeLacksSymbol,
+      &kTwoWordsOneState,    &kTaskClaimedTwice, &kOneTaskAlone,   &kShapeLacksSymbol, &kIoNameInMemory,
   };
   return std::find(kOfBuiltInNames.begin(), kOfBuiltInNames.end(), rule) != kOfBuiltInNames.end();
 }

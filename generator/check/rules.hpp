@@ -21,6 +21,10 @@ extern const Rule kRoleTaken;                  // SP207
 extern const Rule kNamedOtherwise;             // SP208
 extern const Rule kDirectionConflict;          // SP209
 extern const Rule kLettersAlike;               // SP210
+extern const Rule kTwoSpellings;               // SP211
+extern const Rule kTextCut;                    // SP212
+extern const Rule kNameTooLong;                // SP213
+extern const Rule kReservedWord;               // SP214
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -41,6 +45,9 @@ extern const Rule kAddressWithoutNumber;       // SP317
 extern const Rule kNoIo;                       // SP318
 extern const Rule kAddressesOverlap;           // SP319
 extern const Rule kWordAndBits;                // SP320
+extern const Rule kSeriesBroken;               // SP321
+extern const Rule kCommentTwice;               // SP322
+extern const Rule kIoNameInMemory;             // SP323
 extern const Rule kSeveralLists;               // SP330
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
@@ -58,6 +65,7 @@ extern const Rule kOneTaskAlone;               // SP413
 extern const Rule kShapeLacksSymbol;           // SP414
 extern const Rule kNoDevice;                   // SP415
 extern const Rule kTasksLookParallel;          // SP416
+extern const Rule kEndWithoutSensor;           // SP417
 extern const Rule kInferredRestState;          // SP501
 extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
@@ -98,6 +106,10 @@ inline constexpr std::array kRules{
     &kNamedOtherwise,
     &kDirectionConflict,
     &kLettersAlike,
+    &kTwoSpellings,
+    &kTextCut,
+    &kNameTooLong,
+    &kReservedWord,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,
@@ -118,6 +130,9 @@ inline constexpr std::array kRules{
     &kNoIo,
     &kAddressesOverlap,
     &kWordAndBits,
+    &kSeriesBroken,
+    &kCommentTwice,
+    &kIoNameInMemory,
     &kSeveralLists,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
@@ -135,6 +150,7 @@ inline constexpr std::array kRules{
     &kShapeLacksSymbol,
     &kNoDevice,
     &kTasksLookParallel,
+    &kEndWithoutSensor,
     &kInferredRestState,
     &kInferredSingleSolenoid,
     &kInferredSequence,

@@ -181,17 +181,17 @@ bool is_typed_function(std::string_view word) {
   return true;
 }
 
-bool is_reserved(std::string_view name) {
-  if (name.size() > kLongestReserved) return false;
-  const std::string word = text::to_upper(name);
-  return holds(kKeywords, word) || holds(kTypeNames, word) || holds(kFunctions, word) || is_typed_function(word);
-}
-
 static_assert(std::is_sorted(kKeywords.begin(), kKeywords.end()));
 static_assert(std::is_sorted(kTypeNames.begin(), kTypeNames.end()));
 static_assert(std::is_sorted(kFunctions.begin(), kFunctions.end()));
 
 }  // namespace
+
+bool is_iec_reserved(std::string_view name) {
+  if (name.size() > kLongestReserved) return false;
+  const std::string word = text::to_upper(name);
+  return holds(kKeywords, word) || holds(kTypeNames, word) || holds(kFunctions, word) || is_typed_function(word);
+}
 
 bool is_iec_identifier(std::string_view name) {
   if (name.empty() || text::is_digit(name.front()) || name.back() == '_') return false;
@@ -200,7 +200,7 @@ bool is_iec_identifier(std::string_view name) {
     if (c == '_' ? before == '_' : !is_letter_or_digit(c)) return false;
     before = c;
   }
-  return !is_reserved(name);
+  return !is_iec_reserved(name);
 }
 
 std::string iec_identifier(std::string_view utf8_name) {
@@ -226,7 +226,7 @@ std::string iec_identifier(std::string_view utf8_name) {
     }
   }
   if (name.empty() || name == "_") return "_1";
-  if (text::is_digit(name.front()) || is_reserved(name)) name.insert(name.begin(), '_');
+  if (text::is_digit(name.front()) || is_iec_reserved(name)) name.insert(name.begin(), '_');
   return name;
 }
 

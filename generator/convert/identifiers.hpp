@@ -10,6 +10,9 @@ namespace symplant::convert {
 /// and no keyword, type or standard function.
 bool is_iec_identifier(std::string_view name);
 
+/// Whether a name is a keyword, type or standard function of IEC 61131-3.
+bool is_iec_reserved(std::string_view name);
+
 /// An identifier that reads like `utf8_name`, which is returned unchanged if it is one. ASCII characters that cannot be
 /// in an identifier become `_`, others `u` and their number (`밸브1` is `uBC38uBE0C1`); `_` is put before a digit and
 /// a keyword. Different names may give one identifier. O(name).

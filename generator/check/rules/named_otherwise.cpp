@@ -102,9 +102,8 @@ bool breaks_rule(const Subject& subject, const model::Symbol& symbol, name::Name
   return symbol.reading.fault == fault && !subject.named_otherwise[symbol.list];
 }
 
-const Rule kNamedOtherwise{
-    {"SP208", "named-otherwise", diag::Severity::warning, "many names of a list break the naming rule alike",
-     kNamedOtherwisePage, diag::Rank::name},
-    check_named_otherwise};
+const Rule kNamedOtherwise{{"SP208", "named-otherwise", diag::Severity::warning,
+                            "many names of a list break the naming rule alike", kNamedOtherwisePage, diag::Rank::name},
+                           check_named_otherwise};
 
 }  // namespace symplant::check

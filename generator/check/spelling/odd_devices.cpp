@@ -1,6 +1,8 @@
 // Classes of devices by name, and those in them whose symbols differ.
 #include "check/spelling/odd_devices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -85,14 +87,19 @@ class OddSearch {
     bool other_task = false;
     for (const Common& common : common_) {
       if (find_symbol(device, common.direction, common.task) != nullptr) continue;
-      const std::string_view level_and_task = common.symbol->name().substr(common.symbol->reading.device_path.size());
-      odd.lacks.push_back({common.symbol, std::string(path) + std::string(level_and_task), common.having});
+      odd.lacks.push_back({common.symbol, name_of(path, common), common.having});
       other_task = other_task || (unit != nullptr && is_of_other_task(*unit, common));
     }
     const std::size_t has = common_.size() - odd.lacks.size();
     odd.one_task = unit != nullptr && unit->rest_added && has != 0 && other_task;
     if (odd.lacks.empty() || (!odd.one_task && 2 * has < common_.size())) return;
     odd_.push_back(std::move(odd));
+  }
+
+  /// The name that the device's symbol would have. A custom rule reads names and does not write them.
+  std::string name_of(std::string_view path, const Common& common) const {
+    if (plant_.pairing != nullptr) return fmt::format("{} {}", path, common.task);
+    return fmt::format("{}{}", path, common.symbol->name().substr(common.symbol->reading.device_path.size()));
   }
 
   /// Whether it is a bit of a task that the device does not have.

@@ -1,0 +1,109 @@
+// What the rules that were found on real lists report, and what they must not.
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+
+namespace symplant::test {
+namespace {
+
+/// A list of device comments: addresses from X10 on.
+std::string comments(const std::vector<std::string>& texts) {
+  std::string list = "Device Name,Comment\n";
+  for (std::size_t i = 0; i < texts.size(); ++i) list += fmt::format("X{:X},{}\n", 0x10 + i, texts[i]);
+  return list;
+}
+
+std::size_t reported(const std::vector<std::string>& texts, std::string_view rule) {
+  return analyse_text(comments(texts)).count(rule);
+}
+
+TEST_CASE("Two spellings differ within the word, and one of them is used twice") {
+  const auto found = [](const std::vector<std::string>& texts) { return reported(texts, "two-spellings"); };
+  CHECK(found({"SAFETY A", "SAFETY B", "SAFTY C"}) == 1);
+  CHECK(found({"signal a", "SIGNAL B", "SINGAL C"}) == 1);
+  CHECK(found({"SAFETY A", "SAFTY C"}) == 0);             // which one is the word?
+  CHECK(found({"PULSE A", "PULSE B", "PULSES C"}) == 0);  // another form
+  CHECK(found({"START A", "START B", "TART C"}) == 0);
+  CHECK(found({"TOWER A", "TOWER B", "POWER C"}) == 0);  // another word
+  CHECK(found({"GATE A", "GATE B", "GTE C"}) == 0);      // too short
+  CHECK(found({"SAFETY A", "SAFETY B", "한SAFTY C"}) == 0);
+}
+
+/// `count` different words, then a text of blanks' length.
+std::vector<std::string> texts_of_length(std::size_t length, std::size_t count) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) {
+    texts.push_back(std::string(length, static_cast<char>('A' + i)));
+  }
+  return texts;
+}
+
+TEST_CASE("Comments are cut if many different ones have the greatest length") {
+  const auto found = [](std::vector<std::string> texts, const std::vector<std::string>& more = {}) {
+    texts.insert(texts.end(), more.begin(), more.end());
+    return reported(texts, "text-cut");
+  };
+  CHECK(found(texts_of_length(20, 5)) == 1);
+  CHECK(found(texts_of_length(20, 4)) == 0);
+  CHECK(found(texts_of_length(15, 9)) == 0);                          // shorter than any field
+  CHECK(found(texts_of_length(20, 5), texts_of_length(19, 5)) == 1);  // of five lengths, the mean is 1.25
+  CHECK(found(texts_of_length(20, 5), texts_of_length(19, 10)) == 0);
+  CHECK(found(texts_of_length(20, 5), {std::string(21, 'X')}) == 0);  // one is longer
+  std::vector<std::string> alike;
+  for (int i = 0; i < 9; ++i) alike.push_back(fmt::format("THE SAME TEXT NO {}", i));
+  CHECK(found(alike) == 0);
+}
+
+std::vector<std::string> numbers(const std::vector<int>& values) {
+  std::vector<std::string> texts;
+  for (const int value : values) texts.push_back(fmt::format("ECHO {} OF ROBOT", value));
+  return texts;
+}
+
+TEST_CASE("A series is broken by one member, where all others rise by one or double") {
+  const auto found = [](const std::vector<int>& values) { return reported(numbers(values), "series-broken"); };
+  CHECK(found({1, 2, 4, 8, 16, 32, 64, 12}) == 1);
+  CHECK(found({1, 2, 3, 4, 4, 6, 7}) == 1);
+  CHECK(found({1, 2, 4, 8, 16, 32, 64, 128}) == 0);
+  CHECK(found({1, 2, 3, 4, 5, 6, 7}) == 0);
+  CHECK(found({1, 2, 3, 4, 9}) == 0);           // too short
+  CHECK(found({1, 2, 3, 7, 8, 9, 10}) == 0);    // two series
+  CHECK(found({1, 1, 2, 2, 3, 3, 4, 4}) == 0);  // pairs
+  CHECK(found({5, 2, 3, 4, 5, 6, 7}) == 0);     // the first numbers say what the series is
+}
+
+TEST_CASE("A comment of two points is reported where nearly all others are unique") {
+  std::vector<std::string> unique;
+  for (char c = 'A'; c <= 'Y'; ++c) unique.push_back(std::string("SENSOR ") + c + c + c);
+  const auto found = [&](std::vector<std::string> texts) {
+    texts.insert(texts.begin(), unique.begin(), unique.end());
+    return reported(texts, "comment-twice");
+  };
+  CHECK(found({"GATE IS OPEN", "GATE IS OPEN"}) == 1);
+  CHECK(found({"GATE IS OPEN", "GATE IS OPEN", "GATE IS OPEN"}) == 0);  // means one thing, or is a spare
+  CHECK(found({"SPARE", "SPARE"}) == 0);                                // too short
+  CHECK(found({"GATE IS OPEN", "GATE IS OPEN", "DOOR IS OPEN", "DOOR IS OPEN"}) == 0);  // more than one of twenty
+}
+
+TEST_CASE("A name of an input or output in memory is reported in lists that have devices") {
+  std::vector<Row> rows = bits({"L_P_D_O_ON1", "L_P_D_I_ON1"});
+  rows.push_back({"L_P_D_I_OFF2", "M100"});
+  CHECK(analyse_rows(rows).count("io-name-in-memory") == 1);
+  rows.back().name = "COUNTER_READY";
+  CHECK(analyse_rows(rows).count("io-name-in-memory") == 0);
+  CHECK(analyse_rows({{"L_P_D_I_OFF2", "M100"}}).count("io-name-in-memory") == 0);
+}
+
+TEST_CASE("Names are compared with the limit of the list's tool, and with the words of IEC 61131-3") {
+  const std::string device = "L_P_" + std::string(24, 'D');
+  CHECK(analyse_rows(bits({device + "_O_A", device + "_I_A"})).count("name-too-long") == 0);  // 32 characters
+  CHECK(analyse_rows(bits({device + "_O_AB", device + "_I_A"})).count("name-too-long") == 1);
+  CHECK(analyse_rows(bits({"STEP", "RUN", "L_P_D_O_STEP"})).count("reserved-word") == 1);
+}
+
+}  // namespace
+}  // namespace symplant::test
