@@ -148,11 +148,13 @@ struct Defaults {
 
 /// Settings of `symplant check`, as texts: rules by id or slug.
 struct GivenCheck {
+  /// Of `symplant check` by `rule`, or of a run by `finding`; the other one is empty.
   struct Ignore {
     std::string rule;
-    std::string symbols;  ///< a pattern; empty: all
+    std::string symbols;  ///< a pattern of symbols, devices or requirements; empty: all
     std::string why;
-    std::string until;  ///< a date; empty: without end
+    std::string until;         ///< a date; empty: without end
+    std::string finding = {};  ///< `started on enabling`
   };
   std::vector<Ignore> ignore;
   std::vector<std::pair<std::string, std::string>> severity;  ///< rule, severity

@@ -235,8 +235,10 @@ class PlantFileReader {
     if (check == nullptr) return;
     if (const Json* ignore = member(*check, "ignore"); ignore != nullptr && ignore->is_array()) {
       for (const Json& one : *ignore) {
-        file_.description.check.ignore.push_back({text_or_empty(one, "rule"), text_or_empty(one, "symbols"),
-                                                  text_or_empty(one, "why"), text_or_empty(one, "until")});
+        const std::string finding = text_or_empty(one, "finding");
+        file_.description.check.ignore.push_back({text_or_empty(one, "rule"),
+                                                  text_or_empty(one, finding.empty() ? "symbols" : "of"),
+                                                  text_or_empty(one, "why"), text_or_empty(one, "until"), finding});
       }
     }
     if (const Json* severity = member(*check, "severity"); severity != nullptr && severity->is_object()) {

@@ -70,6 +70,8 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["type_rows"] = type_rows(tables, plant, classes, texts["namespace"]);
   texts["link_count"] = std::to_string(plant.description->links.size());
   texts["link_rows"] = link_rows(*plant.description);
+  texts["ignored_count"] = std::to_string(ignored_findings(*plant.description).size());
+  texts["ignored_rows"] = ignored_rows(*plant.description);
   texts["controller_count"] = std::to_string(plant.links.size());
   texts["place_arrays"] = place_arrays(plant);
   texts["link_settings_rows"] = link_settings_rows(plant);

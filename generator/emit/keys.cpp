@@ -128,6 +128,8 @@ constexpr auto kKeys = std::to_array<Key>({
     {"accessor_rows", "", false, "functions of the plant class that give its devices"},
     {"link_count", "", false, "links of the plant's description"},
     {"link_rows", "", false, "those links: controller, URL"},
+    {"ignored_count", "", false, "findings of a run that the plant's description ignores"},
+    {"ignored_rows", "", false, "those findings: name, pattern, last day"},
     {"type_rows", "", false, "the rows of the types"},
     {"controller_count", "", false, "controllers of the plant"},
     {"link_settings_rows", "", false, "how each of them is linked: members of link::LinkSettings"},

@@ -88,6 +88,23 @@ std::string link_rows(const description::Description& description) {
   return rows.take();
 }
 
+std::vector<const description::GivenCheck::Ignore*> ignored_findings(const description::Description& description) {
+  std::vector<const description::GivenCheck::Ignore*> entries;
+  for (const description::GivenCheck::Ignore& entry : description.check.ignore) {
+    if (!entry.finding.empty()) entries.push_back(&entry);
+  }
+  return entries;
+}
+
+std::string ignored_rows(const description::Description& description) {
+  RowWriter rows;
+  for (const description::GivenCheck::Ignore* entry : ignored_findings(description)) {
+    rows.text("    {\"").literal(entry->finding).text("\", \"").literal(entry->symbols).text("\", \"");
+    rows.literal(entry->until).text("\"},\n");
+  }
+  return rows.take();
+}
+
 std::string place_arrays(const model::PlantModel& plant) {
   RowWriter rows;
   for (std::size_t c = 0; c < plant.links.size(); ++c) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/plant_model.hpp"
 
@@ -9,6 +10,10 @@ namespace symplant::emit {
 
 /// The links of the description: controller, URL.
 std::string link_rows(const description::Description& description);
+
+/// The entries of `ignore` for findings of a run, and their rows: name, pattern, last day.
+std::vector<const description::GivenCheck::Ignore*> ignored_findings(const description::Description& description);
+std::string ignored_rows(const description::Description& description);
 
 /// The arrays that the settings point to: links::kLinkRows0 and links::kKeep0 for controller 0.
 std::string place_arrays(const model::PlantModel& plant);

@@ -107,7 +107,8 @@ class Settings {
 
   void ignore(std::size_t index) {
     const description::GivenCheck::Ignore& entry = settings_.ignore[index];
-    const diag::RuleInfo* rule = rule_of(entry.rule, location_of_ignore(index, "rule"));
+    const bool of_run = !entry.finding.empty();
+    const diag::RuleInfo* rule = of_run ? nullptr : rule_of(entry.rule, location_of_ignore(index, "rule"));
     if (!entry.until.empty() && !is_date(entry.until)) {
       result_.add(check::kDateNotUnderstood.info,
                   fmt::format("`{}` is not a date: write it as `2027-06-30`", entry.until),

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "symplant/tables/pattern.hpp"
+
 namespace symplant::text {
 
-/// Whether `pattern` matches the whole text: `*` is any run of characters, `?` one character. ASCII case is ignored.
-/// O(text * pattern) at worst, no recursion.
-bool matches_pattern(std::string_view text, std::string_view pattern);
+using tables::matches_pattern;
 
 /// What each `*` and `?` of a matching pattern matches: a `*` the shortest run, from the left, that lets the
 /// rest match. Empty if the pattern does not match. O(text * pattern) at worst.

@@ -16,6 +16,13 @@ struct DefaultLink {
   std::string_view url;
 };
 
+/// An entry of `check` / `ignore` of the plant's description: findings of a run that are expected.
+struct IgnoredFinding {
+  std::string_view finding;  ///< `started on enabling`
+  std::string_view of;       ///< a pattern of names; empty: all
+  std::string_view until;    ///< the last day, as 2027-06-30; empty: no end
+};
+
 /// All references must outlive the run. The header is a part of every generated program, so it stays light.
 struct PlantProgram {
   const tables::PlantTables& tables;
@@ -23,8 +30,9 @@ struct PlantProgram {
   std::span<const DefaultLink> links = {};             ///< links of the description, used without --link
   /// By controller, for any URL of its link; empty: defaults for all.
   std::span<const link::LinkSettings> link_settings = {};
-  std::string_view default_link = {};             ///< as for --link, used without both of these; empty: no link
-  std::span<const std::string_view> more = {};    ///< further lines of the summary at the start
+  std::string_view default_link = {};           ///< as for --link, used without both of these; empty: no link
+  std::span<const std::string_view> more = {};  ///< further lines of the summary at the start
+  std::span<const IgnoredFinding> ignored = {};
   std::span<const std::string_view> inputs = {};  ///< files that the plant was read from: no output may overwrite them
 };
 

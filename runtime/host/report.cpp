@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
+#include <iterator>
 #include <numeric>
 
 #include "symplant/host/words.hpp"
+#include "symplant/tables/pattern.hpp"
 
 namespace symplant::host {
 namespace {
@@ -20,17 +23,30 @@ const char* severity(FindingKind kind) {
   return kind == FindingKind::started_on_enabling || kind == FindingKind::link_back ? "note" : "warning";
 }
 
+/// The local date, as 2027-06-30; empty if it is unknown.
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  return localtime_r(&now, &parts) == nullptr
+             ? std::string()
+             : fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
+}
+
 }  // namespace
 
 Report::Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
-               std::string file, Console& console)
+               std::string file, std::span<const IgnoredFinding> ignored, Console& console)
     : names_(names),
       history_(history),
       scenario_(scenario),
       file_(std::move(file)),
       console_(console),
       violations_(names.tables().requirements.size()),
-      failures_(scenario == nullptr ? 0 : scenario->steps.size()) {}
+      failures_(scenario == nullptr ? 0 : scenario->steps.size()) {
+  const std::string date = ignored.empty() ? std::string() : today();
+  std::copy_if(ignored.begin(), ignored.end(), std::back_inserter(ignored_entries_),
+               [&](const IgnoredFinding& entry) { return entry.until.empty() || date <= entry.until; });
+}
 
 std::string Report::location(std::size_t step) const {
   const scenario::Step& its = scenario_->steps[step];
@@ -46,6 +62,10 @@ void Report::report(std::string head, std::span<const std::string> parts) {
 std::string Report::found(const trace::FoundThing& found) {
   const std::vector<std::string> parts = trace::finding_parts(found, names_, history_);
   std::string words = fmt::format("{}", fmt::join(parts, "; "));
+  if (is_ignored(found)) {
+    ++ignored_;
+    return words;
+  }
   ++counts_[static_cast<std::size_t>(found.kind)];
   if (found.kind == FindingKind::requirement_violated) {
     Violation& violation = violations_[found.of.front()];
@@ -60,6 +80,19 @@ std::string Report::found(const trace::FoundThing& found) {
     if (!note.empty()) console_.message(note);
   }
   return words;
+}
+
+/// By the kind, and the name of the finding or of one of its devices.
+bool Report::is_ignored(const trace::FoundThing& found) const {
+  if (ignored_entries_.empty() || found.kind == FindingKind::requirement_violated) return false;
+  std::vector<std::string> names{trace::name_of(found, names_)};
+  for (const std::uint32_t unit : trace::units_of(found, names_.tables())) names.emplace_back(names_.unit(unit));
+  return std::any_of(ignored_entries_.begin(), ignored_entries_.end(), [&](const IgnoredFinding& entry) {
+    return entry.finding == trace::finding_name(found.kind) &&
+           (entry.of.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+              return tables::matches_pattern(name, entry.of);
+            }));
+  });
 }
 
 /// The first finding of each kind and thing. A loss of a link and a standstill are shown each time, but at most once in
@@ -112,6 +145,7 @@ void Report::report_findings(std::uint64_t lost, std::ostream& out) const {
                         counts_[kind]);
   }
   if (!text.empty()) out << "findings: " << text << "\n";
+  if (ignored_ != 0) out << fmt::format("findings: {} ignored, as plant.json says\n", ignored_);
   if (lost != 0) out << fmt::format("findings: {} more are lost, since they came too fast to be written\n", lost);
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "symplant/host/console.hpp"
+#include "symplant/host/plant_program.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/scenario/verdict.hpp"
@@ -30,9 +31,10 @@ struct Violation {
 /// Used by one thread at a time. Names, history, scenario and the console must outlive it.
 class Report {
  public:
-  /// `scenario` may be null; `file` is its path, for messages.
+  /// `scenario` may be null; `file` is its path, for messages. Findings that an entry of `ignored` matches today are
+  /// only counted; a violated requirement never is.
   Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
-         std::string file, Console& console);
+         std::string file, std::span<const IgnoredFinding> ignored, Console& console);
 
   /// Counts a finding, and reports the first of each kind and subject. Returns its text.
   std::string found(const trace::FoundThing& found);
@@ -41,6 +43,7 @@ class Report {
   void failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands);
 
   std::uint64_t count(tables::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+  /// Without those that are ignored.
   std::uint64_t findings() const;
   const Violation& violation(std::uint32_t requirement) const { return violations_[requirement]; }
   /// Why a step failed; empty if it did not fail.
@@ -59,6 +62,7 @@ class Report {
   void report_requirements(const plant::Plant& plant, std::ostream& out) const;
   void report_disarmed(const plant::Plant& plant, std::ostream& out) const;
   std::string location(std::size_t step) const;
+  bool is_ignored(const trace::FoundThing& found) const;
   bool is_shown(const trace::FoundThing& found, std::string& note);
   /// Writes each part as a line: the first after `head`, the others indented.
   void report(std::string head, std::span<const std::string> parts);
@@ -67,7 +71,9 @@ class Report {
   const trace::History& history_;
   const scenario::Scenario* scenario_;
   std::string file_;
+  std::vector<IgnoredFinding> ignored_entries_;  ///< those that count today
   Console& console_;
+  std::uint64_t ignored_ = 0;
   struct Shown {
     std::chrono::steady_clock::time_point last;
     std::uint64_t hidden = 0;  ///< since then

@@ -48,9 +48,10 @@ std::string since_words(tables::Time changed);
 /// to 0.7 s`.
 std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history);
 
-/// What happened, which operations led to it, what to check. For a violated requirement one more part for each unit in
 /// The parts at a location: `FIXTURE has part 11 (raw) since 3.2 s`.
 std::string location_words(std::uint32_t location, const PlantNames& names, const History& history);
+
+/// What happened, which operations led to it, what to check. For a violated requirement one more part for each unit in
 /// its conditions, the latest change first. Never empty; joined by `; ` the parts are one sentence, without the time.
 std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history);
 

@@ -32,6 +32,7 @@ struct RuntimeUse {
   std::string_view uses;  ///< separated and enclosed by blanks
 };
 constexpr std::array kRuntimeUse = {
+    RuntimeUse{"text", " tables "},
     RuntimeUse{"read", " tables "},
     RuntimeUse{"name", " tables "},
     RuntimeUse{"description", " tables json link "},

@@ -81,13 +81,21 @@ class Prepared {
         input_views_(inputs_.begin(), inputs_.end()) {
     for (const description::LinkDescription& link : description_->links) links_.push_back({link.controller, link.url});
     for (const model::ControllerLink& link : controllers_) settings_.push_back(link.settings());
+    for (const description::GivenCheck::Ignore& entry : description_->check.ignore) {
+      if (!entry.finding.empty()) ignored_.push_back({entry.finding, entry.symbols, entry.until});
+    }
   }
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
   /// Refers to this object.
   host::PlantProgram program() const {
-    return {.tables = rows_, .links = links_, .link_settings = settings_, .more = more_views_, .inputs = input_views_};
+    return {.tables = rows_,
+            .links = links_,
+            .link_settings = settings_,
+            .more = more_views_,
+            .ignored = ignored_,
+            .inputs = input_views_};
   }
 
  private:
@@ -101,6 +109,7 @@ class Prepared {
   const std::vector<std::string_view> input_views_;
   std::vector<host::DefaultLink> links_;
   std::vector<link::LinkSettings> settings_;
+  std::vector<host::IgnoredFinding> ignored_;
 };
 
 }  // namespace

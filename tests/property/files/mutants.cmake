@@ -27,8 +27,8 @@ symplant_files_mutant(array_of_a_pattern_stays_where_it_is_empty generator/descr
 
 # Of names in braces.
 symplant_files_mutant(share_of_an_earlier_try_is_kept generator/text text
-  "      forget(shares_before);"
-  "      forget(shares_before + 1);")
+  "shares.resize(count); }"
+  "shares.resize(count + 1); }")
 
 symplant_files_mutant(process_in_braces_is_the_device generator/model model
   "    if (name == \"process\") return level(process_);"

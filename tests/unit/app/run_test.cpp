@@ -40,6 +40,34 @@ class TakenPort {
   unsigned port_ = 0;
 };
 
+TEST_CASE("run: A finding that plant.json expects does not fail the run") {
+  test::MemoryFileSystem files;
+  files.files["l.csv"] =
+      "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\nVAR_GLOBAL,L_P_D_O_A1,,%QX0,BOOL,\n"
+      "VAR_GLOBAL,L_P_D_I_A1,,%IX0,BOOL,\nVAR_GLOBAL,L_P_D_O_B2,,%QX1,BOOL,\nVAR_GLOBAL,L_P_D_I_B2,,%IX1,BOOL,\n";
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.write(
+      "s.json",
+      R"({"symplant-scenario":1,"steps":[{"at":"1s","set":{"L_P_D_O_A1":true,"L_P_D_O_B2":true}},{"at":"3s"}]})");
+  const auto run = [&](const std::string& ignore) {
+    files.files["plant.json"] = R"({"symplant": 1, "symbols": ["l.csv"], "check": { "ignore": [)" + ignore + "]}}";
+    return test::run_tool({"run", "plant.json", "--scenario", scenario, "--fail-on-findings"}, files);
+  };
+  CHECK(run("").code == 1);
+  const std::string both = R"({ "finding": "conflicting operations", "of": "L_P_*", "why": "tested")";
+  const test::ToolRun ignored = run(both + "}");
+  CHECK(ignored.code == 0);
+  CHECK(test::contains(ignored.out, "findings: 1 ignored, as plant.json says"));
+  CHECK(run(both + R"(, "until": "2020-01-01"})").code == 1);
+  const test::ToolRun date = run(both + R"(, "until": "soon"})");
+  CHECK(date.code == 2);
+  CHECK(test::contains(date.err, "`soon` is not a date"));
+  const test::ToolRun unknown = run(R"({ "finding": "conflict", "why": "x" })");
+  CHECK(unknown.code == 2);
+  CHECK(test::contains(unknown.err, "plant.json:1:"));
+  CHECK(run(R"({ "finding": "requirement violated", "why": "x" })").code == 2);
+}
+
 TEST_CASE("run: The first lines report the input, what can move and what no device drives") {
   MemoryFileSystem files = lists();
   files.files["list.csv"] = list_text({{"L_P_D_O_A1", "Y1"},

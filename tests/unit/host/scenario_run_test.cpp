@@ -47,7 +47,7 @@ struct Cell {
     std::ostringstream err;
     const std::string input = folder / "plant.json";
     const std::string_view inputs[] = {input};
-    const int code = host::run({.tables = tables.rows, .inputs = inputs}, options, out, err);
+    const int code = host::run({.tables = tables.rows, .ignored = ignored, .inputs = inputs}, options, out, err);
     return {code, out.str(), err.str()};
   }
   std::string file(const std::string& name) const { return read_bytes(folder / name); }
@@ -55,6 +55,7 @@ struct Cell {
   BenchTables tables;
   TemporaryFolder folder;
   host::RunOptions options;
+  std::vector<host::IgnoredFinding> ignored;
 };
 
 const std::string kDrive = R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"at":"2s","expect":"L_P_AGV.P2"})";
@@ -100,6 +101,30 @@ TEST_CASE("A violated requirement gives 1, a finding only on request") {
   cell.options.fail_on_findings = true;
   CHECK(cell.run(disabled).code == host::kFindings);
   CHECK(cell.run(kDrive).code == host::kGood);
+}
+
+TEST_CASE("Findings that the description ignores are counted apart, up to their last day") {
+  Cell cell;
+  cell.options.fail_on_findings = true;
+  const std::string disabled = R"({"at":"1s","state":{"L_P_DOOR":"OPEN2"}},{"at":"2s","set":{"L_P_AGV_O_P2":true}})";
+  const auto ignoring = [&](const host::IgnoredFinding& entry) {
+    cell.ignored = {entry};
+    return cell.run(disabled);
+  };
+  for (const std::string_view of : {"", "L_P_AGV_O_P2", "L_P_AGV", "l_p_a*"}) {  // its symbol, or the device
+    INFO(of);
+    const Outcome outcome = ignoring({"command to a disabled unit", of, ""});
+    CHECK(outcome.code == host::kGood);
+    CHECK(outcome.err == "");
+    CHECK(contains(outcome.out, "findings: 1 ignored, as plant.json says\n"));
+    CHECK_FALSE(contains(outcome.out, "(1)"));
+  }
+  CHECK(ignoring({"command to a disabled unit", "L_P_DOOR*", ""}).code == host::kFindings);
+  CHECK(ignoring({"lost command", "", ""}).code == host::kFindings);
+  CHECK(ignoring({"command to a disabled unit", "", "2999-12-31"}).code == host::kGood);
+  CHECK(ignoring({"command to a disabled unit", "", "2020-01-01"}).code == host::kFindings);
+  cell.ignored = {{"requirement violated", "", ""}};
+  CHECK(cell.run(R"({"at":"1s","set":{"L_P_AGV_O_P1":true,"L_P_AGV_O_P2":true}},{"at":"3s"})").code == host::kFindings);
 }
 
 TEST_CASE("A violated requirement names the force that caused it, until it is released") {

@@ -14,6 +14,11 @@ constexpr std::array<symplant::host::DefaultLink, 0> kLinks{{
 
 }};
 
+// Findings of a run that plant.json ignores: name, pattern of devices or symbols, last day.
+constexpr std::array<symplant::host::IgnoredFinding, 0> kIgnored{{
+
+}};
+
 }  // namespace
 
 // The link that the program opens if it is started without --link; the build sets it (LINK_DEFAULT).
@@ -26,6 +31,7 @@ int main(int argc, char** argv) {
                                              .behaviours = excell::behaviours(),
                                              .links = kLinks,
                                              .link_settings = excell::link_settings(),
-                                             .default_link = SYMPLANT_LINK_DEFAULT};
+                                             .default_link = SYMPLANT_LINK_DEFAULT,
+                                             .ignored = kIgnored};
   return symplant::host::run_plant(argc, argv, program);
 }
