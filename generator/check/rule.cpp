@@ -108,6 +108,10 @@ diag::Subjects about(const model::Unit& unit) { return {{device(unit.path)}, {},
 
 diag::Subjects about(const read::ListRow& row) { return {{symbol_named(row.name)}, {}, {}, shape_of(row)}; }
 
+diag::Rename rename_of(const model::Symbol& symbol, std::string to, bool safe) {
+  return {std::string(symbol.name()), std::move(to), std::string(symbol.written_address()), safe};
+}
+
 diag::Subject device(std::string_view path) { return {Kind::device, std::string(path)}; }
 
 diag::Subject model_of(std::string_view path) { return {Kind::model, std::string(path)}; }

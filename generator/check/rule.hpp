@@ -70,6 +70,9 @@ diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other);
 diag::Subjects about(const model::Unit& unit);
 diag::Subjects about(const read::ListRow& row);
 
+/// Another name for a symbol.
+diag::Rename rename_of(const model::Symbol& symbol, std::string to, bool safe);
+
 // Subjects that connect a finding with its cause and its consequences.
 diag::Subject device(std::string_view path);
 diag::Subject model_of(std::string_view path);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,6 +45,8 @@ struct Symbols {
   std::vector<std::shared_ptr<const read::SymbolTable>> tables;  ///< hold what the symbols point to
   std::vector<Symbol> all;                                       ///< in the order of lists and rows
   std::size_t controllers = 0;
+  std::deque<read::ListRow> rows;  ///< those of symbols with other names than in their tables
+  std::deque<std::string> texts;   ///< these names
 };
 
 /// O(rows).

@@ -62,6 +62,14 @@ struct Related {
   std::string message;
 };
 
+/// A new name that a finding proposes for a symbol.
+struct Rename {
+  std::string from;
+  std::string to;
+  std::string address;  ///< as the list writes it; empty if there is none
+  bool safe = false;    ///< the list itself proves it; else a person decides
+};
+
 /// What a finding is about. Names compare without regard to case.
 struct Subject {
   enum class Kind : std::uint8_t {
@@ -112,7 +120,8 @@ struct Diagnostic {
   /// Findings that follow from this one, until show_consequences() makes related rows of them.
   std::vector<Diagnostic> consequences = {};
   std::size_t shown_consequences = 0;  ///< how many of the related rows were findings
-  std::size_t count = 1;               ///< findings of one shape that this one includes
+  std::vector<Rename> renames = {};
+  std::size_t count = 1;  ///< findings of one shape that this one includes
 };
 
 /// A finding that plant.json ignores, and the reason given there.

@@ -49,7 +49,11 @@ std::string Fingerprints::next(const Diagnostic& finding, std::string_view file)
   Digest digest;
   digest.add(finding.rule->id);
   digest.add(file);
-  for (const Subject& subject : finding.subjects.about) digest.add(text::to_upper(subject.name));
+  if (finding.count > 1) {  // which of them is the first may change
+    digest.add(text::to_upper(finding.subjects.shape));
+  } else {
+    for (const Subject& subject : finding.subjects.about) digest.add(text::to_upper(subject.name));
+  }
   if (finding.subjects.about.empty()) {
     digest.add(without_numbers(finding.message));
     digest.add(text_at(finding.location));

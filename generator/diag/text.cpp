@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
+#include "diag/importance.hpp"
 #include "diag/visible_text.hpp"
 #include "text/utf8.hpp"
 
@@ -151,22 +151,6 @@ class TextRenderer {
     Severity severity;
     std::size_t count;
   };
-
-  /// The most severe first; of these the rules of rows and addresses, which hold for every naming rule; of these what
-  /// concerns the most symbols.
-  static std::vector<const Diagnostic*> by_importance(std::span<const Diagnostic> findings) {
-    std::vector<const Diagnostic*> sorted;
-    sorted.reserve(findings.size());
-    for (const Diagnostic& finding : findings) sorted.push_back(&finding);
-    const auto key = [](const Diagnostic& finding) {
-      const char group = finding.rule->id.size() > 2 ? finding.rule->id[2] : ' ';
-      return std::tuple(-static_cast<int>(finding.severity), group != '1' && group != '3',
-                        -static_cast<std::ptrdiff_t>(finding.count + finding.shown_consequences));
-    };
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const Diagnostic* a, const Diagnostic* b) { return key(*a) < key(*b); });
-    return sorted;
-  }
 
   void leave_out(const Diagnostic& finding) {
     for (LeftOutOfRule& left : left_out_) {

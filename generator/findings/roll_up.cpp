@@ -58,6 +58,7 @@ void join(diag::Diagnostic& first, Group& group, const diag::Diagnostic& finding
   first.shown_consequences += finding.shown_consequences;
   first.related.push_back({finding.location, "also: " + finding.message});
   first.related.insert(first.related.end(), finding.related.begin(), finding.related.end());
+  first.renames.insert(first.renames.end(), finding.renames.begin(), finding.renames.end());
   if (group.examples.size() < kExamples) group.examples.push_back(name_of(finding));
 }
 

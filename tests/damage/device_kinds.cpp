@@ -75,10 +75,7 @@ Damaged move_to_memory(const Shop& shop, Dice& dice) {
            std::all_of(at.tasks.begin(), at.tasks.end(), [&](const Task& task) { return can_lose(at, task); });
   });
   const std::size_t lost = dice.pick(device.rows);
-  Damaged damaged{shop.list, {}};
-  for (const std::size_t row : device.rows) {
-    if (row != lost) damaged.roots.push_back(row);
-  }
+  Damaged damaged{shop.list, {lost}};
   damaged.list.rows[lost].vendor = "M" + std::to_string(100 + dice.below(4'000));
   damaged.list.rows[lost].iec = "";
   return damaged;
@@ -185,7 +182,7 @@ std::vector<Kind> device_kinds() {
   return {
       {"operation-lost", "the row of an operation lost", "shape-lacks-symbol", lose_operation},
       {"event-lost", "the row of an event lost", "shape-lacks-symbol", lose_event},
-      {"memory-address", "a bit of the PLC's memory for an input or output", "shape-lacks-symbol", move_to_memory},
+      {"memory-address", "a bit of the PLC's memory for an input or output", "io-name-in-memory", move_to_memory},
       {"task-lost", "all rows of a task lost, of two", "one-task-alone", lose_task},
       {"number-skipped", "a gap in the sequence numbers, as in `P1 P2 P4`", "sequence-gap", leave_gap},
       {"step-lost", "all rows of a step lost", "sequence-gap", lose_step},

@@ -14,7 +14,7 @@ std::vector<Command> commands_of(const std::string& file) {
   all.push_back({"map", {"map", file}});
   all.push_back({"init", {"init", file}});
   for (const char* result : {"../out/io.csv", "../out/io.txt", "../out/io.xlsx", "../out/io.xml", "../out/io.st"}) {
-    all.push_back({"convert", {"convert", file, result, "--renames", "../out/renames"}});
+    all.push_back({"convert", {"convert", file, result, "--renamed", "../out/renames"}});
   }
   all.push_back({"convert", {"convert", file, "../out/io.st", "--dialect", "openplc"}});
   all.push_back(

@@ -15,9 +15,11 @@
 #include "app/commands.hpp"
 #include "app/min_score.hpp"
 #include "app/options.hpp"
+#include "app/rename_map.hpp"
 #include "app/score_json.hpp"
 #include "app/score_text.hpp"
 #include "check/catalogue.hpp"
+#include "diag/annotations.hpp"
 #include "diag/json.hpp"
 #include "diag/junit.hpp"
 #include "diag/sarif.hpp"
@@ -42,6 +44,7 @@ struct CheckOptions {
   std::vector<std::string> min_score;
   std::string baseline;
   std::string write_baseline;
+  std::string rename_map;
 };
 
 findings::Selection selection_of(const CheckOptions& options) {
@@ -125,6 +128,7 @@ class Check {
     if (!baseline_.open()) return;
     for (const std::string& plant : options_.plants) look_at(plant);
     look_at_baseline();
+    if (!options_.rename_map.empty()) write_renames();
     write_result(context_, options_.output, base::whole(rendered()), inputs_);
   }
 
@@ -154,12 +158,21 @@ class Check {
                                                      .all = options_.plant.verbose,
                                                      .least = least_shown()});
     }
+    if (compiled && !options_.rename_map.empty()) renames_.add(compiled->plant, diagnostics);
     std::vector<diag::Gate> gates =
         compiled ? look_at_score(file, compiled->plant, diagnostics) : std::vector<diag::Gate>();
     if (options_.format != "text") {
       reports_.push_back({file, std::move(diagnostics), compiled.has_value(), std::move(gates)});
     }
     if (compiled) context_.kept = std::make_shared<const Compiled>(std::move(*compiled));
+  }
+
+  void write_renames() {
+    if (!write_result(context_, options_.rename_map, renames_.text(), inputs_)) return;
+    context_.err << fmt::format(
+        "{}: {} rename{} proposed, {} of them safe{}\n", diag::visible(options_.rename_map), renames_.size(),
+        renames_.size() == 1 ? "" : "s", renames_.safe(),
+        renames_.taken() == 0 ? "" : fmt::format("; {} left out, since the new name is taken", renames_.taken()));
   }
 
   void look_at_baseline() {
@@ -205,6 +218,8 @@ class Check {
     if (options_.format == "json") return as_json();
     if (options_.format == "sarif") return as_sarif();
     if (options_.format == "junit") return as_junit();
+    if (options_.format == "github") return diag::render_github(reports_, context_.folder);
+    if (options_.format == "gitlab") return diag::render_gitlab(reports_, context_.folder);
     return std::move(text_);
   }
 
@@ -241,6 +256,7 @@ class Check {
   std::vector<MinScore> required_;
   diag::Severity fail_on_;
   BaselineFile baseline_;
+  RenameMap renames_;
   std::vector<std::string> inputs_;
   std::vector<diag::Report> reports_;
   std::vector<std::string> scores_;  ///< of plants that could be read, as JSON
@@ -255,10 +271,11 @@ void add_check(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("check", "Check names and models; show what the model loses by each fault");
   command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a separate plant")->required();
   command
-      ->add_option("--format", options->format,
-                   "text for people, json for programs, sarif for code scanning, junit for the tests of a build server "
-                   "(default: text)")
-      ->check(CLI::IsMember({"text", "json", "sarif", "junit"}));
+      ->add_option(
+          "--format", options->format,
+          "text for people, json for programs, sarif for code scanning, junit for the tests of a build server, "
+          "github for annotations of a workflow, gitlab for a Code Quality report (default: text)")
+      ->check(CLI::IsMember({"text", "json", "sarif", "junit", "github", "gitlab"}));
   command->add_option("--output", options->output, "write the result to this file")->type_name("FILE");
   command->add_option("--fail-on", options->fail_on, "the lowest severity that makes the exit code 1 (default: error)")
       ->check(CLI::IsMember({"error", "warning", "note"}));
@@ -290,6 +307,10 @@ void add_check(CLI::App& app, Context& context) {
                    "write the findings to this file; if it exists, only remove what is fixed")
       ->type_name("FILE")
       ->excludes(baseline);
+  command
+      ->add_option("--rename-map", options->rename_map,
+                   "write the new names that the findings propose to this file (CSV), for `symplant convert --renames`")
+      ->type_name("FILE");
   add_plant_options(*command, options->plant);
   command->footer(
       "Examples:\n  symplant check symbols.csv\n  symplant check --fail-on warning --format json line1.csv line2.csv\n"

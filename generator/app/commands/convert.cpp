@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "app/renames_file.hpp"
 #include "convert/cells.hpp"
 #include "convert/writers.hpp"
 #include "diag/visible_text.hpp"
@@ -24,7 +25,8 @@ struct ConvertOptions {
   std::string output;
   std::string format;
   std::string dialect;
-  std::string renames;
+  std::string renames;  ///< to apply
+  std::string renamed;  ///< to write
   PlantOptions plant_options;
 
   bool to_stream() const { return output == "-"; }
@@ -52,10 +54,10 @@ std::string fault_of(const ConvertOptions& options, const convert::WriterInfo* w
   const auto same = [](const std::string& a, const std::string& b) {
     return std::filesystem::path(a).lexically_normal() == std::filesystem::path(b).lexically_normal();
   };
-  if (!options.renames.empty() && same(options.renames, options.output)) {
-    return "`" + options.renames + "` is the output, too: name another file for --renames";
+  if (!options.renamed.empty() && same(options.renamed, options.output)) {
+    return "`" + options.renamed + "` is the output, too: name another file for --renamed";
   }
-  if (options.renames == "-") return "--renames writes to a file: name one instead of `-`";
+  if (options.renamed == "-") return "--renamed writes to a file: name one instead of `-`";
   return {};
 }
 
@@ -123,17 +125,27 @@ void convert_lists(const ConvertOptions& options, Context& context) {
   const auto inputs = read_for(context, options.input, options.plant_options);
   if (!inputs) return;
   if (options.plant_options.verbose) report_lists(context, *inputs);
-  const auto symbols = symbols_in(*inputs);
+  auto symbols = symbols_in(*inputs);
+  if (!options.renames.empty()) {
+    const auto others = rename_symbols(*symbols, options.renames, context.files);
+    if (!others) {
+      for (const std::string& fault : others.error()) context.err << diag::visible(fault) << "\n";
+      context.exit_code = host::kBadInput;
+      return;
+    }
+    symbols = *others;
+  }
   context.kept = symbols;
   const convert::Dialect& dialect =
       options.dialect.empty() ? convert::dialects().front() : *convert::find_dialect(options.dialect);
   convert::Report report;
   const auto made = convert::write(*writer, {symbols, dialect, options.plant_options.xy, report});
   if (!made) return fail(made.error().message);
-  const std::vector<std::string> files = files_of(*inputs);
-  if (!options.renames.empty() && overwrites(context, options.renames, files)) return;
+  std::vector<std::string> files = files_of(*inputs);
+  if (!options.renames.empty()) files.push_back(options.renames);
+  if (!options.renamed.empty() && overwrites(context, options.renamed, files)) return;
   if (!write_result(context, options.to_stream() ? "" : options.output, made->text, files)) return;
-  if (!options.renames.empty() && !write_result(context, options.renames, renames_csv(report.renames()), files)) return;
+  if (!options.renamed.empty() && !write_result(context, options.renamed, renames_csv(report.renames()), files)) return;
   for (const std::string& line : report.lines()) context.err << line << "\n";
   context.err << diag::visible(summary(options, *writer, made->written)) << "\n";
 }
@@ -165,13 +177,18 @@ void add_convert(CLI::App& app, Context& context) {
   command->add_option("--dialect", options->dialect, "the tool for which st and plcopen are written (default: codesys)")
       ->check(CLI::IsMember(dialect_names()))
       ->type_name("codesys|twincat|openplc");
-  command->add_option("--renames", options->renames, "write the names that were changed to this file: old,new")
+  command
+      ->add_option("--renames", options->renames,
+                   "give symbols the names of this file, CSV with the columns old and new; `symplant check "
+                   "--rename-map` proposes some")
+      ->type_name("FILE");
+  command->add_option("--renamed", options->renamed, "write the names that were changed to this file: old,new")
       ->type_name("FILE");
   add_plant_options(*command, options->plant_options);
   command->footer(
       "What the format cannot hold is reported, one line for each kind.\n"
       "Examples:\n  symplant convert symbols.csv symbols.xlsx\n"
-      "  symplant convert plant.json io.st --dialect openplc --renames renames.csv\n"
+      "  symplant convert plant.json io.st --dialect openplc --renamed renamed.csv\n"
       "  symplant convert symbols.csv - --to gx-iec");
   command->callback([options, &context] { convert_lists(*options, context); });
 }

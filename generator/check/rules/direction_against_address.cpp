@@ -38,7 +38,7 @@ void report_direction_conflicts(const Rule& rule, const Subject& subject, diag::
     const bool address_says_operation = symbol.address->area == address::Area::output;
     if (name_says_operation == address_says_operation || reported.count(&symbol) != 0) continue;
     const bool address_counts = (symbol.direction == tables::Direction::operation) == address_says_operation;
-    diagnostics.add(
+    diag::Diagnostic& finding = diagnostics.add(
         rule.info,
         about(symbol)
             .explaining(device(symbol.reading.device_path))
@@ -49,6 +49,9 @@ void report_direction_conflicts(const Rule& rule, const Subject& subject, diag::
                     address_says_operation ? "operation" : "event", symbol.address_cell,
                     address_counts ? "address" : "name"),
         location_of(plant, symbol), {{location_of(plant, *symbol.row, symbol.address_cell), "the address"}});
+    if (plant.pairing != nullptr) continue;  // a custom rule reads names and does not write them
+    diag::Subject renamed = missing(plant, symbol.reading.device_path, symbol.direction, symbol.reading.task);
+    finding.renames.push_back(rename_of(symbol, std::move(renamed.name), false));
   }
 }
 

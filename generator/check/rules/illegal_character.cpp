@@ -22,11 +22,15 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
     if (!breaks_rule(subject, symbol, name::NameFault::illegal_character)) continue;
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
-    diagnostics.add(rule.info, about_name(plant, symbol),
-                    fmt::format("`{}` has `{}`, which is neither letter nor digit nor separator: {}; "
-                                "remove it or write `_` instead",
-                                symbol.name(), faulty_part(symbol), consequence(symbol)),
-                    location);
+    diag::Diagnostic& finding =
+        diagnostics.add(rule.info, about_name(plant, symbol),
+                        fmt::format("`{}` has `{}`, which is neither letter nor digit nor separator: {}; "
+                                    "remove it or write `_` instead",
+                                    symbol.name(), faulty_part(symbol), consequence(symbol)),
+                        location);
+    std::string renamed(symbol.name());
+    renamed.replace(symbol.reading.where.begin, faulty_part(symbol).size(), "_");
+    finding.renames.push_back(rename_of(symbol, std::move(renamed), false));
   }
 }
 

@@ -29,11 +29,15 @@ void check_io_name_in_memory(const Rule& rule, const Subject& subject, diag::Dia
       if (reading.fault != name::NameFault::none) continue;
       const model::RowAddress address = model::row_address(row, list.dialect());
       if (!address.address || address.address->area != address::Area::memory || address.contradicts) continue;
+      diag::Subjects subjects = about(row);
+      const bool operation = reading.direction == name::Direction::operation;
+      explain_missing(subjects, std::string(row.name), reading.device_path,
+                      operation ? tables::Direction::operation : tables::Direction::event);
       diagnostics.add(
-          rule.info, about(row),
+          rule.info, std::move(subjects),
           fmt::format("`{}` is an {} by its name, and its address `{}` is in the memory of the PLC: the row "
                       "is left out; correct the address",
-                      row.name, reading.direction == name::Direction::operation ? "operation" : "event", address.cell),
+                      row.name, operation ? "operation" : "event", address.cell),
           location_of(plant, row, address.cell));
     }
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "check/rules.hpp"
 #include "text/ascii.hpp"
@@ -51,8 +52,7 @@ char latin_of(char32_t character) {
 /// Symbols whose names have a word, in Latin letters only and with other ones.
 struct Spellings {
   const model::Symbol* latin = nullptr;
-  const model::Symbol* other = nullptr;
-  std::size_t others = 0;
+  std::vector<const model::Symbol*> others = {};
 };
 using ByWord = std::map<std::string, Spellings>;
 
@@ -65,9 +65,8 @@ void add_words(const model::Symbol& symbol, ByWord& words) {
   const auto end_word = [&] {
     if (!word.empty() && !foreign) {
       Spellings& spellings = words[word];
-      const model::Symbol*& first = mixed ? spellings.other : spellings.latin;
-      if (first == nullptr) first = &symbol;
-      if (mixed) ++spellings.others;
+      if (mixed) spellings.others.push_back(&symbol);
+      if (!mixed && spellings.latin == nullptr) spellings.latin = &symbol;
     }
     word.clear();
     mixed = foreign = false;
@@ -89,6 +88,22 @@ void add_words(const model::Symbol& symbol, ByWord& words) {
   end_word();
 }
 
+/// The name with Latin letters for those that look like them.
+std::string latin_name(std::string_view name) {
+  std::string latin;
+  for (std::size_t at = 0; at < name.size();) {
+    const text::CodePoint character = text::code_point_at(name, at);
+    const char letter = character.value < 0x80 ? '\0' : latin_of(character.value);
+    if (letter != '\0') {
+      latin += letter;
+    } else {
+      latin += name.substr(at, character.length);
+    }
+    at += character.length;
+  }
+  return latin;
+}
+
 bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
@@ -100,15 +115,19 @@ void check_letters_alike(const Rule& rule, const Subject& subject, diag::Diagnos
   ByWord words;
   for (const model::Symbol& symbol : plant.symbols) add_words(symbol, words);
   for (const auto& [word, spellings] : words) {
-    if (spellings.latin == nullptr || spellings.other == nullptr) continue;
-    diagnostics.add(
-        rule.info, about(*spellings.other),
+    if (spellings.latin == nullptr || spellings.others.empty()) continue;
+    const model::Symbol& other = *spellings.others.front();
+    const std::size_t more = spellings.others.size() - 1;
+    diag::Diagnostic& finding = diagnostics.add(
+        rule.info, about(other),
         fmt::format("`{}`{} Cyrillic or Greek letters that look like the Latin `{}` of `{}`; write the word "
                     "in the same letters everywhere",
-                    spellings.other->name(),
-                    spellings.others == 1 ? " has" : fmt::format(" and {} more have", spellings.others - 1), word,
+                    other.name(), more == 0 ? " has" : fmt::format(" and {} more have", more), word,
                     spellings.latin->name()),
-        location_of(plant, *spellings.other), {{location_of(plant, *spellings.latin), "in Latin letters"}});
+        location_of(plant, other), {{location_of(plant, *spellings.latin), "in Latin letters"}});
+    for (const model::Symbol* symbol : spellings.others) {
+      finding.renames.push_back(rename_of(*symbol, latin_name(symbol->name()), true));
+    }
   }
 }
 

@@ -112,8 +112,13 @@ void check_name_slip(const Rule& rule, const Subject& subject, diag::Diagnostics
       const auto begin = static_cast<std::size_t>(slip.written.data() - first.name().data());
       location.span = {location.span.begin + begin, location.span.begin + begin + slip.written.size()};
     }
-    diagnostics.add(rule.info, about_slip(plant, slip), slip_message(plant, slip), std::move(location),
-                    std::move(related));
+    diag::Diagnostic& finding = diagnostics.add(rule.info, about_slip(plant, slip), slip_message(plant, slip),
+                                                std::move(location), std::move(related));
+    const auto at = static_cast<std::size_t>(slip.written.data() - first.name().data());
+    for (const std::uint32_t s : slip.symbols) {
+      const model::Symbol& symbol = plant.symbols[s];
+      finding.renames.push_back(rename_of(symbol, corrected(symbol.name(), at, slip), slip.why == Slip::Why::lacks));
+    }
   }
 }
 

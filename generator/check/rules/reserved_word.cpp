@@ -19,10 +19,12 @@ void check_reserved_word(const Rule& rule, const Subject& subject, diag::Diagnos
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (!convert::is_iec_reserved(symbol.name())) continue;
-    diagnostics.add(rule.info, about(symbol),
-                    fmt::format("`{}` is a reserved word of IEC 61131-3: programs cannot use it as a name; rename it",
-                                symbol.name()),
-                    location_of(plant, symbol));
+    diag::Diagnostic& finding = diagnostics.add(
+        rule.info, about(symbol),
+        fmt::format("`{}` is a reserved word of IEC 61131-3: programs cannot use it as a name; rename it",
+                    symbol.name()),
+        location_of(plant, symbol));
+    finding.renames.push_back(rename_of(symbol, convert::iec_identifier(symbol.name()), false));
   }
 }
 

@@ -1,4 +1,6 @@
 // Tests of symplant check: exit codes, severities, outputs.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app_support.hpp"
@@ -133,6 +135,40 @@ TEST_CASE("check: A baseline hides what is known, and only shrinks") {
   CHECK(check({"--baseline", "b.json"}).code == 2);
   CHECK(check({"--baseline", "b.json", "--write-baseline", "b.json"}).code == 2);
   CHECK(check({"--write-baseline", "l.csv"}).code == 2);
+}
+
+TEST_CASE("check: The names that findings propose are written to a file, and convert applies it") {
+  MemoryFileSystem files;
+  std::string list = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
+  int address = 0;
+  for (int device = 1; device <= 5; ++device) {
+    for (const std::string part : {"O_ADV", "I_ADV", "O_RET", "I_RET"}) {
+      const std::string name = device == 3 && part == "I_RET" ? "CLAPM" : "CLAMP";
+      list += fmt::format("VAR_GLOBAL,L_P_{}{}_{},,%{}X{},BOOL,\n", name, device, part, part[0] == 'O' ? 'Q' : 'I',
+                          address++);
+    }
+  }
+  files.files["l.csv"] = list + "VAR_GLOBAL,L_P_GATE_O_UP,,%IX90,BOOL,\nVAR_GLOBAL,STEP,,%IX91,BOOL,\n";
+  const ToolRun run = run_tool({"check", "l.csv", "--rename-map", "map.csv"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.err, "map.csv: 3 renames proposed, 1 of them safe\n"));
+  CHECK(files.files["map.csv"] ==
+        "old,new,address,safe,why\nL_P_CLAPM3_I_RET,L_P_CLAMP3_I_RET,%IX11,yes,name-slip\n"
+        "L_P_GATE_O_UP,L_P_GATE_I_UP,%IX90,no,direction-against-address\nSTEP,_STEP,%IX91,no,reserved-word\n");
+  CHECK(run_tool({"convert", "l.csv", "new.txt", "--renames", "map.csv"}, files).code == 0);
+  CHECK(contains(files.files["new.txt"], "L_P_CLAMP3_I_RET"));
+  CHECK_FALSE(contains(files.files["new.txt"], "CLAPM"));
+  files.faults["denied.csv"] = "permission denied";
+  CHECK(run_tool({"check", "l.csv", "--rename-map", "denied.csv"}, files).code == 3);
+}
+
+TEST_CASE("check: A proposed name that is taken is left out") {
+  MemoryFileSystem files;
+  files.files["l.csv"] =
+      "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\nVAR_GLOBAL,L_P_D_O_A,,%QX0,BOOL,\nVAR_GLOBAL,L_P_D_I_A,,%IX0,"
+      "BOOL,\nVAR_GLOBAL,L_P D_O_A,,%QX1,BOOL,\n";
+  const ToolRun run = run_tool({"check", "l.csv", "--rename-map", "map.csv"}, files);
+  CHECK(contains(run.err, "map.csv: 0 renames proposed, 0 of them safe; 1 left out, since the new name is taken\n"));
 }
 
 TEST_CASE("check: A list in a code page is read if the command line or plant.json names the encoding") {

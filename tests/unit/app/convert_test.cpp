@@ -52,8 +52,8 @@ TEST_CASE("convert: Options that do not fit together are usage errors") {
   CHECK(contains(error({"a.csv", "--dialect", "twincat"}), "`csv` has no dialects"));
   CHECK(contains(error({"a.st", "--dialect", "other"}), "--dialect"));
   CHECK(contains(error({"a.st", "--to", "other"}), "--to"));
-  CHECK(contains(error({"a.st", "--renames", "./a.st"}), "is the output, too"));
-  CHECK(contains(error({"a.st", "--renames", "-"}), "writes to a file"));
+  CHECK(contains(error({"a.st", "--renamed", "./a.st"}), "is the output, too"));
+  CHECK(contains(error({"a.st", "--renamed", "-"}), "writes to a file"));
   CHECK(files.written.empty());
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("convert: An output that cannot be written is an environment error") {
 TEST_CASE("convert: What the format cannot hold is reported, and changed names are written to a file") {
   MemoryFileSystem files;
   files.files["list.csv"] = "Name,Address,Type,Initial,Comment\nSpare 1,X0,BOOL,,\nM1,M500,BOOL,,\n=x,X1,BOOL,,\n";
-  const ToolRun run = run_tool({"convert", "list.csv", "a.st", "--renames", "names.csv"}, files);
+  const ToolRun run = run_tool({"convert", "list.csv", "a.st", "--renamed", "names.csv"}, files);
   CHECK(run.code == 0);
   CHECK(run.err ==
         "1 address is not written: the target has no such address: `M1`\n"
@@ -86,6 +86,36 @@ TEST_CASE("convert: What the format cannot hold is reported, and changed names a
         "`=x` is `x`\n"
         "a.st: 3 symbols written, 2 of them I/O (2 inputs, 0 outputs)\n");
   CHECK(files.files["names.csv"] == "old,new\nSpare 1,Spare_1\n'=x,x\n");
+}
+
+TEST_CASE("convert: Symbols get the names of a file") {
+  MemoryFileSystem files;
+  files.files["l.csv"] = "Name,Address,Type,Initial,Comment\nA,X0,BOOL,,first\nB,X1,BOOL,,\n=C,X2,BOOL,,\n";
+  const auto renamed = [&](const std::string& text) {
+    files.files["map.csv"] = text;
+    files.files.erase("out.csv");
+    return run_tool({"convert", "l.csv", "out.csv", "--renames", "map.csv"}, files);
+  };
+  // Two names may be exchanged. Other columns, case and the quote of a spreadsheet do not matter.
+  CHECK(renamed("why,New,Old\nx,B,a\ny,A,B\nz,C,'=C\n").code == 0);
+  CHECK(contains(files.files["out.csv"], "B,X0,BOOL,,first\nA,X1,BOOL,,\nC,X2,BOOL"));
+  const auto refused = [&](const std::string& text, const std::string& message) {
+    INFO(text);
+    const ToolRun run = renamed(text);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, message));
+    CHECK(files.files.count("out.csv") == 0);
+  };
+  refused("", "map.csv:1: error: the file is empty");
+  refused("old,other\nA,D\n", "map.csv:1: error: the first row must name the columns `old` and `new`");
+  refused("old,new\nA,\n", "map.csv:2: error: a name is empty");
+  refused("old,new\nA,D\na,E\n", "map.csv:3: error: `a` is renamed in line 2 already");
+  refused("old,new\nX,D\n", "map.csv:2: error: no symbol is called `X`");
+  refused("old,new\nA,b\n", "map.csv:2: error: another symbol is called `b`");
+  refused("old,new\nA,D\nB,d\n", "map.csv:3: error: `d` is the new name in line 2, too");
+  refused("old,new\nA,\"D\n", "a quote is never closed");
+  CHECK(run_tool({"convert", "l.csv", "out.csv", "--renames", "none.csv"}, files).code == 2);
+  CHECK(run_tool({"convert", "l.csv", "map.csv", "--renames", "map.csv"}, files).code == 2);
 }
 
 TEST_CASE("convert: A plant.json gives the symbols of all its lists, and --verbose says how they were read") {
@@ -114,14 +144,14 @@ TEST_CASE("convert: Warnings of the list are counted and change nothing") {
   CHECK(contains(run.err, "list.csv: 1 warning; `symplant check` shows them\n"));
 }
 
-TEST_CASE("convert: Writing over an input is refused, for the output and for --renames") {
+TEST_CASE("convert: Writing over an input is refused, for the output and for --renamed") {
   const TemporaryFolder folder;
   base::DiskFileSystem files;
   const std::string list = folder / "list.csv";
   REQUIRE(files.write(list, excell()));
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"convert", list, list},
-        std::vector<std::string>{"convert", list, folder / "a.st", "--renames", list}}) {
+        std::vector<std::string>{"convert", list, folder / "a.st", "--renamed", list}}) {
     const ToolRun run = run_tool(arguments, files);
     CHECK(run.code == 2);
     CHECK(contains(run.err, "is an input: writing there would destroy it"));
