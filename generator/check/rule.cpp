@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/spelling/device_classes.hpp"
 #include "text/shape.hpp"
 #include "text/utf8.hpp"
 
@@ -107,6 +108,11 @@ diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other) {
 diag::Subjects about(const model::Unit& unit) { return {{device(unit.path)}, {}, {}}; }
 
 diag::Subjects about(const read::ListRow& row) { return {{symbol_named(row.name)}, {}, {}, shape_of(row)}; }
+
+std::string type_shape(const model::Unit& unit) {
+  std::string type = class_name(unit.device);
+  return type.find('#') == std::string::npos ? text::shape_of(unit.path) : type;
+}
 
 diag::Rename rename_of(const model::Symbol& symbol, std::string to, bool safe) {
   return {std::string(symbol.name()), std::move(to), std::string(symbol.written_address()), safe};

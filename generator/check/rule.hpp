@@ -73,6 +73,9 @@ diag::Subjects about(const read::ListRow& row);
 /// Another name for a symbol.
 diag::Rename rename_of(const model::Symbol& symbol, std::string to, bool safe);
 
+/// For findings that repeat in all devices of a type: `CLAMP#`, or the shape of the path if the device has no number.
+std::string type_shape(const model::Unit& unit);
+
 // Subjects that connect a finding with its cause and its consequences.
 diag::Subject device(std::string_view path);
 diag::Subject model_of(std::string_view path);

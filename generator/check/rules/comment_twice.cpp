@@ -1,7 +1,9 @@
 // SP322 comment-twice: two points have one comment.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,7 +16,7 @@ namespace {
 
 constexpr std::string_view kCommentTwicePage =
     R"(Two inputs, or two outputs, of a list that names its points by comments have the same comment, and nearly all other comments of the
-list are unique. Most often a row was copied and its comment not changed.
+list are unique. Most often a row was copied and its comment not changed. There is one finding for each list.
 
 **What the model loses.** A naming rule that reads comments cannot distinguish the two: both are the same symbol of a device.
 
@@ -26,10 +28,37 @@ constexpr std::size_t kMostShare = 20;  ///< of 20 comments at most one may be u
 constexpr std::size_t kShortestComment = 8;
 
 using Points = std::vector<const model::Symbol*>;
+using ByComment = std::map<std::pair<std::string_view, tables::Direction>, Points>;
+
+void report(const Rule& rule, const model::PlantModel& plant, const ByComment& comments,
+            diag::Diagnostics& diagnostics) {
+  std::vector<const Points*> pairs;
+  for (const auto& [comment, points] : comments) {
+    if (points.size() == 2) pairs.push_back(&points);  // more are spares, or mean one thing
+  }
+  if (pairs.empty()) return;
+  std::sort(pairs.begin(), pairs.end(),
+            [](const Points* a, const Points* b) { return a->front()->row < b->front()->row; });
+  const model::Symbol& first = *pairs.front()->front();
+  const model::Symbol& second = *pairs.front()->back();
+  std::vector<diag::Related> related;
+  for (const Points* points : pairs) {
+    for (const model::Symbol* symbol : *points) {
+      if (symbol == &second) continue;
+      related.push_back({location_of(plant, *symbol->row, symbol->row->comment),
+                         fmt::format("`{}`: `{}`", symbol->name(), symbol->row->comment)});
+    }
+  }
+  const std::string more = pairs.size() == 1 ? "" : fmt::format("; so do {} more pairs of points", pairs.size() - 1);
+  diagnostics.add(rule.info, about(second, first),
+                  fmt::format("`{}` and `{}` have the same comment `{}`{}; number or correct them", second.name(),
+                              first.name(), second.row->comment, more),
+                  location_of(plant, *second.row, second.row->comment), std::move(related));
+}
 
 void check_comment_twice(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  std::vector<std::map<std::pair<std::string_view, tables::Direction>, Points>> lists(plant.lists.size());
+  std::vector<ByComment> lists(plant.lists.size());
   for (const model::Symbol& symbol : plant.symbols) {
     const std::string_view comment = symbol.row->comment;
     if (!symbol.row->is_named_by_address() || comment.size() < kShortestComment || symbol.leader != model::kNone)
@@ -40,16 +69,7 @@ void check_comment_twice(const Rule& rule, const Subject& subject, diag::Diagnos
     std::size_t unique = 0;
     for (const auto& [comment, points] : comments) unique += points.size() == 1 ? 1U : 0U;
     if (unique < kLeastUnique || (comments.size() - unique) * kMostShare > comments.size()) continue;
-    for (const auto& [comment, points] : comments) {
-      if (points.size() != 2) continue;  // more are spares, or mean one thing
-      const model::Symbol& first = *points.front();
-      const model::Symbol& second = *points.back();
-      diagnostics.add(rule.info, about(second, first),
-                      fmt::format("`{}` and `{}` have the same comment `{}`; correct the one that is wrong",
-                                  second.name(), first.name(), comment.first),
-                      location_of(plant, *second.row, second.row->comment),
-                      {{location_of(plant, *first.row, first.row->comment), "the same comment"}});
-    }
+    report(rule, plant, comments, diagnostics);
   }
 }
 

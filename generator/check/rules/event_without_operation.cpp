@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
-#include "check/spelling/device_classes.hpp"
 
 namespace symplant::check {
 namespace {
@@ -36,7 +35,7 @@ void check_event_without_operation(const Rule& rule, const Subject& subject, dia
                       symbol.name(), state.name, unit.path, state.name,
                       unit.described == nullptr ? "" : ", or describe a transition"),
           location_of(plant, symbol));
-      finding.subjects.shape = class_name(unit.device);
+      finding.subjects.shape = type_shape(unit);
     }
   }
 }

@@ -29,6 +29,13 @@ bool reports_by_outputs(const model::Unit& unit, std::uint32_t state) {
   return std::any_of(enter.begin(), enter.end(), [](const auto& output) { return output.second; });
 }
 
+/// Under a custom naming rule a task that no device of the type reports is one without feedback: the score counts it.
+bool is_never_reported(const Subject& subject, const model::Unit& unit, const std::string& task) {
+  if (subject.plant.pairing == nullptr) return false;
+  const auto device = static_cast<std::uint32_t>(&unit - subject.plant.units.data());
+  return subject.classes.find(subject.classes.class_of(device), tables::Direction::event, task) == model::kNone;
+}
+
 void check_operation_without_event(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
@@ -39,6 +46,7 @@ void check_operation_without_event(const Rule& rule, const Subject& subject, dia
       if (state.operation == model::kNone || state.event != model::kNone || needs_no_feedback(state.name)) continue;
       if (reports_by_outputs(unit, s) || (s != unit.initial && !unit.reaches(s))) continue;
       if (subject.overruled.has(unit, state, name::Direction::event)) continue;  // SP305 or SP407
+      if (is_never_reported(subject, unit, state.name)) continue;
       const model::Symbol& symbol = operation_of(plant, unit, state.operation);
       diag::Diagnostic& finding =
           diagnostics.add(rule.info,
@@ -49,7 +57,7 @@ void check_operation_without_event(const Rule& rule, const Subject& subject, dia
                                       "task `{}`",
                                       symbol.name(), state.name, unit.path, state.name),
                           location_of(plant, symbol));
-      finding.subjects.shape = class_name(unit.device);
+      finding.subjects.shape = type_shape(unit);
     }
   }
 }

@@ -1,21 +1,23 @@
 // SP212 text-cut: comments end at the length limit of a field.
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "check/rules.hpp"
-#include "text/shape.hpp"
+#include "text/ascii.hpp"
 #include "text/utf8.hpp"
 
 namespace symplant::check {
 namespace {
 
 constexpr std::string_view kTextCutPage =
-    R"(Many comments of a list have exactly the same greatest length, more than have any length just below: the engineering tool, or an
-export, cut them there. GX Works keeps 32 characters of a device comment.
+    R"(Several of the longest comments of a list have exactly one length and end within a word: with the beginning of a word that other
+comments have. The engineering tool, or an export, cut them there. GX Works keeps 32 characters of a device comment.
 
 **What the model loses.** A naming rule that reads comments lacks the end of these texts, which often says what a signal means:
 `forward end` and `forward start` may be cut to one text.
@@ -25,47 +27,79 @@ with a longer field.
 )";
 
 constexpr std::size_t kShortestLimit = 16;
-constexpr std::size_t kLeastCut = 5;
-constexpr std::size_t kNeighbors = 4;  ///< lengths below the greatest to compare with
+constexpr std::size_t kLeastCut = 3;
 
-/// Comments of one list by length, in characters.
-struct Lengths {
-  std::map<std::size_t, std::set<std::string>> shapes;  ///< comments that differ in numbers only say nothing
+/// The comments of one list.
+struct Comments {
+  std::set<std::string, std::less<>> words;  ///< in capitals; the last words of the longest comments are left out
   std::vector<const model::Symbol*> longest;
+  std::size_t length = 0;
 };
 
-bool are_cut(const Lengths& lengths) {
-  if (lengths.shapes.empty()) return false;
-  const std::size_t length = lengths.shapes.rbegin()->first;
-  const std::size_t count = lengths.shapes.rbegin()->second.size();
-  if (length < kShortestLimit || count < kLeastCut) return false;
-  std::size_t below = 0;
-  for (std::size_t i = 1; i <= kNeighbors; ++i) {
-    const auto found = lengths.shapes.find(length - i);
-    below += found == lengths.shapes.end() ? 0 : found->second.size();
+/// Letters, and the bytes of other scripts.
+bool is_in_word(char c) {
+  return (text::upper(c) >= 'A' && text::upper(c) <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::size_t begin_of_last_word(std::string_view text) {
+  std::size_t begin = text.size();
+  while (begin > 0 && is_in_word(text[begin - 1])) --begin;
+  return begin;
+}
+
+void add_words(std::string_view text, Comments& comments) {
+  while (!text.empty()) {
+    const std::size_t begin = begin_of_last_word(text);
+    if (begin < text.size()) comments.words.insert(text::to_upper(text.substr(begin)));
+    text.remove_suffix(text.size() - begin + (begin == 0 ? 0 : 1));
+    if (begin == 0) break;
   }
-  return count * kNeighbors > 2 * below;  // twice as many as the mean of those below
+}
+
+/// Whether the last word is the beginning of another one, and is itself no word. Words of other scripts often differ in
+/// an ending.
+bool is_cut(const Comments& comments, std::string_view text) {
+  const std::string last = text::to_upper(text.substr(begin_of_last_word(text)));
+  if (std::any_of(last.begin(), last.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) return false;
+  const auto next = comments.words.lower_bound(last);
+  return !last.empty() && next != comments.words.end() && *next != last && std::string_view(*next).starts_with(last);
+}
+
+std::vector<Comments> comments_of(const model::PlantModel& plant) {
+  std::vector<Comments> lists(plant.lists.size());
+  for (const model::Symbol& symbol : plant.symbols) {
+    Comments& comments = lists[symbol.list];
+    const std::size_t length = text::count_code_points(symbol.row->comment);
+    if (length > comments.length) {
+      comments.length = length;
+      comments.longest.clear();
+    }
+    if (length == comments.length) comments.longest.push_back(&symbol);
+  }
+  for (const model::Symbol& symbol : plant.symbols) {
+    Comments& comments = lists[symbol.list];
+    std::string_view text = symbol.row->comment;
+    if (text::count_code_points(text) == comments.length) text = text.substr(0, begin_of_last_word(text));
+    add_words(text, comments);
+  }
+  return lists;
 }
 
 void check_text_cut(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  std::vector<Lengths> lists(plant.lists.size());
-  for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.row->comment.empty()) continue;
-    Lengths& lengths = lists[symbol.list];
-    const std::size_t length = text::count_code_points(symbol.row->comment);
-    if (lengths.shapes.empty() || length > lengths.shapes.rbegin()->first) lengths.longest.clear();
-    lengths.shapes[length].insert(text::shape_of(symbol.row->comment));
-    if (length == lengths.shapes.rbegin()->first) lengths.longest.push_back(&symbol);
-  }
-  for (const Lengths& lengths : lists) {
-    if (!are_cut(lengths)) continue;
-    const model::Symbol& first = *lengths.longest.front();
-    diagnostics.add(rule.info, diag::Subjects{{symbol_named(first.name())}, {}, {}},
-                    fmt::format("{} comments have exactly {} characters and none has more: they are probably cut, such "
-                                "as `{}`; shorten them in the engineering tool",
-                                lengths.longest.size(), lengths.shapes.rbegin()->first, first.row->comment),
-                    location_of(plant, *first.row, first.row->comment));
+  for (const Comments& comments : comments_of(plant)) {
+    if (comments.length < kShortestLimit) continue;
+    std::vector<const model::Symbol*> cut;
+    std::copy_if(comments.longest.begin(), comments.longest.end(), std::back_inserter(cut),
+                 [&](const model::Symbol* symbol) { return is_cut(comments, symbol->row->comment); });
+    if (cut.size() < kLeastCut) continue;
+    const model::Symbol& first = *cut.front();
+    diagnostics.add(
+        rule.info, diag::Subjects{{symbol_named(first.name())}, {}, {}},
+        fmt::format("{} comments of {} characters end within a word, such as `{}`, and none is longer: they "
+                    "are cut; shorten them in the engineering tool",
+                    cut.size(), comments.length, first.row->comment),
+        location_of(plant, *first.row, first.row->comment));
   }
 }
 

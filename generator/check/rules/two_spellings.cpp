@@ -126,7 +126,8 @@ class TwoSpellings {
     finding.location = location_of(plant_, *of_rare.row, of_rare.as_written);
     finding.related = {{location_of(plant_, *of_common.row, of_common.as_written), "the other spelling"}};
     finding.subjects.about = {symbol_named(rare), symbol_named(of_rare.used_by->name())};
-    finding.subjects.follows = {device(of_rare.used_by->reading.device_path)};  // SP205 says which one is meant
+    // SP205 says which one is meant.
+    if (plant_.pairing == nullptr) finding.subjects.follows = {device(of_rare.used_by->reading.device_path)};
     spellings_.try_emplace(rare, std::pair(common, found_.size()));
     found_.push_back(std::move(finding));
   }

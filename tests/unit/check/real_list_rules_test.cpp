@@ -33,29 +33,20 @@ TEST_CASE("Two spellings differ within the word, and one of them is used twice")
   CHECK(found({"SAFETY A", "SAFETY B", "한SAFTY C"}) == 0);
 }
 
-/// `count` different words, then a text of blanks' length.
-std::vector<std::string> texts_of_length(std::size_t length, std::size_t count) {
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < count; ++i) {
-    texts.push_back(std::string(length, static_cast<char>('A' + i)));
-  }
-  return texts;
-}
-
-TEST_CASE("Comments are cut if many different ones have the greatest length") {
-  const auto found = [](std::vector<std::string> texts, const std::vector<std::string>& more = {}) {
-    texts.insert(texts.end(), more.begin(), more.end());
-    return reported(texts, "text-cut");
+TEST_CASE("Comments are cut if several of the longest end within a word that the list has") {
+  const auto found = [](const std::vector<std::string>& texts) { return reported(texts, "text-cut"); };
+  const std::vector<std::string> cut{"GATE 1 IS OPEN AND LOC", "GATE 2 IS OPEN AND LOC", "GATE 3 IS OPEN AND LOC"};
+  const auto with = [&](const std::string& text) {
+    std::vector<std::string> texts = cut;
+    texts.push_back(text);
+    return texts;
   };
-  CHECK(found(texts_of_length(20, 5)) == 1);
-  CHECK(found(texts_of_length(20, 4)) == 0);
-  CHECK(found(texts_of_length(15, 9)) == 0);                          // shorter than any field
-  CHECK(found(texts_of_length(20, 5), texts_of_length(19, 5)) == 1);  // of five lengths, the mean is 1.25
-  CHECK(found(texts_of_length(20, 5), texts_of_length(19, 10)) == 0);
-  CHECK(found(texts_of_length(20, 5), {std::string(21, 'X')}) == 0);  // one is longer
-  std::vector<std::string> alike;
-  for (int i = 0; i < 9; ++i) alike.push_back(fmt::format("THE SAME TEXT NO {}", i));
-  CHECK(found(alike) == 0);
+  CHECK(found(with("GATE LOCKED")) == 1);
+  CHECK(found(with("GATE CLOSED")) == 0);                          // no word begins so
+  CHECK(found(with("LOC LOCKED")) == 0);                           // it is one
+  CHECK(found(with("GATE 4 IS OPEN AND LOCKED")) == 0);            // longer
+  CHECK(found({cut[0], cut[1], "GATE LOCKED"}) == 0);              // too few
+  CHECK(found({"A 1 LOC", "A 2 LOC", "A 3 LOC", "LOCKED"}) == 0);  // shorter than any field
 }
 
 std::vector<std::string> numbers(const std::vector<int>& values) {
@@ -86,7 +77,7 @@ TEST_CASE("A comment of two points is reported where nearly all others are uniqu
   CHECK(found({"GATE IS OPEN", "GATE IS OPEN"}) == 1);
   CHECK(found({"GATE IS OPEN", "GATE IS OPEN", "GATE IS OPEN"}) == 0);  // means one thing, or is a spare
   CHECK(found({"SPARE", "SPARE"}) == 0);                                // too short
-  CHECK(found({"GATE IS OPEN", "GATE IS OPEN", "DOOR IS OPEN", "DOOR IS OPEN"}) == 0);  // more than one of twenty
+  CHECK(found({"GATE IS OPEN", "GATE IS OPEN", "DOOR IS OPEN", "DOOR IS OPEN"}) == 0);  // two of 27
 }
 
 TEST_CASE("A name of an input or output in memory is reported in lists that have devices") {
