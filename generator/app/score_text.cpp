@@ -21,8 +21,6 @@ constexpr std::size_t kMostStations = 20;
 constexpr std::size_t kMostShapes = 5;
 constexpr std::size_t kMostShapesVerbose = 20;
 
-std::size_t percent(std::size_t count, std::size_t of) { return of == 0 ? 0 : (count * 100 + of / 2) / of; }
-
 /// `one` or `several`, by the count.
 std::string_view number(std::size_t count, std::string_view one, std::string_view several) {
   return count == 1 ? one : several;
@@ -75,8 +73,8 @@ std::string stations_text(const model::PlantModel& plant, const score::Score& sc
     const score::Counts& counts = stations[i].counts;
     const std::string name = stations[i].path();
     text += fmt::format("  {:<24} {:>8} {:>6} % {:>12} % {:>10}\n", name.empty() ? "(none)" : diag::visible(name),
-                        counts.counted(), percent(counts.paired(), counts.counted()),
-                        percent(counts.accounted(), counts.counted()), counts.left_over());
+                        counts.counted(), percent_of(counts.paired(), counts.counted()),
+                        percent_of(counts.accounted(), counts.counted()), counts.left_over());
   }
   return text + rest_of(stations.size() - std::min(stations.size(), kMostStations), "station", "stations", "");
 }
@@ -117,13 +115,17 @@ std::string questions_text(const model::PlantModel& plant, const score::Score& s
 
 }  // namespace
 
+std::size_t percent_of(std::size_t count, std::size_t of) { return of == 0 ? 0 : (count * 100 + of / 2) / of; }
+
+std::string_view reason_text(Verdict verdict) { return reason(verdict, false); }
+
 std::string score_text(const score::Counts& counts) {
   const std::size_t all = counts.counted();
   std::string text =
       fmt::format("of {} BOOL I/O {} {} ({} %) paired, {} ({} %) accounted for: {} constant, {} operator, {} data", all,
-                  number(all, "symbol", "symbols"), counts.paired(), percent(counts.paired(), all), counts.accounted(),
-                  percent(counts.accounted(), all), counts.of(Verdict::constant), counts.of(Verdict::operator_panel),
-                  counts.of(Verdict::data));
+                  number(all, "symbol", "symbols"), counts.paired(), percent_of(counts.paired(), all),
+                  counts.accounted(), percent_of(counts.accounted(), all), counts.of(Verdict::constant),
+                  counts.of(Verdict::operator_panel), counts.of(Verdict::data));
   if (counts.of(Verdict::parts) != 0)
     text += fmt::format(", {} {}", counts.of(Verdict::parts),
                         number(counts.of(Verdict::parts), "sensor of parts", "sensors of parts"));

@@ -1,7 +1,9 @@
 // The score of a plant, for people.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "model/plant_model.hpp"
 #include "score/score.hpp"
@@ -11,6 +13,12 @@ namespace symplant::app {
 /// "of 23 BOOL I/O symbols 20 (87 %) paired, 23 (100 %) accounted for: 1 constant, 2 operator, 0 data", and
 /// ", 4 sensors of parts", ", 1 by `follow`", ", 2 read by `material` or `follow`" if there are any.
 std::string score_text(const score::Counts& counts);
+
+/// Rounded; 0 of nothing.
+std::size_t percent_of(std::size_t count, std::size_t of);
+
+/// "match no rule": what is said of several symbols with a verdict; empty if they are accounted for.
+std::string_view reason_text(score::Verdict verdict);
 
 /// The symbols that are left over, as lines; with `verbose` also the stations, and events to ask for. Empty for the
 /// built-in rule without `verbose`, because findings report each of its symbols.

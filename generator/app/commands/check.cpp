@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/baseline_file.hpp"
+#include "app/check_html.hpp"
 #include "app/commands.hpp"
 #include "app/min_score.hpp"
 #include "app/options.hpp"
@@ -161,6 +162,7 @@ class Check {
     if (compiled && !options_.rename_map.empty()) renames_.add(compiled->plant, diagnostics);
     std::vector<diag::Gate> gates =
         compiled ? look_at_score(file, compiled->plant, diagnostics) : std::vector<diag::Gate>();
+    if (options_.format == "html" && !compiled) page_.add(file, diagnostics);
     if (options_.format != "text") {
       reports_.push_back({file, std::move(diagnostics), compiled.has_value(), std::move(gates)});
     }
@@ -199,6 +201,8 @@ class Check {
     if (options_.format == "text") {
       text_ += score_details(plant, score, options_.plant.verbose);
       text_ += result_lines(file, plant, score, findings);
+    } else if (options_.format == "html") {
+      page_.add(file, plant, score, findings);
     } else if (options_.format == "json") {
       scores_.push_back(score_json(file, plant, score));
     }
@@ -218,6 +222,7 @@ class Check {
     if (options_.format == "json") return as_json();
     if (options_.format == "sarif") return as_sarif();
     if (options_.format == "junit") return as_junit();
+    if (options_.format == "html") return page_.take();
     if (options_.format == "github") return diag::render_github(reports_, context_.folder);
     if (options_.format == "gitlab") return diag::render_gitlab(reports_, context_.folder);
     return std::move(text_);
@@ -257,6 +262,7 @@ class Check {
   diag::Severity fail_on_;
   BaselineFile baseline_;
   RenameMap renames_;
+  CheckPage page_;
   std::vector<std::string> inputs_;
   std::vector<diag::Report> reports_;
   std::vector<std::string> scores_;  ///< of plants that could be read, as JSON
@@ -274,8 +280,9 @@ void add_check(CLI::App& app, Context& context) {
       ->add_option(
           "--format", options->format,
           "text for people, json for programs, sarif for code scanning, junit for the tests of a build server, "
-          "github for annotations of a workflow, gitlab for a Code Quality report (default: text)")
-      ->check(CLI::IsMember({"text", "json", "sarif", "junit", "github", "gitlab"}));
+          "github for annotations of a workflow, gitlab for a Code Quality report, "
+          "html for a page that others read (default: text)")
+      ->check(CLI::IsMember({"text", "json", "sarif", "junit", "github", "gitlab", "html"}));
   command->add_option("--output", options->output, "write the result to this file")->type_name("FILE");
   command->add_option("--fail-on", options->fail_on, "the lowest severity that makes the exit code 1 (default: error)")
       ->check(CLI::IsMember({"error", "warning", "note"}));

@@ -171,6 +171,27 @@ TEST_CASE("check: A proposed name that is taken is left out") {
   CHECK(contains(run.err, "map.csv: 0 renames proposed, 0 of them safe; 1 left out, since the new name is taken\n"));
 }
 
+TEST_CASE("check: The page for others has the score, stations, repairs and findings, and no script") {
+  MemoryFileSystem files;
+  std::string list = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
+  for (const std::string station : {"ST1", "ST2"}) {
+    list += "VAR_GLOBAL,L_" + station + "_CLAMP_O_ADV,,,BOOL,\nVAR_GLOBAL,L_" + station + "_CLAMP_I_RET,,,BOOL,\n";
+  }
+  files.files["<b>.csv"] = list + "VAR_GLOBAL,<script>alert(1)</script>,,%IX7,BOOL,\n";
+  const ToolRun run = run_tool({"check", "--format", "html", "<b>.csv", "none.csv"}, files);
+  CHECK(run.code == 2);
+  CHECK_THAT(run.out, Catch::StartsWith("<!DOCTYPE html>"));
+  CHECK(contains(run.out, "<h1>&lt;b&gt;.csv</h1>"));
+  CHECK(contains(run.out, "<div class=big>80 %</div>of 5 inputs and outputs accounted for"));
+  CHECK(contains(run.out, "title=\"0 of 2 symbols left over\">L_ST1<b>100&nbsp;%</b>"));
+  CHECK(contains(run.out, "<h2>Most worth repairing</h2>"));
+  CHECK(contains(run.out, "<tr><td>1<td><code>&lt;script&gt;alert(1)&lt;/script&gt;</code>"));
+  CHECK(contains(run.out, "<summary><b>warning</b> SP204 illegal-character"));
+  CHECK(contains(run.out, "<h1>none.csv</h1>\n<p>The plant cannot be read.</p>"));
+  CHECK_FALSE(contains(run.out, "<script"));
+  CHECK_FALSE(contains(run.out, "http"));
+}
+
 TEST_CASE("check: A list in a code page is read if the command line or plant.json names the encoding") {
   MemoryFileSystem files;
   const std::string row = "VAR_GLOBAL,\xB6\xF3_P_D_I_\xC0\xFC\xC1\xF8,X1,,BOOL,FALSE\n";
