@@ -1,6 +1,7 @@
 // The key `material` of plant.json: what is read from it, and what is rejected.
 #include <string>
 
+#include "description/faults.hpp"
 #include "description/plant_file.hpp"
 #include "support/catch.hpp"
 
@@ -212,7 +213,8 @@ TEST_CASE("Numbers have limits, and lists entries") {
   fails(R"("sources": [{"name": "s", "at": "P", "kind": []}])", "/material/sources/0/kind");
   fails(R"("sources": [{"name": "s", "at": "P", "kind": "k", "count": 0}])", "/material/sources/0/count");
   fails(R"("transfers": [{"name": "", "from": "P", "to": "T"}])", "/material/transfers/0/name");
-  fails(R"("work": [{"name": "w", "at": "P", "from": "k", "to": "l"}])", "/material/work/0");
+  fails(R"("work": [{"name": "w", "at": "P", "from": "k", "to": "l"}])",
+        (description::Pointer("/material") / "work" / 0).text());
   fails(R"("places": {"P": {"sensors": [{"symbol": "X", "at": "1 m"}]}})", "/material/places/P/sensors/0/at");
   fails(R"("places": {"P": {"sensors": [{"symbol": "X", "kinds": []}]}})", "/material/places/P/sensors/0/kinds");
   fails(R"("places": {"P": {"sensors": [{"symbol": "X", "reads": "kind"}]}})", "/material/places/P/sensors/0/reads");
