@@ -223,7 +223,8 @@ class Skeleton {
   void event_not_driven() {
     std::vector<std::string> names;
     for (const model::Unit& unit : plant_.units) {
-      if (unit.operations.empty()) names.push_back(json_text(unit.path));
+      if (!unit.operations.empty()) continue;
+      if (proposed_.is_null() || !is_only_part_sensors(plant_, unit)) names.push_back(json_text(unit.path));
     }
     if (!names.empty()) {
       line(fmt::format("  // No operation moves {}: give `initial` for their state, or automatic `transitions`;",

@@ -141,6 +141,7 @@ TEST_CASE("init: Inputs that look like sensors of parts become a proposed materi
   CHECK(contains(text, R"("TRACK_L_S2": )"));
   CHECK_FALSE(contains(text, R"("symbol": "L_S2_PE3_I_ON")"));
   CHECK_FALSE(contains(text, R"("L_S1_PE?": {)"));
+  CHECK(contains(text, R"(// No operation moves "L_S2_PE3": give `initial`)"));  // not those of the proposal
   const std::vector<std::string> lines = lines_of(text);
   const Tried made = tried(list, without_comments(lines, [](std::size_t) { return true; }));
   INFO(made.out);

@@ -103,6 +103,8 @@ TEST_CASE("An invalid, a too fine, a too high and a zero speed have different me
   CHECK(speed_fault("\"-1 m/s\"") == ": `-1 m/s" + none);
   CHECK(speed_fault("\"0.0001 mm/s\"") == ": `0.0001 mm/s` has a part below 1 um/s (1 um/min); give it fewer decimals");
   CHECK(speed_fault("\"100.001 m/s\"") == ": `100.001 m/s` is faster than the maximum of 100 m/s; write a lower speed");
+  CHECK(speed_fault("0.5") ==
+        ": expected a speed such as `0.4 m/s`, or an object with `of` and `unit`, but found the number `0.5`");
   CHECK(speed_fault("\"0 m/s\"") == ": `0 m/s` is below 1 um/s; write a higher speed");
   CHECK(speed_fault("\"0.00005 m/min\"") == ": `0.00005 m/min` is below 1 um/s; write a higher speed");
   CHECK(speed_fault(R"({"of": "A", "unit": "1 s"})") == "/unit: `1 s" + none);
