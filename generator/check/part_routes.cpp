@@ -4,7 +4,7 @@
 namespace symplant::check {
 
 std::vector<bool> locations_with_parts(const model::Material& material) {
-  const std::size_t locations = material.tracks.size() + material.places.size();
+  const std::size_t locations = material.locations();
   std::vector<std::vector<std::uint32_t>> next(locations);
   for (std::uint32_t track = 0; track < material.tracks.size(); ++track) {
     for (const model::TrackEnd& end : material.tracks[track].ends) {

@@ -37,6 +37,17 @@ void for_tracks(const lower::EngineTables& tables, RowsOf rows_of, Row row) {
   }
 }
 
+/// Enumerators with the values 0, 1, ...; a name that is taken gets a suffix.
+template <class NameOf>
+std::string constant_rows(std::size_t count, NameOf name_of) {
+  RowWriter rows;
+  text::IdentifierScope scope;
+  for (std::size_t i = 0; i < count; ++i) {
+    rows.text("  ").text(scope.unique(name_of(i))).text(" = ").number(i).text(",\n");
+  }
+  return rows.take();
+}
+
 }  // namespace
 
 std::string part_kind_rows(const model::Material& material) {
@@ -181,22 +192,12 @@ std::string part_counter_rows(const lower::EngineTables& tables, const model::Ma
 }
 
 std::string location_constant_rows(const model::Material& material) {
-  RowWriter rows;
-  text::IdentifierScope scope;
-  const auto count = static_cast<std::uint32_t>(material.tracks.size() + material.places.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    rows.text("  ").text(scope.unique(material.location_name(i))).text(" = ").number(i).text(",\n");
-  }
-  return rows.take();
+  return constant_rows(material.locations(),
+                       [&](std::size_t i) { return material.location_name(static_cast<std::uint32_t>(i)); });
 }
 
 std::string part_kind_constant_rows(const model::Material& material) {
-  RowWriter rows;
-  text::IdentifierScope scope;
-  for (std::uint32_t i = 0; i < material.kinds.size(); ++i) {
-    rows.text("  ").text(scope.unique(material.kinds[i].name)).text(" = ").number(i).text(",\n");
-  }
-  return rows.take();
+  return constant_rows(material.kinds.size(), [&](std::size_t i) { return material.kinds[i].name; });
 }
 
 }  // namespace symplant::emit

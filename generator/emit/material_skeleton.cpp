@@ -26,8 +26,8 @@ constexpr std::size_t kSensorDistance = 500;  ///< mm
 
 bool is_candidate(const model::PlantModel& plant, const model::Symbol& symbol) {
   return symbol.direction == tables::Direction::event && symbol.type == tables::DataType::boolean &&
-         symbol.leader == model::kNone && symbol.reading.fault == name::NameFault::none &&
-         !model::is_driven(plant, symbol) && model::looks_like_part_sensor(symbol);
+         symbol.reading.fault == name::NameFault::none && !model::is_driven(plant, symbol) &&
+         model::looks_like_part_sensor(symbol);
 }
 
 /// A state that a motor of the process is commanded to, as a condition; empty if none is named like one.

@@ -57,8 +57,12 @@ std::string some_of(const std::vector<std::string>& names) {
 class Skeleton {
  public:
   Skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list)
-      : plant_(plant), evidence_(evidence), list_(list), shapes_(shapes_of(plant)) {
-    if (!proposed_material(plant).is_null()) leave_out_sensors();
+      : plant_(plant),
+        evidence_(evidence),
+        list_(list),
+        shapes_(shapes_of(plant)),
+        proposed_(proposed_material(plant)) {
+    if (!proposed_.is_null()) leave_out_sensors();
   }
 
   std::string write() {
@@ -103,12 +107,11 @@ class Skeleton {
   }
 
   void material() {
-    const Json proposed = proposed_material(plant_);
-    if (proposed.is_null()) return;
+    if (proposed_.is_null()) return;
     line(
         "  // Parts on tracks: these inputs look like sensors of parts. Fill in lengths, positions and what drives "
         "them:");
-    line("  // \"material\": " + one_line(proposed) + ",");
+    line("  // \"material\": " + one_line(proposed_) + ",");
   }
 
   std::string list_reference() const {
@@ -220,7 +223,8 @@ class Skeleton {
   void event_not_driven() {
     std::vector<std::string> names;
     for (const model::Unit& unit : plant_.units) {
-      if (unit.operations.empty()) names.push_back(json_text(unit.path));
+      if (!unit.operations.empty()) continue;
+      if (proposed_.is_null() || !is_only_part_sensors(plant_, unit)) names.push_back(json_text(unit.path));
     }
     if (!names.empty()) {
       line(fmt::format("  // No operation moves {}: give `initial` for their state, or automatic `transitions`;",
@@ -350,6 +354,7 @@ class Skeleton {
   const model::Evidence& evidence_;
   const SkeletonList& list_;
   std::vector<Shape> shapes_;
+  Json proposed_;  ///< a material flow, or null
   std::string text_;
 };
 

@@ -103,6 +103,8 @@ struct Material {
   std::vector<Source> sources;
 
   bool empty() const { return tracks.empty() && places.empty(); }
+  /// The number of tracks and places.
+  std::uint32_t locations() const { return static_cast<std::uint32_t>(tracks.size() + places.size()); }
   bool is_track(std::uint32_t location) const { return location < tracks.size(); }
   const std::string& location_name(std::uint32_t location) const {
     return is_track(location) ? tracks[location].name : places[location - tracks.size()].name;

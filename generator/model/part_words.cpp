@@ -41,6 +41,7 @@ bool looks_like_part_sensor(const Symbol& symbol) {
 }
 
 bool is_driven(const PlantModel& plant, const Symbol& symbol) {
+  if (symbol.leader != kNone) return true;
   if (symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts) return true;
   if (symbol.unmodelled == Unmodelled::constant) return true;
   if (symbol.unit == kNone) return false;

@@ -9,7 +9,7 @@ namespace symplant::model {
 /// PALLET, PRESENT, ... O(name).
 bool looks_like_part_sensor(const Symbol& symbol);
 
-/// Whether a device, a condition, a part or a symbol on its address drives an event.
+/// Whether a device, a condition, a part or the leading symbol on its address drives an event, or a constant sets it.
 bool is_driven(const PlantModel& plant, const Symbol& symbol);
 
 }  // namespace symplant::model

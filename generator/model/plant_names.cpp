@@ -22,7 +22,7 @@ PlantNames::PlantNames(const PlantModel& plant, const description::Faults& fault
   symbols_.reserve(plant.symbols.size());
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.try_emplace(plant.symbols[i].name(), i);
   const Material& material = plant.material;
-  for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+  for (std::uint32_t i = 0; i < material.locations(); ++i) {
     locations_.try_emplace(material.location_name(i), i);
   }
   for (std::uint32_t i = 0; i < material.kinds.size(); ++i) part_kinds_.try_emplace(material.kinds[i].name, i);
@@ -69,7 +69,7 @@ std::string PlantNames::nearest_device(std::string_view device, std::string_view
   if (!facet.empty() && facets_.empty()) return {};
   const std::string wanted = facet.empty() ? std::string(device) : std::string(device).append(".").append(facet);
   const std::size_t units = plant_.units.size();
-  const std::size_t locations = plant_.material.tracks.size() + plant_.material.places.size();
+  const std::size_t locations = plant_.material.locations();
   return std::string(faults_.nearest(wanted, units + locations, [&](std::size_t i) -> std::string_view {
     return i < units ? plant_.units[i].path : plant_.material.location_name(static_cast<std::uint32_t>(i - units));
   }));

@@ -1,9 +1,11 @@
 // Gives each symbol its verdict.
 #include "score/score.hpp"
 
+#include <numeric>
 #include <optional>
 
 #include "base/large_memory.hpp"
+#include "model/part_words.hpp"
 #include "score/described_operations.hpp"
 #include "score/paired_by_task.hpp"
 
@@ -51,15 +53,10 @@ std::optional<Verdict> verdict_by_description(const Symbol& symbol) {
   return std::nullopt;
 }
 
-/// Whether it is a contact with an initial value that nothing changes.
-bool keeps_its_value(const model::PlantModel& plant, std::uint32_t index) {
-  const Symbol& symbol = plant.symbols[index];
-  if (symbol.direction == tables::Direction::operation || symbol.initial == 0) return false;
-  const model::Unit& unit = plant.units[symbol.unit];
-  for (std::uint32_t event = 0; event < unit.events.size(); ++event) {
-    if (unit.events[event] == index) return !unit.moves_event(event);
-  }
-  return false;
+/// Whether it is a contact with an initial value that nothing changes. On a shared address the leading symbol decides.
+bool keeps_its_value(const model::PlantModel& plant, const Symbol& symbol) {
+  const Symbol& leading = symbol.leader == model::kNone ? symbol : plant.symbols[symbol.leader];
+  return leading.direction == tables::Direction::event && leading.initial != 0 && !model::is_driven(plant, leading);
 }
 
 /// Under the built-in rule.
@@ -67,7 +64,9 @@ Verdict verdict_by_task(const model::PlantModel& plant, std::uint32_t index, boo
   const Symbol& symbol = plant.symbols[index];
   switch (symbol.unmodelled) {
     case Unmodelled::modelled:
-      return paired ? Verdict::paired : keeps_its_value(plant, index) ? Verdict::constant : verdict_of_unpaired(symbol);
+      return paired                           ? Verdict::paired
+             : keeps_its_value(plant, symbol) ? Verdict::constant
+                                              : verdict_of_unpaired(symbol);
     case Unmodelled::task_taken:
       return Verdict::task_taken;
     case Unmodelled::unit_too_large:
@@ -98,17 +97,10 @@ std::string_view verdict_key(Verdict verdict) {
   return kKeys[static_cast<std::size_t>(verdict)];
 }
 
-std::size_t Counts::accounted() const {
-  std::size_t count = 0;
-  for (auto v = static_cast<std::size_t>(Verdict::paired); v < static_cast<std::size_t>(Verdict::no_rule); ++v)
-    count += by_verdict_[v];
-  return count;
-}
-
-std::size_t Counts::left_over() const {
-  std::size_t count = 0;
-  for (auto v = static_cast<std::size_t>(Verdict::no_rule); v < kVerdicts; ++v) count += by_verdict_[v];
-  return count;
+std::size_t Counts::sum(Verdict first, std::size_t end) const {
+  const auto begin = by_verdict_.begin();
+  return std::accumulate(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
+                         std::size_t{0});
 }
 
 Score score_of(const model::PlantModel& plant) {

@@ -43,11 +43,14 @@ class Counts {
 
   std::size_t of(Verdict verdict) const { return by_verdict_[static_cast<std::size_t>(verdict)]; }
   std::size_t paired() const { return of(Verdict::paired); }
-  std::size_t accounted() const;
-  std::size_t left_over() const;  ///< not accounted for
+  std::size_t accounted() const { return sum(Verdict::paired, static_cast<std::size_t>(Verdict::no_rule)); }
+  std::size_t left_over() const { return sum(Verdict::no_rule, kVerdicts); }  ///< not accounted for
   std::size_t counted() const { return accounted() + left_over(); }
 
  private:
+  /// Of the verdicts from `first` to before `end`.
+  std::size_t sum(Verdict first, std::size_t end) const;
+
   std::array<std::uint32_t, kVerdicts> by_verdict_{};
 };
 

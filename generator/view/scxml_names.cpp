@@ -28,7 +28,7 @@ ScxmlNames::ScxmlNames(const model::PlantModel& plant) {
     for (const model::State& state : unit.states) states.push_back(own.unique(state.name));
   }
   for (const model::Symbol& symbol : plant.symbols) symbols_.push_back(scope.unique(symbol.name()));
-  for (std::uint32_t i = 0; i < plant.material.tracks.size() + plant.material.places.size(); ++i) {
+  for (std::uint32_t i = 0; i < plant.material.locations(); ++i) {
     locations_.push_back(scope.unique(plant.material.location_name(i)));
   }
   for (const model::PartKind& kind : plant.material.kinds) kinds_.push_back(scope.unique(kind.name));

@@ -27,6 +27,9 @@ struct PartChange {
   bool by_hand;  ///< by Plant::put() or Plant::take()
 };
 
+/// Parts put and taken between two instants that the engine reports at least. Others are missing in its Instant.
+inline constexpr std::uint32_t kMostByHand = 1024;
+
 /// The net changes of one instant, after forces. Valid only during the call of the observer.
 struct Instant {
   tables::Time time;

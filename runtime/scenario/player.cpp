@@ -8,8 +8,7 @@
 namespace symplant::scenario {
 namespace {
 
-constexpr std::size_t kMostLate = 256;    ///< notes that wait for one instant
-constexpr std::size_t kMostHands = 1000;  ///< parts put and taken between two instants: the engine notes 1,024
+constexpr std::size_t kMostLate = 256;  ///< notes that wait for one instant
 
 }  // namespace
 
@@ -61,7 +60,7 @@ void Player::set(const SymbolValue& value) noexcept {
 /// False if a part had no room, or there was none to take.
 bool Player::act_by_hand(const Step& step) noexcept {
   const std::size_t hands = step.put.size() + step.take.size();
-  if (late_notes_.size() > kMostLate || hands_ + hands > kMostHands) advance_plant(plant_.now());
+  if (late_notes_.size() > kMostLate || hands_ + hands > engine::kMostByHand) advance_plant(plant_.now());
   hands_ += hands;
   bool all = true;
   const auto failed = [&](std::uint64_t which) {

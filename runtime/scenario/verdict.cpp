@@ -107,6 +107,12 @@ Forces forces_at(const Scenario& scenario, std::size_t step, std::uint64_t turn)
   return forces;
 }
 
+/// Where a part is taken: without a position, from the end of a track.
+std::string taken_from(const tables::PartLocation& from, const trace::PlantNames& names) {
+  const bool end = from.at == tables::kWhole && from.location < names.tables().material.tracks.size();
+  return (end ? "the end of " : "") + location_text(from, names);
+}
+
 /// The parts that had no room, or were not there to take.
 std::vector<std::string> hand_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
                                     std::span<const std::uint64_t> hands, const trace::PlantNames& names,
@@ -117,7 +123,7 @@ std::vector<std::string> hand_parts(const Scenario& scenario, std::size_t at, st
   for (const std::uint64_t hand : hands) {
     if (hand >= kTakeNote) {
       const tables::PartLocation& from = step.take[hand - kTakeNote];
-      parts.push_back(fmt::format("no part to take at {} at {}", location_text(from, names), seconds(time)));
+      parts.push_back(fmt::format("no part to take at {} at {}", taken_from(from, names), seconds(time)));
       locations.insert(from.location);
     } else {
       const NewPart& put = step.put[hand];

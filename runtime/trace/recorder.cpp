@@ -18,8 +18,6 @@ std::size_t parts_in(const tables::MaterialTables& material) {
   return parts;
 }
 
-constexpr std::size_t kByHand = 1024;  ///< parts put and taken between two instants
-
 /// What moves at most one part in a round.
 std::size_t movers_in(const tables::MaterialTables& material) {
   return material.tracks.size() + material.transfers.size() + material.sources.size();
@@ -33,7 +31,7 @@ std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables) {
   // Twice as many as there can be, and four for each element that moves them.
   const std::size_t parts = 2 * parts_in(material) + 4 * movers_in(material);
   return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts +
-         material.transfers.size() + (material.empty() ? 0 : 2 * kByHand) + 64;
+         material.transfers.size() + (material.empty() ? 0 : std::size_t{2} * engine::kMostByHand) + 64;
 }
 
 std::size_t Recorder::enough_for_a_loop(const tables::PlantTables& tables) {

@@ -11,7 +11,7 @@ namespace {
 
 std::string location_text(std::uint32_t location, const model::Material& material) {
   if (location == tables::kOut) return "out";
-  if (location >= material.tracks.size() + material.places.size()) return "#" + std::to_string(location);
+  if (location >= material.locations()) return "#" + std::to_string(location);
   return material.location_name(location);
 }
 
@@ -82,7 +82,7 @@ std::string disturbance(const reference::Plant& undisturbed, const reference::Pl
 
 std::optional<tables::PartLocation> part_location(const model::Material& material, const std::string& text) {
   const std::size_t end = std::min(text.find('@'), text.size());
-  for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+  for (std::uint32_t i = 0; i < material.locations(); ++i) {
     if (material.location_name(i) != text.substr(0, end)) continue;
     if (end == text.size()) return tables::PartLocation{i, tables::kWhole};
     const std::int64_t at = std::strtoll(text.c_str() + end + 1, nullptr, 10);
@@ -113,7 +113,7 @@ std::string parts_difference(const plant::Plant& engine, const reference::Plant&
   const model::Material& material = plant.material;
   const reference::MaterialWorld& world = reference.save().material;
   std::string text;
-  for (std::uint32_t i = 0; text.empty() && i < material.tracks.size() + material.places.size(); ++i) {
+  for (std::uint32_t i = 0; text.empty() && i < material.locations(); ++i) {
     text = unequal_parts("parts of " + material.location_name(i), parts_of_engine(engine, i, material),
                          parts_of_reference(reference, i, material));
   }

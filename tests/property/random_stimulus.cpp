@@ -61,7 +61,7 @@ class StimulusWriter {
 
   std::string location() {
     const model::Material& material = plant_.material;
-    const std::size_t index = dice_.below(material.tracks.size() + material.places.size());
+    const std::size_t index = dice_.below(material.locations());
     std::string name = material.location_name(static_cast<std::uint32_t>(index));
     if (!material.is_track(static_cast<std::uint32_t>(index)) || dice_.percent(30)) return name;
     const std::int64_t length = material.tracks[index].length;

@@ -28,13 +28,12 @@ struct ModelOptions {
 };
 
 /// A message for a pattern without a match. A name without `*` and `?` gets the nearest existing name.
-void report_no_match(const std::string& pattern, const model::PlantModel& plant, std::uint32_t locations,
-                     std::ostream& err) {
+void report_no_match(const std::string& pattern, const model::PlantModel& plant, std::ostream& err) {
   std::string_view nearest;
   std::vector<std::string> names;
   if (pattern.find_first_of("*?") == std::string::npos) {
     for (const model::Unit& unit : plant.units) names.emplace_back(unit.path);
-    for (std::uint32_t l = 0; l < locations; ++l) names.emplace_back(plant.material.location_name(l));
+    for (std::uint32_t l = 0; l < plant.material.locations(); ++l) names.emplace_back(plant.material.location_name(l));
     tables::NearestName found(pattern);
     for (const std::string& name : names) found.offer(name);
     nearest = found.name();
@@ -55,13 +54,12 @@ void show(const ModelOptions& options, Context& context) {
     if (text::matches_pattern(compiled->plant.units[u].path, options.device)) units.push_back(u);
   }
   const model::Material& material = compiled->plant.material;
-  const auto location_count = static_cast<std::uint32_t>(material.tracks.size() + material.places.size());
   std::vector<std::uint32_t> locations;
-  for (std::uint32_t l = 0; l < location_count; ++l) {
+  for (std::uint32_t l = 0; l < material.locations(); ++l) {
     if (text::matches_pattern(material.location_name(l), options.device)) locations.push_back(l);
   }
   if (units.empty() && locations.empty() && options.device != "*") {
-    report_no_match(options.device, compiled->plant, location_count, context.err);
+    report_no_match(options.device, compiled->plant, context.err);
     context.exit_code = host::kBadInput;
     return;
   }

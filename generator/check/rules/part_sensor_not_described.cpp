@@ -26,7 +26,7 @@ void check_part_sensor_not_described(const Rule& rule, const Subject& subject, d
   constexpr std::size_t kMostNamed = 3;
   std::vector<const model::Symbol*> found;
   for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.direction != tables::Direction::event || symbol.leader != model::kNone) continue;
+    if (symbol.direction != tables::Direction::event) continue;
     if (model::is_driven(plant, symbol) || !model::looks_like_part_sensor(symbol)) continue;
     found.push_back(&symbol);
   }

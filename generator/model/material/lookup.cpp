@@ -134,8 +134,7 @@ std::uint32_t MaterialLookup::end(const std::string& text, const Pointer& here) 
 }
 
 std::string MaterialLookup::nearest_location(std::string_view name) const {
-  const std::size_t count = plant_.material.tracks.size() + plant_.material.places.size();
-  return std::string(faults_.nearest(name, count, [&](std::size_t i) -> std::string_view {
+  return std::string(faults_.nearest(name, plant_.material.locations(), [&](std::size_t i) -> std::string_view {
     return plant_.material.location_name(static_cast<std::uint32_t>(i));
   }));
 }

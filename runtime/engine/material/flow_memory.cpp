@@ -8,8 +8,6 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint32_t kLeastChanges = 1024;  ///< of parts in one instant that an observer receives together
-
 std::uint32_t size_of(auto rows) noexcept { return static_cast<std::uint32_t>(rows.size()); }
 
 }  // namespace
@@ -40,7 +38,7 @@ void Flow::place(Arena& arena) noexcept {
   due_counters_.take(arena, material_->counters.size());
   seen_transfers_.take(arena, material_->transfers.size());
   speeds_ = arena.take<Position>(active_ ? tables::kMaxPartsOnTrack : 0);
-  most_changes_ = active_ ? kLeastChanges + 4 * (size_of(material_->tracks) + size_of(material_->transfers)) +
+  most_changes_ = active_ ? kMostByHand + 4 * (size_of(material_->tracks) + size_of(material_->transfers)) +
                                 index_.parts_on_tracks + index_.parts_in_places
                           : 0;
   changes_.take(arena, most_changes_);

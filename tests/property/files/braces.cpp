@@ -173,7 +173,7 @@ KnownNames known_names(const model::PlantModel& plant) {
     }
   }
   const model::Material& material = plant.material;
-  for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+  for (std::uint32_t i = 0; i < material.locations(); ++i) {
     const std::string location = reference::upper(material.location_name(i)) + ".";
     known.in_conditions.insert(location + "PART");
     known.in_conditions.insert(location + "PARTS");

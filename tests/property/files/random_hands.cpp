@@ -10,7 +10,7 @@ namespace symplant::property::files {
 namespace {
 
 std::uint32_t any_location(Dice& dice, const model::Material& material) {
-  return static_cast<std::uint32_t>(dice.below(material.tracks.size() + material.places.size()));
+  return static_cast<std::uint32_t>(dice.below(material.locations()));
 }
 
 std::string put_location(Dice& dice, const model::Material& material) {
@@ -27,7 +27,7 @@ std::string put_location(Dice& dice, const model::Material& material) {
 /// The middle of a part, most of the time.
 std::string take_location(Dice& dice, const model::Material& material, const reference::World& world) {
   std::vector<std::uint32_t> filled;
-  for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+  for (std::uint32_t i = 0; i < material.locations(); ++i) {
     if (!world.material.at(i).empty()) filled.push_back(i);
   }
   if (filled.empty() || dice.percent(15)) return put_location(dice, material);
@@ -72,7 +72,7 @@ std::string condition_of_parts(Dice& dice, const model::Material& material) {
 
 bool names_parts(const std::string& condition, const model::Material& material) {
   const std::string text = reference::upper(condition);
-  for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+  for (std::uint32_t i = 0; i < material.locations(); ++i) {
     if (text.find(reference::upper(material.location_name(i)) + ".") != text.npos) return true;
   }
   return false;

@@ -48,7 +48,7 @@ class PlainNames final : public condition::Names {
   }
   std::optional<std::uint32_t> location(std::string_view name) const override {
     const model::Material& material = plant_.material;
-    for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+    for (std::uint32_t i = 0; i < material.locations(); ++i) {
       if (same_name(material.location_name(i), name)) return i;
     }
     return std::nullopt;

@@ -1,6 +1,7 @@
 // Links that go to a PLC, on the command line and in plant.json.
 #include "support/catch.hpp"
 #include "support/slmp/slmp_plc.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/tool.hpp"
 
 using namespace symplant;
@@ -59,7 +60,8 @@ TEST_CASE("run exchanges I/O with the PLC of plant.json, and says what the link 
   SlmpPlc plc;
   plc.memory().set_bit("Y", 0x20, true);
   auto files = plant_with(slmp_url(plc));
-  const auto run = run_tool({"run", "plant.json", "--until", "2500ms", "--stats", "stats.json"}, files);
+  const test::TemporaryFolder folder;
+  const auto run = run_tool({"run", "plant.json", "--until", "2500ms", "--stats", folder / "stats.json"}, files);
   CHECK(run.code == 0);
   CHECK_THAT(run.err, Contains("link: connected: CPU `R08CPU`"));
   CHECK_THAT(run.out, Contains("0 rejected, armed"));

@@ -128,8 +128,10 @@ TEST_CASE("init: The unchanged skeleton is the plant of the bare list, and each 
 }
 
 TEST_CASE("init: Inputs that look like sensors of parts become a proposed material flow, which is valid") {
-  const std::string list = list_text(bits({"L_S1_BELT_O_RUN", "L_S1_BELT_I_RUN", "L_S1_PE1_I_ON", "L_S1_PE2_I_ON",
-                                           "L_S2_CLAMP_O_ADV", "L_S2_CLAMP_I_ADV", "L_S2_FIX_I_PART"}));
+  std::vector<Row> rows = bits({"L_S1_BELT_O_RUN", "L_S1_BELT_I_RUN", "L_S1_PE1_I_ON", "L_S1_PE2_I_ON",
+                                "L_S2_CLAMP_O_ADV", "L_S2_CLAMP_I_ADV", "L_S2_FIX_I_PART"});
+  rows.push_back({"L_S2_PE3_I_ON", "", "BOOL", "FALSE", "%IX1"});  // the belt's device drives this address
+  const std::string list = list_text(rows);
   MemoryFileSystem files;
   files.files["list.csv"] = list;
   const std::string text = run_tool({"init", "list.csv"}, files).out;
@@ -137,7 +139,9 @@ TEST_CASE("init: Inputs that look like sensors of parts become a proposed materi
   CHECK(contains(text, R"("forward": "L_S1_BELT.RUN")"));
   CHECK(contains(text, R"({"symbol": "L_S1_PE2_I_ON", "at": "1000 mm"})"));
   CHECK(contains(text, R"("TRACK_L_S2": )"));
+  CHECK_FALSE(contains(text, R"("symbol": "L_S2_PE3_I_ON")"));
   CHECK_FALSE(contains(text, R"("L_S1_PE?": {)"));
+  CHECK(contains(text, R"(// No operation moves "L_S2_PE3": give `initial`)"));  // not those of the proposal
   const std::vector<std::string> lines = lines_of(text);
   const Tried made = tried(list, without_comments(lines, [](std::size_t) { return true; }));
   INFO(made.out);

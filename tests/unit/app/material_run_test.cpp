@@ -116,12 +116,14 @@ TEST_CASE("run: Parts that are put and taken many times at one time are all in t
 TEST_CASE("run: A part without room, or none to take, fails the step and changes nothing") {
   const PartRun made(R"({"at":"2s","put":[{"at":"FIXTURE","kind":"raw"},{"at":"FIXTURE","kind":"done"}]},
                         {"plus":"1s","take":["CV1","FIXTURE"]},
+                        {"plus":"1s","take":"FIXTURE"},
                         {"plus":"0s","expect":"FIXTURE.parts = 0 and CV1.parts = 1"})");
   CHECK(made.run.code == 1);
   CHECK(contains(made.run.err, "no room for a part of kind `done` at FIXTURE at 2 s"));
   CHECK(contains(made.run.err, "FIXTURE has part 2 (raw) since 2 s"));
-  CHECK(contains(made.run.err, "no part to take at CV1 at 3 s"));
-  CHECK(contains(made.run.out, "expectations: 1 held, 2 failed, 0 not reached"));
+  CHECK(contains(made.run.err, "no part to take at the end of CV1 at 3 s"));
+  CHECK(contains(made.run.err, "no part to take at FIXTURE at 4 s"));
+  CHECK(contains(made.run.out, "expectations: 1 held, 3 failed, 0 not reached"));
 }
 
 TEST_CASE("run: A robot that puts a part where one lies is a finding that names both parts") {

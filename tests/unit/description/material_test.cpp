@@ -1,6 +1,7 @@
 // The key `material` of plant.json: what is read from it, and what is rejected.
 #include <string>
 
+#include "description/faults.hpp"
 #include "description/plant_file.hpp"
 #include "support/catch.hpp"
 
@@ -102,6 +103,8 @@ TEST_CASE("An invalid, a too fine, a too high and a zero speed have different me
   CHECK(speed_fault("\"-1 m/s\"") == ": `-1 m/s" + none);
   CHECK(speed_fault("\"0.0001 mm/s\"") == ": `0.0001 mm/s` has a part below 1 um/s (1 um/min); give it fewer decimals");
   CHECK(speed_fault("\"100.001 m/s\"") == ": `100.001 m/s` is faster than the maximum of 100 m/s; write a lower speed");
+  CHECK(speed_fault("0.5") ==
+        ": expected a speed such as `0.4 m/s`, or an object with `of` and `unit`, but found the number `0.5`");
   CHECK(speed_fault("\"0 m/s\"") == ": `0 m/s` is below 1 um/s; write a higher speed");
   CHECK(speed_fault("\"0.00005 m/min\"") == ": `0.00005 m/min` is below 1 um/s; write a higher speed");
   CHECK(speed_fault(R"({"of": "A", "unit": "1 s"})") == "/unit: `1 s" + none);
@@ -212,7 +215,8 @@ TEST_CASE("Numbers have limits, and lists entries") {
   fails(R"("sources": [{"name": "s", "at": "P", "kind": []}])", "/material/sources/0/kind");
   fails(R"("sources": [{"name": "s", "at": "P", "kind": "k", "count": 0}])", "/material/sources/0/count");
   fails(R"("transfers": [{"name": "", "from": "P", "to": "T"}])", "/material/transfers/0/name");
-  fails(R"("work": [{"name": "w", "at": "P", "from": "k", "to": "l"}])", "/material/work/0");
+  fails(R"("work": [{"name": "w", "at": "P", "from": "k", "to": "l"}])",
+        (description::Pointer("/material") / "work" / 0).text());
   fails(R"("places": {"P": {"sensors": [{"symbol": "X", "at": "1 m"}]}})", "/material/places/P/sensors/0/at");
   fails(R"("places": {"P": {"sensors": [{"symbol": "X", "kinds": []}]}})", "/material/places/P/sensors/0/kinds");
   fails(R"("places": {"P": {"sensors": [{"symbol": "X", "reads": "kind"}]}})", "/material/places/P/sensors/0/reads");

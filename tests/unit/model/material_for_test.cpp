@@ -22,7 +22,8 @@ TEST_CASE("An entry with `for` is made once for each matched device, with its na
          "work": [{"name": "w{1}", "for": "S_*_CV1", "at": "S_{1}_P", "when": "{device}_{1} or true_{1}",
                    "from": "raw", "to": "done"}],
          "sources": [{"name": "s{1}", "for": "S_*_CV1", "at": "S_10_T1@1 m", "kind": ["raw", "tall"]}])");
-  CHECK(faults(list) == "/material/work/0: symbol `CV1_10` not found (the other match lacks it too)");
+  CHECK(faults(list) == (description::Pointer("/material") / "work" / 0).text() +
+                            ": symbol `CV1_10` not found (the other match lacks it too)");
   CHECK(names_text(list) == "S_10_T1 S_20_T2 | S_10_P S_20_P | S_10_CV1 out S_20_CV1 out | | s10 s20");
 }
 

@@ -1,5 +1,6 @@
 // The material flow as the model has it: elements, sensors, and conditions about parts.
 #include "material_support.hpp"
+#include "model/part_words.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::test {
@@ -181,6 +182,19 @@ TEST_CASE("The most parts of a track depend on its length, its gap, and the shor
   CHECK(most(R"("length": "3 m")") == 17);  // floor(3.3 / 0.2) + 1
   CHECK(most(R"("length": "3 m", "gap": "100 mm")") == 12);
   CHECK(most(R"("length": "0.3 m")") == 4);
+}
+
+TEST_CASE("A device, a condition, a part or the leading symbol on its address drives an input") {
+  std::vector<Row> rows = line_rows();
+  rows.push_back({"S_10_PE3_I_PART", "", "BOOL", "FALSE", "%IX1"});  // of S_10_CV1_I_RUN
+  const Analysed list = line_with(kinds() + R"(, "places": {"P": {"sensors": [{"symbol": "S_10_FIX1_I_PART"}]}})",
+                                  R"("follow": {"S_10_BTN_I_START": "S_10_CV1.RUN"})", rows);
+  CHECK(faults(list) == "");
+  for (const char* name : {"S_10_CV1_I_RUN", "S_10_FIX1_I_PART", "S_10_BTN_I_START", "S_10_PE3_I_PART"}) {
+    INFO(name);
+    CHECK(model::is_driven(list.model(), symbol_of(list, name)));
+  }
+  CHECK_FALSE(model::is_driven(list.model(), symbol_of(list, "S_10_PE1_I_PART")));
 }
 
 TEST_CASE("A plant without material is the same with an empty object") {

@@ -34,6 +34,15 @@ TEST_CASE("Under the built-in rule each symbol has its verdict") {
   CHECK(score.named == 6);
 }
 
+TEST_CASE("A contact is constant if the leading symbol on its address keeps its value") {
+  const Analysed list = analyse_rows({{"L_P_D_O_RUN", "Y0"},
+                                      {"L_P_D_I_RUN", "X0"},
+                                      {"L_P_E_I_RUNS", "X0", "BOOL", "TRUE"},
+                                      {"L_P_F_I_AIR", "X1", "BOOL", "TRUE"},
+                                      {"L_P_G_I_AIR", "X1", "BOOL", "TRUE"}});
+  CHECK(verdicts(list) == "paired paired no_operation constant constant");
+}
+
 TEST_CASE("Under a custom rule the pairing gives the verdicts") {
   name::Naming naming;
   naming.ignore = {"SPARE*"};

@@ -168,7 +168,7 @@ inline Rendered render(const CompiledText& compiled, std::string_view format, st
   std::vector<std::uint32_t> locations;
   if (units.size() == compiled.plant().units.size()) {
     const model::Material& material = compiled.plant().material;
-    locations.resize(material.tracks.size() + material.places.size());
+    locations.resize(material.locations());
     std::iota(locations.begin(), locations.end(), 0);
   }
   view::View view = view::find_format(format)->render(
