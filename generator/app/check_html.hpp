@@ -1,4 +1,4 @@
-// The result of a check as one HTML page, for people who do not run the tool.
+// The result of a check as one HTML page, for readers without the tool.
 #pragma once
 
 #include <string>
