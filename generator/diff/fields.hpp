@@ -19,7 +19,7 @@ std::string_view written_address(const read::ListRow& row);
 bool same_type(std::string_view a, std::string_view b);
 
 /// What differs between two rows. Spellings of one value do not differ: `X1F` and `X001F`, `BOOL` and `Bool`, an empty
-/// initial value and FALSE. Classes, scopes and the like are compared between lists of one format only.
+/// initial value and FALSE. `other` is a class, a scope or a second address, compared between lists of one format only.
 Fields differing_fields(const model::PlantModel& before, const RowRef& a, const model::PlantModel& after,
                         const RowRef& b);
 

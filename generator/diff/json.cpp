@@ -4,7 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "diff/fields.hpp"
 #include "diff/formats.hpp"
 #include "view/json_writer.hpp"
 
@@ -68,7 +67,8 @@ class JsonDifference {
     json_.key(key);
     json_.begin_object();
     json_.member("name", row.name);
-    json_.member("address", written_address(row));
+    json_.member("address", row.vendor_address);
+    json_.member("iec_address", row.iec_address);
     json_.member("type", row.type);
     json_.member("initial", row.initial);
     json_.member("comment", row.comment);

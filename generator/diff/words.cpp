@@ -15,6 +15,12 @@ namespace {
 constexpr std::size_t kExamples = 3;
 constexpr std::size_t kMostItems = 6;  ///< of one device
 
+/// Both addresses of a row, if it has two: either may have changed.
+std::string addresses(const read::ListRow& row) {
+  const bool both = !row.vendor_address.empty() && !row.iec_address.empty();
+  return std::string(row.vendor_address) + (both ? " " : "") + std::string(row.iec_address);
+}
+
 Piece quoted(std::string_view text) { return {std::string(text), true}; }
 Piece plain(std::string text) { return {std::move(text), false}; }
 void append(Words& words, Words more) {
@@ -188,7 +194,7 @@ class Reporter {
         });
     const std::vector<std::string> columns{"symbol", "before", "after", "row"};
     const auto add_field = [&](const std::string& verb, Field field, std::initializer_list<Cause::Kind> kinds,
-                               std::string_view (*of)(const read::ListRow&)) {
+                               std::string (*of)(const read::ListRow&)) {
       const auto row = [&, of](std::size_t i) {
         return std::vector<Words>{cell(new_row(i).name), cell(of(old_row(i))), cell(of(new_row(i))), location(i)};
       };
@@ -198,9 +204,11 @@ class Reporter {
       };
       add("symbol", verb, n, changed(field), causes, kinds, columns, row, example);
     };
-    add_field("moved", Field::address, {Cause::Kind::shifted}, &written_address);
-    add_field("retyped", Field::type, {Cause::Kind::retyped}, [](const read::ListRow& row) { return row.type; });
-    add_field("with another initial value", Field::initial, {}, [](const read::ListRow& row) { return row.initial; });
+    add_field("moved", Field::address, {Cause::Kind::shifted}, &addresses);
+    add_field("retyped", Field::type, {Cause::Kind::retyped},
+              [](const read::ListRow& row) { return std::string(row.type); });
+    add_field("with another initial value", Field::initial, {},
+              [](const read::ListRow& row) { return std::string(row.initial); });
     add_count(Field::comment, "comment", "changed");
     add_count(Field::other, "symbol", "changed in other columns");
   }
