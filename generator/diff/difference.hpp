@@ -50,9 +50,9 @@ struct SymbolChange {
 /// Many changes of one cause.
 struct Cause {
   enum class Kind : std::uint8_t {
-    added,     ///< names that begin with `after`
-    removed,   ///< names that begin with `before`
-    replaced,  ///< in names, `after` instead of `before`
+    added,     ///< names that begin with `after`, as no old name does
+    removed,   ///< names that begin with `before`, as no new name does
+    replaced,  ///< in names, `after` instead of `before`; `#` is any number that both have
     shifted,   ///< addresses of `before` (inputs, outputs, memory), by `after` (`+4 bytes`)
     retyped,   ///< type `after` instead of `before`
     modelled,  ///< devices with equal changes

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -20,6 +21,8 @@ namespace {
 constexpr std::string_view kOperation = "operation";
 constexpr std::string_view kEvent = "event";
 constexpr std::string_view kState = "state";
+constexpr std::string_view kEntering = "on entering";
+constexpr std::string_view kLeaving = "on leaving";
 
 /// Joins texts with ", ".
 void append_part(std::string& text, std::string_view part) {
@@ -43,8 +46,8 @@ class UnitItems {
     for (const model::Transition& t : unit_.transitions) add_transition("transition", t);
     for (const model::Transition& t : view::spring_returns(unit_)) add_transition("spring return", t);
     for (std::uint32_t s = 0; s < unit_.states.size(); ++s) {
-      add_outputs("on entering", s, true);
-      add_outputs("on leaving", s, false);
+      add_outputs(kEntering, s, true);
+      add_outputs(kLeaving, s, false);
     }
     add_disables();
     if (unit_.has_behaviour()) add_behaviour();
@@ -139,29 +142,42 @@ std::vector<NthKey> numbered(const std::vector<Item>& items) {
   return keys;
 }
 
-/// Finds the changes that follow from gained and lost states: their operations, events, transitions and outputs.
+/// The parts of `O_P2, I_P2`.
+std::set<std::string> parts_of(const std::string& text) {
+  std::set<std::string> parts;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(", ", begin), text.size());
+    parts.insert(text.substr(begin, end - begin));
+    begin = end + 2;
+  }
+  return parts;
+}
+
+/// Finds the changes that follow from states that came, went, or have other symbols: operations, events, transitions
+/// and outputs.
 class Consequences {
  public:
   void add_state(const ItemChange& change) {
-    if (change.element != kState || (change.before && change.after)) return;
-    states_.insert(change.key);
-    const std::string& symbols = change.before ? *change.before : *change.after;
-    for (std::size_t begin = 0; begin < symbols.size();) {
-      const std::size_t end = std::min(symbols.find(", ", begin), symbols.size());
-      tasks_.insert(symbols.substr(begin, end - begin));
-      begin = end + 2;
-    }
+    if (change.element != kState) return;
+    (change.before && change.after ? changed_ : states_).insert(change.key);
+    const std::set<std::string> was = parts_of(change.before.value_or(""));
+    const std::set<std::string> is = parts_of(change.after.value_or(""));
+    std::set_symmetric_difference(was.begin(), was.end(), is.begin(), is.end(), std::inserter(tasks_, tasks_.end()));
   }
 
   bool contain(const ItemChange& change, const Item& item) const {
-    if (change.before && change.after) return false;
     if (change.element == kOperation || change.element == kEvent) return tasks_.count(change.key) != 0;
+    if (change.element == kEntering || change.element == kLeaving) {
+      return states_.count(change.key) + changed_.count(change.key) != 0;
+    }
+    if (change.before && change.after) return false;
     return states_.count(item.states[0]) != 0 || states_.count(item.states[1]) != 0;
   }
 
  private:
-  std::set<std::string> states_;
-  std::set<std::string> tasks_;
+  std::set<std::string> states_;   ///< gained or lost
+  std::set<std::string> changed_;  ///< with other symbols
+  std::set<std::string> tasks_;    ///< gained or lost by a state
 };
 
 }  // namespace
@@ -185,6 +201,7 @@ std::vector<Item> plant_items(const model::PlantModel& plant) {
 }
 
 std::vector<ItemChange> item_changes(const std::vector<Item>& before, const std::vector<Item>& after) {
+  if (before == after) return {};
   const std::vector<NthKey> old_keys = numbered(before);
   const std::vector<NthKey> new_keys = numbered(after);
   std::map<NthKey, std::size_t> olds;

@@ -17,6 +17,8 @@ struct Item {
   std::string key;
   std::string value;
   std::array<std::string, 2> states = {};  ///< if it exists only together with these
+
+  friend bool operator==(const Item&, const Item&) = default;
 };
 
 /// All that `symplant model` shows of a device, in its order. O(model).

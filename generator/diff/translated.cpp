@@ -133,7 +133,8 @@ model::PlantModel translated(const model::PlantModel& before, const model::Plant
     const model::Symbol& now = after.symbols[symbols[s]];
     plant.symbols[s].row = now.row;
     plant.symbols[s].list = now.list;  // a row belongs to its list
-    plant.symbols[s].reading = now.reading;
+    const std::uint32_t unit = plant.symbols[s].unit;
+    if (unit != kNone && units[unit] == now.unit) plant.symbols[s].reading = now.reading;
   }
   for (std::size_t u = 0; u < units.size(); ++u) {
     if (units[u] == kNone) continue;

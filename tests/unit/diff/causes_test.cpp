@@ -63,13 +63,29 @@ TEST_CASE("diff: A word that is replaced in four names is one cause, in three it
   CHECK(texts(compared(rows("S1_D%", "X%", 0, 3), rows("S2_D%", "X%", 0, 3)).difference.symbol_causes).empty());
 }
 
+TEST_CASE("diff: Words with any number are one cause, if the number stays") {
+  CHECK(texts(compared(rows("S1_CL%", "X%", 0, 4), rows("S1_CX%", "X%", 0, 4)).difference.symbol_causes) ==
+        Texts{"4 replaced CL#>CX#"});
+  CHECK(texts(compared(rows("S7_D%", "X%", 0, 4), rows("T7_D%", "X%", 0, 4)).difference.symbol_causes) ==
+        Texts{"4 replaced S7>T7"});
+  CHECK(texts(compared(rows("S2%_D", "X%", 0, 4), rows("S3%_D", "X%", 0, 4)).difference.symbol_causes).empty());
+}
+
+TEST_CASE("diff: Names that come together are a cause only if their beginning is new") {
+  CHECK(texts(compared("S9_K,X0,BOOL,\n", "S9_K,X0,BOOL,\n" + rows("S9_D%", "X%", 1, 4)).difference.symbol_causes)
+            .empty());
+  CHECK(texts(compared("L_S8_K,X0,BOOL,\n", "L_S8_K,X0,BOOL,\n" + rows("L_S9_D%", "X%", 1, 4))
+                  .difference.symbol_causes) == Texts{"4 added >L_S9"});
+  CHECK(texts(compared("L_S90_K,X0,BOOL,\n", "L_S90_K,X0,BOOL,\n" + rows("L_S9_D%", "X%", 1, 4))
+                  .difference.symbol_causes) == Texts{"4 added >L_S9"});
+}
+
 TEST_CASE("diff: Addresses that move by one distance are one cause, by area") {
   CHECK(texts(compared(rows("A%", "X%", 0, 5) + rows("B%", "Y%", 0, 4), rows("A%", "X%", 4, 5) + rows("B%", "Y%", 4, 4))
                   .difference.symbol_causes) ==
         Texts{"5 shifted inputs>+4 addresses", "4 shifted outputs>+4 addresses"});
   CHECK(texts(compared(rows("A%", "D%", 10, 4, "INT"), rows("A%", "D%", 9, 4, "INT")).difference.symbol_causes) ==
         Texts{"4 shifted memory>-1 word"});
-  CHECK(texts(compared(rows("A%", "%I3.%", 0, 0), "").difference.symbol_causes).empty());
 }
 
 TEST_CASE("diff: Addresses of bytes and bits move by bytes, or by bits") {

@@ -50,22 +50,24 @@ TEST_CASE("diff: A state that a device gains or loses is one line, what follows 
 TEST_CASE("diff: A task that a state gains is its other symbols, and the event and what it switches") {
   const std::vector<std::string> less{"L_P_AGV_O_P1", "L_P_AGV_O_P2", "L_P_AGV_I_P1"};
   const std::string text = lines_of(plants(less, "", kAgv, ""));
-  CHECK(contains(text, "event `I_P2` gained"));
-  CHECK(contains(text, "state `P2`: `O_P2` -> `O_P2, I_P2`"));
-  CHECK(contains(text, "on entering `P2` (`I_P2 on`) gained"));
+  CHECK(contains(text, "  L_P_AGV  state `P2`: `O_P2` -> `O_P2, I_P2`; 3 changes that follow from this\n"));
 }
 
 TEST_CASE("diff: The initial state, times, conditions, actuation and disabling") {
   const auto device = [](const std::string& more) { return R"(, "devices": {"L_P_AGV": {)" + more + "}}"; };
   CHECK(lines_of(kAgv, "", device(R"("initial": "P2")")) ==
         "1 device with another model\n  L_P_AGV  initial state `P1` -> `P2`\n");
-  CHECK(contains(lines_of(kAgv, "", device(R"("travel": "3s")")), "travel time `1 s` -> `3 s`"));
-  CHECK(contains(lines_of(kAgv, "", device(R"("travel": "3s")")),
-                 "transition `(P1, O_P2) -> P2`: `takes 1 s` -> `takes 3 s`"));
+  CHECK(contains(lines_of(kAgv, "", R"(, "defaults": {"travel": "3s"})"), "travel time `1 s` -> `3 s`"));
+  const auto transition = [&](const std::string& more) {
+    return device(R"("transitions": [{"from": "P1", "to": "P2")" + more + "}]");
+  };
+  CHECK(contains(lines_of(kAgv, transition(R"(, "takes": "1s")"), transition(R"(, "takes": "3s")")),
+                 "  L_P_AGV  transition `(P1, O_P2) -> P2`: `takes 1 s` -> `takes 3 s`\n"));
+  CHECK(contains(lines_of(kAgv, transition(""), transition(R"(, "when": "not L_P_AGV.P2")")),
+                 "`takes 1 s` -> `when not L_P_AGV.P2, takes 1 s`"));
   CHECK(contains(lines_of(kAgv, "", device(R"("actuation": "held")")), "actuation `latched` -> `held`"));
   const auto two = with(kAgv, {"L_P_DOOR_I_OPEN", "L_P_DOOR_O_OPEN"});
-  CHECK(contains(lines_of(two, "", device(R"("states": {"P2": {"disables": ["L_P_DOOR"]}})")),
-                 "disables `L_P_DOOR in P2` gained"));
+  CHECK(contains(lines_of(two, "", device(R"("disables": {"P2": ["L_P_DOOR"]})")), "disables `L_P_DOOR in P2` gained"));
 }
 
 TEST_CASE("diff: A renamed device is found by its symbols, and conditions on it did not change") {
@@ -90,6 +92,13 @@ TEST_CASE("diff: A renamed task is a renamed state") {
   const std::string none = R"(, "devices": {"L_P_AGV": {"initial": "P1"}})";
   CHECK(contains(lines_of(plants(kAgv, none, names, none)),
                  "1 device with another model\n  L_P_AGV  state name `P2` -> `HOME`\n"));
+}
+
+TEST_CASE("diff: A symbol that is now in another device is lost under its old task") {
+  std::vector<std::string> names = kAgv;
+  names[3] = "L_P_OTHER_I_END";
+  const std::string text = lines_of(plants(kAgv, "", names, ""));
+  CHECK(contains(text, "  L_P_AGV  state `P2`: `O_P2, I_P2` -> `O_P2`; 3 changes that follow from this\n"));
 }
 
 TEST_CASE("diff: Devices are added and removed") {
