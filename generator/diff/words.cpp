@@ -61,7 +61,8 @@ Words items_words(const std::vector<ItemChange>& items) {
     }
   }
   if (more != 0) words.push_back(plain(fmt::format("; {} more", more)));
-  if (follow != 0) words.push_back(plain(fmt::format("; {} that follow from this", counted(follow, "change"))));
+  if (follow != 0)
+    words.push_back(plain(follow == 1 ? "; 1 change follows" : fmt::format("; {} changes follow", follow)));
   return words;
 }
 

@@ -43,14 +43,14 @@ TEST_CASE("diff: A state that a device gains or loses is one line, what follows 
   const auto more = with(kAgv, {"L_P_AGV_O_P3", "L_P_AGV_I_P3"});
   CHECK(contains(lines_of(plants(kAgv, "", more, "")),
                  "1 device with another model\n"
-                 "  L_P_AGV  state `P3` (`O_P3, I_P3`) gained; 8 changes that follow from this\n"));
+                 "  L_P_AGV  state `P3` (`O_P3, I_P3`) gained; 8 changes follow\n"));
   CHECK(contains(lines_of(plants(more, "", kAgv, "")), "state `P3` (`O_P3, I_P3`) lost; 8 changes"));
 }
 
 TEST_CASE("diff: A task that a state gains is its other symbols, and the event and what it switches") {
   const std::vector<std::string> less{"L_P_AGV_O_P1", "L_P_AGV_O_P2", "L_P_AGV_I_P1"};
   const std::string text = lines_of(plants(less, "", kAgv, ""));
-  CHECK(contains(text, "  L_P_AGV  state `P2`: `O_P2` -> `O_P2, I_P2`; 3 changes that follow from this\n"));
+  CHECK(contains(text, "  L_P_AGV  state `P2`: `O_P2` -> `O_P2, I_P2`; 3 changes follow\n"));
 }
 
 TEST_CASE("diff: The initial state, times, conditions, actuation and disabling") {
@@ -98,7 +98,7 @@ TEST_CASE("diff: A symbol that is now in another device is lost under its old ta
   std::vector<std::string> names = kAgv;
   names[3] = "L_P_OTHER_I_END";
   const std::string text = lines_of(plants(kAgv, "", names, ""));
-  CHECK(contains(text, "  L_P_AGV  state `P2`: `O_P2, I_P2` -> `O_P2`; 3 changes that follow from this\n"));
+  CHECK(contains(text, "  L_P_AGV  state `P2`: `O_P2, I_P2` -> `O_P2`; 3 changes follow\n"));
 }
 
 TEST_CASE("diff: Devices are added and removed") {
