@@ -170,7 +170,6 @@ class Consequences {
     if (change.element == kEntering || change.element == kLeaving) {
       return states_.count(change.key) + changed_.count(change.key) != 0;
     }
-    if (change.before && change.after) return false;
     return states_.count(item.states[0]) != 0 || states_.count(item.states[1]) != 0;
   }
 

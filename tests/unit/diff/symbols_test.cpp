@@ -68,6 +68,8 @@ TEST_CASE("diff: Of several symbols on one address, type and comment decide whic
   CHECK(words(compared("A,X0,BOOL,one\nB,X0,BOOL,two\n", "C,X0,BOOL,two\nD,X0,BOOL,one\n")) ==
         Texts{"B>C name", "A>D name"});
   CHECK(words(compared("A,X0,BOOL,\nB,X0,BOOL,\n", "C,X0,BOOL,\nD,X0,BOOL,\n")) == Texts{"+C", "+D", "-A", "-B"});
+  CHECK(words(compared("A,X0,BOOL,\n", "C,X0,BOOL,\nD,X0,BOOL,\n")) == Texts{"+C", "+D", "-A"});
+  CHECK(words(compared("A,X0,BOOL,\nB,X0,BOOL,\n", "C,X0,BOOL,\n")) == Texts{"+C", "-A", "-B"});
   CHECK(words(compared("A,X0,BOOL,one\nB,X0,BOOL,two\n", "C,X0,BOOL,two\nD,X0,BOOL,three\n")) ==
         Texts{"B>C name", "A>D name comment"});
 }
@@ -84,6 +86,15 @@ TEST_CASE("diff: Rows of one name are paired by their addresses, then in their o
   CHECK(words(compared("A,X0,BOOL,\nA,X1,BOOL,\n", "A,X1,BOOL,\nA,X0,BOOL,\n")).empty());
   CHECK(words(compared("A,X0,BOOL,\nA,X1,BOOL,\n", "A,X1,BOOL,\nA,X5,BOOL,\n")) == Texts{"A>A address"});
   CHECK(words(compared("A,X0,BOOL,\n", "A,X0,BOOL,\nA,X1,BOOL,\n")) == Texts{"+A"});
+}
+
+TEST_CASE("diff: A name belongs to its scope, and a symbol may change its scope") {
+  const auto list = [](const std::string& rows) { return analyse_text("Name,Address,Type,Scope\n" + rows); };
+  CHECK(words(compared(list("A,X0,BOOL,P\nA,X1,BOOL,Q\n"), list("A,X5,BOOL,Q\nA,X0,BOOL,P\n"))) ==
+        Texts{"A>A address"});
+  CHECK(words(compared(list("A,X0,BOOL,P\nA,X1,BOOL,Q\n"), list("A,X5,BOOL,Q\nA,X6,BOOL,P\n"))) ==
+        Texts{"A>A address", "A>A address"});
+  CHECK(words(compared(list("A,,BOOL,P\nB,X1,BOOL,P\n"), list("A,,BOOL,Q\nB,X1,BOOL,P\n"))) == Texts{"A>A other"});
 }
 
 TEST_CASE("diff: Names of different controllers are different, unless a plant has only one") {
