@@ -85,6 +85,14 @@ TEST_CASE("diff: A renamed device is found by its symbols, and conditions on it 
   CHECK(!contains(text, "of the plant"));
 }
 
+TEST_CASE("diff: A device that becomes a small part of a new device is removed, not renamed") {
+  const std::vector<std::string> more{"L_P_CAR_O_P1", "L_P_CAR_O_P2", "L_P_CAR_I_P1", "L_P_CAR_I_P2",
+                                      "L_P_CAR_O_P3", "L_P_CAR_I_P3", "L_P_CAR_O_P4", "L_P_CAR_I_P4"};
+  const std::string text = lines_of(plants(kAgv, "", more, ""));
+  CHECK(contains(text, "1 device removed\n  L_P_AGV"));
+  CHECK(!contains(text, "device renamed"));
+}
+
 TEST_CASE("diff: A renamed task is a renamed state") {
   std::vector<std::string> names = kAgv;
   names[1] = "L_P_AGV_O_HOME";
