@@ -20,6 +20,7 @@ void add_model(CLI::App& app, Context& context);
 void add_map(CLI::App& app, Context& context);
 void add_doctor(CLI::App& app, Context& context);
 void add_convert(CLI::App& app, Context& context);
+void add_diff(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
 void add_schema(CLI::App& app, Context& context);
 void add_completion(CLI::App& app, Context& context);

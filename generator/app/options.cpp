@@ -216,6 +216,25 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   return compiled;
 }
 
+std::optional<Compiled> compile_for_report(Context& context, const std::string& plant, const PlantOptions& options,
+                                           bool& sound) {
+  diag::Diagnostics diagnostics;
+  Progress progress(context.err, context.progress);
+  auto compiled = compile(compile_options(context, plant, options), context.files, progress, diagnostics);
+  sound = compiled && !check::has_stopping_errors(diagnostics);
+  if (!compiled) {
+    show_findings(context, diagnostics, options.verbose);
+    show_counts(context, plant, diagnostics, options.verbose, compiled);
+    return compiled;
+  }
+  if (options.verbose) report_decisions(context, *compiled);
+  if (!sound) {
+    const std::string counts = count_text(diagnostics, diag::Severity::error);
+    context.err << diag::visible(plant) << ": " << counts << "; `symplant check` shows them\n";
+  }
+  return compiled;
+}
+
 std::optional<Inputs> read_for(Context& context, const std::string& plant, const PlantOptions& options) {
   diag::Diagnostics diagnostics;
   Progress progress(context.err, context.progress);

@@ -27,6 +27,11 @@ CompileOptions compile_options(const Context& context, const std::string& plant,
 /// findings). If there are errors, returns no value and sets the exit code to 2.
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options);
 
+/// The same for a command that only reports about the plant: a plant with errors has a result. `sound` is set to
+/// whether it has none.
+std::optional<Compiled> compile_for_report(Context& context, const std::string& plant, const PlantOptions& options,
+                                           bool& sound);
+
 /// The lists of a plant, for a command that does not need its model. The same messages and exit code as compile_for().
 std::optional<Inputs> read_for(Context& context, const std::string& plant, const PlantOptions& options);
 

@@ -121,4 +121,20 @@ std::string mermaid_text(std::string_view utf8) {
   return text;
 }
 
+std::string markdown_code(std::string_view utf8) {
+  const std::string shown = visible(utf8);
+  if (shown.empty()) return {};
+  const bool blank_end = shown.front() == ' ' || shown.back() == ' ';
+  if (!blank_end && shown.find_first_of("`|\\") == std::string::npos) return "`" + shown + "`";
+  std::string text = "<code>";
+  for (const char c : shown) {
+    if (static_cast<unsigned char>(c) >= 0x80 || is_ascii_letter_or_digit(c)) {
+      text += c;
+    } else {
+      text.append("&#").append(std::to_string(static_cast<unsigned char>(c))).append(";");
+    }
+  }
+  return text + "</code>";
+}
+
 }  // namespace symplant::diag

@@ -28,4 +28,9 @@ std::string sarif_text(std::string_view utf8);
 /// a few harmless ones are written as `#NN;`.
 std::string mermaid_text(std::string_view utf8);
 
+/// A code span of Markdown, which is also safe in a cell of a table; empty for an empty text. A text with a back-tick,
+/// a bar or a backslash becomes an HTML element `<code>` in which all but ASCII letters and digits is written as
+/// `&#NN;`.
+std::string markdown_code(std::string_view utf8);
+
 }  // namespace symplant::diag

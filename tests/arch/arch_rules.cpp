@@ -20,9 +20,9 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 19> kGenerator = {
+constexpr std::array<std::string_view, 20> kGenerator = {
     "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing", "infer",
-    "model", "score", "convert", "lower",   "check", "findings", "emit",        "view",   "app"};
+    "model", "score", "convert", "lower",   "check", "findings", "emit",        "view",   "diff",    "app"};
 constexpr std::array<std::string_view, 11> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
                                                        "exec",   "link",   "trace", "scenario",  "host"};
 
@@ -44,6 +44,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"findings", " json "},
     RuntimeUse{"emit", " tables plant "},
     RuntimeUse{"view", " tables "},
+    RuntimeUse{"diff", " tables "},
     RuntimeUse{"app", " tables json link trace scenario host "},
 };
 

@@ -13,6 +13,9 @@ std::vector<Command> commands_of(const std::string& file) {
   }
   all.push_back({"map", {"map", file}});
   all.push_back({"init", {"init", file}});
+  all.push_back({"diff", {"diff", file, "symbols.csv", "--format", "markdown"}});
+  all.push_back({"diff", {"diff", "symbols.csv", file, "--verbose"}});
+  all.push_back({"diff", {"diff", file, file, "--format", "json", "-o", "../out/result"}});
   for (const char* result : {"../out/io.csv", "../out/io.txt", "../out/io.xlsx", "../out/io.xml", "../out/io.st"}) {
     all.push_back({"convert", {"convert", file, result, "--renamed", "../out/renames"}});
   }
@@ -76,6 +79,8 @@ std::span<const Misuse> misuses() {
       {"a trace over the input", {"run", "symbols.csv", "--until", "1s", "--trace", "symbols.csv"}},
       {"a converted list over the input", {"convert", "symbols.csv", "../in/symbols.csv"}},
       {"a full disk: a converted list", {"convert", "symbols.csv", "/dev/full", "--to", "tia-xlsx"}},
+      {"a difference over an input", {"diff", "symbols.csv", "symbols.csv", "-o", "../in/symbols.csv"}},
+      {"a full disk: a difference", {"diff", "symbols.csv", "symbols.csv", "-o", "/dev/full"}},
       {"two results in one file", {"run", "symbols.csv", "--until", "1s", "--trace", "../out/x", "--vcd", "../out/x"}},
       {"templates that are not there", {"generate", "symbols.csv", "-o", "../out/new", "--templates", "/dev/null"}},
       {"`explain` of no rule", {"explain", "no-such-rule\x1B[31m%n"}},

@@ -98,7 +98,8 @@ std::string page(const Trials& trials) {
       "## Symbol lists\n\n"
       "`check` runs with text and JSON output, `model` with every `--format`. `good` is exit code 0, `findings` 1, "
       "`refused` 2, with the errors that\n"
-      "`check` finds.\n\n" +
+      "`check` finds. `diff` compares each input with a list without a fault, in both orders, and with itself: "
+      "plants that differ are\n`findings`.\n\n" +
       table(trials, Input::Kind::list) +
       "\n## Plant descriptions\n\nEach with a small symbol list without a fault.\n\n" +
       table(trials, Input::Kind::plant) + "\n## Scenarios\n\n" + table(trials, Input::Kind::scenario) +
