@@ -14,8 +14,8 @@ namespace symplant::app {
 class BaselineFile {
  public:
   /// `read` and `write` are the files of the options; at most one is given. No file is read yet.
-  BaselineFile(std::string read, std::string write, Context& context)
-      : path_(write.empty() ? std::move(read) : write), writes_(!write.empty()), context_(context) {}
+  BaselineFile(const std::string& read, const std::string& write, Context& context)
+      : path_(write.empty() ? read : write), writes_(!write.empty()), context_(context) {}
 
   /// False if the file cannot be used: a message is written and the exit code set.
   bool open();

@@ -69,6 +69,7 @@ std::vector<Comments> comments_of(const model::PlantModel& plant) {
   std::vector<Comments> lists(plant.lists.size());
   for (const model::Symbol& symbol : plant.symbols) {
     Comments& comments = lists[symbol.list];
+    if (symbol.row->comment.size() < std::max(comments.length, kShortestLimit)) continue;
     const std::size_t length = text::count_code_points(symbol.row->comment);
     if (length > comments.length) {
       comments.length = length;
@@ -78,8 +79,10 @@ std::vector<Comments> comments_of(const model::PlantModel& plant) {
   }
   for (const model::Symbol& symbol : plant.symbols) {
     Comments& comments = lists[symbol.list];
+    if (comments.longest.size() < kLeastCut) continue;
     std::string_view text = symbol.row->comment;
-    if (text::count_code_points(text) == comments.length) text = text.substr(0, begin_of_last_word(text));
+    if (text.size() >= comments.length && text::count_code_points(text) == comments.length)
+      text = text.substr(0, begin_of_last_word(text));
     add_words(text, comments);
   }
   return lists;
