@@ -66,7 +66,7 @@ struct Related {
 struct Rename {
   std::string from;
   std::string to;
-  std::string address;  ///< as the list writes it; empty if there is none
+  std::string address;  ///< as the list writes it; empty without one
   bool safe = false;    ///< the list itself proves it; else a person decides
 };
 

@@ -97,7 +97,7 @@ class Beginnings {
     if (own_.empty()) return;
     for_each_beginning(name, [&](std::string_view beginning) { own_.erase(beginning); });
   }
-  /// The shortest such beginning; empty if there is none.
+  /// The shortest such beginning; empty without one.
   std::string_view of(std::string_view name) const {
     std::string_view found;
     for_each_beginning(name, [&](std::string_view beginning) {

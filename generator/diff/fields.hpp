@@ -9,10 +9,10 @@
 
 namespace symplant::diff {
 
-/// The address that counts of a row; nothing if there is none or it cannot be read.
+/// The address that counts of a row; nothing without one that can be read.
 std::optional<address::Address> address_of(const model::PlantModel& plant, const RowRef& at);
 
-/// The address as the list writes it: the vendor's, else the IEC one; empty if there is none.
+/// The address as the list writes it: the vendor's, else the IEC one; empty without one.
 std::string_view written_address(const read::ListRow& row);
 
 /// Whether two cells name one type, in the words of any tool.

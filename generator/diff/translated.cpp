@@ -34,7 +34,7 @@ class Votes {
     }
   }
 
-  /// The new device that has more than half of the symbols of both; kNone if there is none.
+  /// The new device that has more than half of the symbols of both; kNone without one.
   std::uint32_t winner() const {
     for (const auto& [unit, count] : counts_) {
       const std::size_t size = after_.units[unit].operations.size() + after_.units[unit].events.size();

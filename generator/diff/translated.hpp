@@ -18,7 +18,7 @@ std::vector<std::uint32_t> units_after(const model::PlantModel& before, const mo
                                        const std::vector<std::uint32_t>& symbols);
 
 /// The old state of a device that has, under another name, the operation or the event of a new one; by new state,
-/// kNone if there is none. A name that both devices have is never another name. O(states log states).
+/// kNone without one. A name that both devices have is never another name. O(states log states).
 std::vector<std::uint32_t> renamed_states(const model::Unit& before, const model::Unit& after,
                                           const std::vector<std::uint32_t>& symbols);
 

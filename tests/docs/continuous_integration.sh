@@ -9,9 +9,9 @@ trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/bin"
 ln -s "$tool" "$folder/bin/symplant"
 PATH=$folder/bin:$PATH
-cp -r "$project/examples" "$folder/project"
-mkdir "$folder/work" && mv "$folder/project" "$folder/work/examples"
-cd "$folder/work"
+mkdir "$folder/lists"
+cd "$folder/lists"
+cp -r "$project/examples" .
 
 fail() { echo "docs/continuous-integration.md: $*" >&2; exit 1; }
 
