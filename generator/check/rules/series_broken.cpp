@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <limits>
-#include <map>
 #include <optional>
-#include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "check/rules.hpp"
@@ -108,22 +109,43 @@ class SeriesSearch {
   diag::Diagnostics& diagnostics_;
 };
 
+/// What the members of a series have in common: list, side, and text but for the number.
+struct SeriesKey {
+  std::uint32_t list;
+  address::Area area;
+  std::string_view before;
+  std::string_view after;
+
+  bool operator==(const SeriesKey&) const = default;
+};
+
+struct HashSeriesKey {
+  std::size_t operator()(const SeriesKey& key) const {
+    const std::hash<std::string_view> hash;
+    const std::size_t where = 31 * std::size_t{key.list} + static_cast<std::size_t>(key.area);
+    return 31 * (31 * hash(key.before) + hash(key.after)) + where;
+  }
+};
+
 void check_series_broken(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  std::map<std::string, std::vector<Numbered>> groups;  // by list, side and text but for the number
+  std::unordered_map<SeriesKey, std::size_t, HashSeriesKey> group_of;
+  std::vector<std::vector<Numbered>> groups;
   for (const model::Symbol& symbol : plant.symbols) {
     if (!symbol.address || symbol.type != tables::DataType::boolean || symbol.leader != model::kNone) continue;
     const bool by_comment = symbol.row->is_named_by_address();
     const std::string_view text = by_comment ? symbol.row->comment : symbol.name();
     if (const auto found = numbered(symbol, text)) {
       const auto begin = static_cast<std::size_t>(found->digits.data() - text.data());
-      groups[fmt::format("{} {} {}#{}", symbol.list, static_cast<int>(symbol.address->area), text.substr(0, begin),
-                         text.substr(begin + found->digits.size()))]
-          .push_back(*found);
+      const SeriesKey key{symbol.list, symbol.address->area, text.substr(0, begin),
+                          text.substr(begin + found->digits.size())};
+      const auto [group, added] = group_of.try_emplace(key, groups.size());
+      if (added) groups.emplace_back();
+      groups[group->second].push_back(*found);
     }
   }
   SeriesSearch search(rule, plant, diagnostics);
-  for (auto& [key, group] : groups) search.look_at(group);
+  for (std::vector<Numbered>& group : groups) search.look_at(group);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
-#include <set>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "check/rules.hpp"
@@ -29,11 +29,15 @@ with a longer field.
 constexpr std::size_t kShortestLimit = 16;
 constexpr std::size_t kLeastCut = 3;
 
+using WordSet = std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>;
+
 /// The comments of one list.
 struct Comments {
-  std::set<std::string, std::less<>> words;  ///< in capitals; the last words of the longest comments are left out
   std::vector<const model::Symbol*> longest;
   std::size_t length = 0;
+  WordSet last;                    ///< last words of the longest comments that no other comment has
+  WordSet others;                  ///< words of the other comments, until `last` is empty
+  std::vector<std::string> words;  ///< the same in capitals, sorted
 };
 
 /// Letters, and the bytes of other scripts.
@@ -50,7 +54,8 @@ std::size_t begin_of_last_word(std::string_view text) {
 void add_words(std::string_view text, Comments& comments) {
   while (!text.empty()) {
     const std::size_t begin = begin_of_last_word(text);
-    if (begin < text.size()) comments.words.insert(text::to_upper(text.substr(begin)));
+    if (begin < text.size() && comments.others.insert(text.substr(begin)).second)
+      comments.last.erase(text.substr(begin));
     text.remove_suffix(text.size() - begin + (begin == 0 ? 0 : 1));
     if (begin == 0) break;
   }
@@ -60,9 +65,10 @@ void add_words(std::string_view text, Comments& comments) {
 /// an ending.
 bool is_cut(const Comments& comments, std::string_view text) {
   const std::string last = text::to_upper(text.substr(begin_of_last_word(text)));
+  if (comments.last.count(last) == 0) return false;
   if (std::any_of(last.begin(), last.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) return false;
-  const auto next = comments.words.lower_bound(last);
-  return !last.empty() && next != comments.words.end() && *next != last && std::string_view(*next).starts_with(last);
+  const auto next = std::lower_bound(comments.words.begin(), comments.words.end(), last);
+  return next != comments.words.end() && std::string_view(*next).starts_with(last);
 }
 
 std::vector<Comments> comments_of(const model::PlantModel& plant) {
@@ -77,13 +83,26 @@ std::vector<Comments> comments_of(const model::PlantModel& plant) {
     }
     if (length == comments.length) comments.longest.push_back(&symbol);
   }
+  for (Comments& comments : lists) {
+    if (comments.longest.size() < kLeastCut) continue;
+    for (const model::Symbol* symbol : comments.longest) {
+      const std::string_view text = symbol->row->comment;
+      if (const std::size_t begin = begin_of_last_word(text); begin < text.size())
+        comments.last.insert(text.substr(begin));
+    }
+  }
   for (const model::Symbol& symbol : plant.symbols) {
     Comments& comments = lists[symbol.list];
-    if (comments.longest.size() < kLeastCut) continue;
+    if (comments.last.empty()) continue;
     std::string_view text = symbol.row->comment;
     if (text.size() >= comments.length && text::count_code_points(text) == comments.length)
       text = text.substr(0, begin_of_last_word(text));
     add_words(text, comments);
+  }
+  for (Comments& comments : lists) {
+    if (comments.last.empty()) continue;
+    for (const std::string_view word : comments.others) comments.words.push_back(text::to_upper(word));
+    std::sort(comments.words.begin(), comments.words.end());
   }
   return lists;
 }

@@ -105,6 +105,28 @@ TEST_CASE("The description's `initial` fixes a start by the order of rows") {
         "/devices/L_P_D: `L_P_D` starts in `ADV`, only because its row comes first: give `initial` in plant.json");
 }
 
+TEST_CASE("Devices that start by the order of rows are one finding if they are more than a third of a list") {
+  const auto findings = [](int by_order, int with_initial) {
+    std::vector<std::string> names;
+    for (int i = 0; i < by_order + with_initial; ++i) {
+      const std::string device = "L_P_D" + std::string(1, static_cast<char>('A' + i));
+      for (const char* task : {"_O_ADV", "_I_ADV", "_O_RET", "_I_RET"}) names.push_back(device + task);
+      if (i >= by_order) names.back() += '*';
+    }
+    return analyse_rows(bits(names));
+  };
+  const auto count = [&](int by_order, int with_initial) {
+    return findings(by_order, with_initial).count("initial-by-row-order");
+  };
+  CHECK(count(3, 0) == 3);
+  CHECK(count(4, 8) == 4);
+  CHECK(count(4, 7) == 1);
+  CHECK(reported(findings(5, 2), "initial-by-row-order") ==
+        ": 5 of 7 devices of `symbols.csv` start in a state only because its row comes first, such as "
+        "`L_P_DA` in `ADV`, "
+        "`L_P_DB` in `ADV`, `L_P_DC` in `ADV`: write Initial TRUE for the event that is on then");
+}
+
 TEST_CASE("Of several events with Initial TRUE only those of states are counted") {
   std::vector<std::string> names{"L_P_D_O_P1", "L_P_D_I_P1*", "L_P_D_O_P2", "L_P_D_I_P2*", "L_P_D_I_READY*"};
   description::DeviceDescription d = device();
