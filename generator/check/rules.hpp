@@ -1,4 +1,4 @@
-// All rules over the plant model, a file each in rules/.
+// All rules over the plant model. The files in rules/ have those of one subject each.
 #pragma once
 
 #include <array>

@@ -11,15 +11,16 @@ void add_conditions(const model::Unit& unit, const model::PlantModel& plant, std
     return decide(unit.conditions[condition], plant, AllStates(plant));
   };
   std::vector<bool> seen(unit.first_input);
+  const auto add = [&](const model::Transition& transition, std::uint32_t condition, std::string_view key,
+                       std::string description::GivenTransition::*text) {
+    if (condition == model::kNone || seen[condition]) return;
+    seen[condition] = true;
+    found.push_back({&unit, &unit.conditions[condition], unit.described->transitions[transition.given].*text,
+                     &transition, key, verdict_of(condition)});
+  };
   for (const model::Transition& transition : unit.transitions) {
-    if (transition.when == model::kNone || seen[transition.when]) continue;
-    seen[transition.when] = true;
-    found.push_back({&unit,
-                     &unit.conditions[transition.when],
-                     unit.described->transitions[transition.given].when,
-                     &transition,
-                     {},
-                     verdict_of(transition.when)});
+    add(transition, transition.when, "when", &description::GivenTransition::when);
+    add(transition, transition.during, "while", &description::GivenTransition::during);
   }
   for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
     const auto& inputs = unit.described->inputs;  // some may be left out, and they are in any order
@@ -33,8 +34,8 @@ void add_conditions(const model::Unit& unit, const model::PlantModel& plant, std
 }  // namespace
 
 description::Pointer WrittenCondition::pointer() const {
-  return transition != nullptr ? transition_pointer(*unit, *transition, "when")
-                               : description::key_pointer(*unit->described, description::DeviceKey::inputs) / input;
+  return transition != nullptr ? transition_pointer(*unit, *transition, key)
+                               : description::key_pointer(*unit->described, description::DeviceKey::inputs) / key;
 }
 
 std::vector<WrittenCondition> conditions_of(const Subject& subject) {

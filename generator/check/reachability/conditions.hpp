@@ -10,15 +10,15 @@
 
 namespace symplant::check {
 
-/// A condition of a device, written out: `when` of a transition, or an input of a behavior.
+/// A condition of a device, written out: `when` or `while` of a transition, or an input of a behavior.
 struct WrittenCondition {
   const model::Unit* unit;
   const condition::Tree* tree;
   std::string_view text;
   /// The first transition with this text; null for an input of a behavior.
   const model::Transition* transition;
-  std::string_view input;  ///< its name
-  Verdict verdict;         ///< if every state of every device is possible
+  std::string_view key;  ///< `when` or `while` of the transition; the name of the input
+  Verdict verdict;       ///< if every state of every device is possible
 
   /// Of the first location where the device has this text.
   description::Pointer pointer() const;

@@ -182,6 +182,20 @@ TEST_CASE("A condition in several transitions of a device is reported once") {
         "taken: correct it");
 }
 
+TEST_CASE("The `while` of a move is checked as its `when` is") {
+  description::DeviceDescription d = device();
+  d.transitions = {transition("P1", "P2"), transition("P2", "P1")};
+  d.transitions[0].during = "L_P_E.A1 and L_P_E.A2";
+  d.transitions[1].during = "not L_P_E.A1 or not L_P_E.A2";
+  const Analysed analysed = analyse_described(two_devices(), describing({d}));
+  CHECK(reported(analysed, "condition-never-holds") ==
+        "/devices/L_P_D/transitions/0/while: `L_P_E.A1 and L_P_E.A2` can never hold, so that the move never ends: "
+        "correct it");
+  CHECK(reported(analysed, "condition-always-holds") ==
+        "/devices/L_P_D/transitions/1/while: `not L_P_E.A1 or not L_P_E.A2` always holds, so that it never stops the "
+        "move: correct or remove it");
+}
+
 TEST_CASE("Inputs of a behavior are checked, too") {
   description::DeviceDescription d = device();
   d.behaviour = "MyOwn";
