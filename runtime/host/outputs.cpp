@@ -68,6 +68,11 @@ void Outputs::write(const trace::Record& record) {
     case trace::Record::Kind::unit:
     case trace::Record::Kind::part:
     case trace::Record::Kind::part_move:
+    case trace::Record::Kind::remaining:
+    case trace::Record::Kind::whole:
+    case trace::Record::Kind::track:
+    case trace::Record::Kind::part_at:
+    case trace::Record::Kind::part_speed:
       break;
     case trace::Record::Kind::finding:
       if (loop_goes_on_) {
@@ -91,7 +96,7 @@ void Outputs::write(const trace::Record& record) {
       return;
   }
   if (trace_) trace_->write(record);
-  if (vcd_) vcd_->write(record);
+  if (vcd_ && vcd_end_ < 0) vcd_->write(record);
 }
 
 void Outputs::end_instant(tables::Time time) {
@@ -103,11 +108,18 @@ void Outputs::end_instant(tables::Time time) {
     if (findings_) findings_->write(found, words, history_);
   }
   found_.clear();
-  if (vcd_) {
+  last_time_ = time;
+  if (vcd_ && vcd_end_ < 0) {
     vcd_->begin(time, history_);
     vcd_->part(time, history_);
   }
   if (trace_) trace_->part(time, history_);
+}
+
+void Outputs::set_back(std::string_view what, std::string_view name, tables::Time time) {
+  if (trace_) trace_->set_back(what, name, time, history_);
+  if (vcd_ && vcd_->has_begun() && vcd_end_ < 0) vcd_end_ = last_time_;
+  last_time_ = time;
 }
 
 void Outputs::drain() {
@@ -140,7 +152,11 @@ void Outputs::finish(tables::Time end, std::ostream& err) {
   drain();
   if (vcd_) {
     vcd_->begin(0, history_);
-    vcd_->end(end);
+    vcd_->end(vcd_end_ < 0 ? end : vcd_end_);
+  }
+  if (vcd_end_ >= 0) {
+    err << fmt::format("warning: the VCD file ends at {}, when the plant was set back: its time cannot go back\n",
+                       trace::seconds(vcd_end_));
   }
   flush();
   is_well(trace_, "warning", err);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -34,6 +35,9 @@ class Outputs {
   /// Opens the files; they also get earlier records. False, with a message on `err`, if one cannot be opened.
   bool open(std::uint64_t model_hash, std::ostream& err);
 
+  /// The plant was set to another state, which the history has: a line of the trace; the VCD file, whose time cannot go
+  /// back, ends. `what` and `name` as for TraceFile::set_back().
+  void set_back(std::string_view what, std::string_view name, tables::Time time);
   void drain();
   void start_thread();
   void stop_thread();
@@ -65,6 +69,8 @@ class Outputs {
   std::vector<bool> carried_;             ///< by symbol; empty: all
   std::uint64_t turn_ = 0;                ///< of the failed step that the next note is about
   bool loop_goes_on_ = false;
+  tables::Time last_time_ = 0;  ///< of the last instant
+  tables::Time vcd_end_ = -1;  ///< when the plant was set back, and the VCD file ended; -1: it goes on
   std::uint64_t changes_ = 0;
   std::uint64_t instants_ = 0;
   std::jthread thread_;

@@ -2,6 +2,7 @@
 #include "symplant/host/run.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -133,6 +134,40 @@ bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostr
   return true;
 }
 
+/// The state from which a run starts.
+struct Resumed {
+  std::string name;
+  trace::Snapshot snapshot;
+};
+
+/// Reads the snapshot of `--resume` or of the scenario, if there is one. Returns false with a message on `err` on error.
+bool read_resumed(const Stage& stage, const RunOptions& options, const scenario::Scenario* scenario,
+                  std::optional<Resumed>& resumed, std::ostream& err) {
+  const std::string by_scenario = scenario != nullptr ? scenario->restore : std::string();
+  if (!by_scenario.empty() && !options.resume.empty()) {
+    err << "error: the scenario starts from the snapshot `" << by_scenario << "`: remove `--resume`\n";
+    return false;
+  }
+  const std::string& path = by_scenario.empty() ? options.resume : by_scenario;
+  if (path.empty()) return true;
+  trace::ReadSnapshot read = trace::read_snapshot(path, stage.plant.model_hash(), stage.plant.save().size());
+  if (!read.error.empty()) {
+    err << "error: " << read.error << "\n";
+    return false;
+  }
+  resumed.emplace(std::filesystem::path(path).stem().string(), std::move(read.snapshot));
+  return true;
+}
+
+/// Writes the state at the end, if that is asked for. False, with a message on `err`, on error.
+bool save_end(const Stage& stage, const RunOptions& options, std::ostream& err) {
+  if (options.save.empty()) return true;
+  const std::string error =
+      trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));
+  if (!error.empty()) err << "error: " << error << "\n";
+  return error.empty();
+}
+
 /// What a run plays.
 struct Played {
   const PlantProgram& program;
@@ -142,13 +177,14 @@ struct Played {
   const LinkChoices& links;
   bool real;                    ///< in real time
   const PlcClockChoice* clock;  ///< null: the wall clock
+  const Resumed* resumed;       ///< null: from the initial state
 };
 
 /// Runs the plant from time 0 to the end. Returns the exit code.
 int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
   const PlantProgram& program = played.program;
   const RunOptions& options = played.options;
-  stage.advance_to(0);  // so that links answer from the plant's initial state
+  if (played.resumed == nullptr) stage.advance_to(0);  // so that links answer from the plant's initial state
   Links links;
   const int opened = open_links(played.links, program.tables, stage.plant, links, streams.err);
   if (opened != kGood) return opened;
@@ -157,6 +193,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   played.names.name_links(std::move(named));
   LastFiles last(options, streams.out);
   if (!stage.outputs.open(stage.plant.model_hash(), streams.err) || !last.are_well(streams.err)) return kEnvironment;
+  if (played.resumed != nullptr) stage.outputs.set_back("restored", played.resumed->name, stage.plant.now());
   resort.begun();
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << behaviour_lines(program.tables, program.behaviours);
@@ -192,7 +229,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
     return stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, played.clock, links,
                        tables::Time{wall.count()}});
   });
-  if (!last.are_well(streams.err)) return kEnvironment;
+  if (!last.are_well(streams.err) || !save_end(stage, options, streams.err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;
 }
 
@@ -242,7 +279,14 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
   if (linked) stage.outputs.report_short_events_of(carried);
-  const int code = play(stage, {program, options, names, played, chosen, real, clock}, resort, streams);
+  std::optional<Resumed> resumed;
+  if (!read_resumed(stage, options, played, resumed, err)) return kBadInput;
+  if (resumed && !stage.resume(resumed->snapshot)) {
+    err << "error: the snapshot `" << resumed->name << "` is damaged: make it again\n";
+    return kBadInput;
+  }
+  const Resumed* const from = resumed ? &*resumed : nullptr;
+  const int code = play(stage, {program, options, names, played, chosen, real, clock, from}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

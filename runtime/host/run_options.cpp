@@ -87,6 +87,9 @@ void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--junit", options.junit, "report expectations and requirements to this file, as JUnit XML")
       ->type_name("FILE");
   app.add_option("--stats", options.stats, "write statistics of the run to this file, as JSON")->type_name("FILE");
+  app.add_option("--save", options.save, "write the state of the plant at the end to this file, for --resume")
+      ->type_name("FILE");
+  app.add_option("--resume", options.resume, "start from a state that --save or the panel wrote")->type_name("FILE");
 }
 
 void add_real_time(CLI::App& app, RunOptions& options) {

@@ -40,6 +40,8 @@ struct RunOptions {
   std::string findings;
   std::string junit;
   std::string stats;
+  std::string save;    ///< the state at the end
+  std::string resume;  ///< the state at the start
   std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
   bool fail_on_findings = false;

@@ -30,4 +30,12 @@ Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace
   if (scenario != nullptr) player.emplace(*scenario, plant, recorder);
 }
 
+bool Stage::resume(const trace::Snapshot& snapshot) {
+  if (!plant.restore(snapshot.block)) return false;
+  recorder.take_over();
+  history.load(plant);
+  if (player) player->begin_again();
+  return true;
+}
+
 }  // namespace symplant::host

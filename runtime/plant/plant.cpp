@@ -100,12 +100,15 @@ UnitView Plant::unit(std::uint32_t unit) const noexcept {
   const auto is = [&](std::uint16_t flag) { return (state.flags & flag) != 0; };
   UnitView view{
       state.state, state.state, is(engine::kMoving), is(engine::kMidway), is(engine::kDisabled), is(engine::kFrozen),
-      0,           0.0};
+      0,           0,
+      0.0};
   if (!view.moving) return view;
   view.target = state.target;
   view.remaining = std::max<tables::Time>(engine_->remaining(unit), 0);
-  const auto whole = static_cast<double>(engine_->whole(unit));
-  view.progress = whole == 0 ? 1.0 : std::max(0.0, 1.0 - static_cast<double>(view.remaining) / whole);
+  view.whole = engine_->whole(unit);
+  view.progress = view.whole == 0
+                      ? 1.0
+                      : std::max(0.0, 1.0 - static_cast<double>(view.remaining) / static_cast<double>(view.whole));
   return view;
 }
 
@@ -125,6 +128,11 @@ PartView Plant::part(std::uint32_t location, std::uint32_t index) const noexcept
   }
   const engine::PlacePart& part = flow.part_in(tables_.material.place_of(location), index);
   return {part.number, part.kind, 0, part.since};
+}
+
+PartMotion Plant::motion(std::uint32_t track, std::uint32_t index) const noexcept {
+  const engine::Part& part = engine_->flow().part_on(track, index);
+  return {part.at(engine_->now()) / engine::kMicrometer, part.v};
 }
 
 std::uint64_t Plant::parts_made(std::uint32_t kind) const noexcept { return engine_->flow().kind(kind).made; }

@@ -28,6 +28,7 @@ struct UnitView {
   bool disabled;           ///< by another unit
   bool frozen;             ///< found in an instantaneous loop
   tables::Time remaining;  ///< remaining travel time, ns; 0 if it is settled
+  tables::Time whole;      ///< travel time of the whole move, ns; 0 if it is settled
   double progress;         ///< of the move, 0 to 1; 0 if it is settled
 };
 
@@ -37,6 +38,12 @@ struct PartView {
   std::uint32_t kind;
   std::int64_t x;      ///< on a track: its front, in um, rounded down; else 0
   tables::Time since;  ///< when it came to its location
+};
+
+/// How a part on a track moves: at plant time t its front is at x + v * (t - now).
+struct PartMotion {
+  std::int64_t x;  ///< um, rounded down
+  std::int32_t v;  ///< um/s; < 0: backward
 };
 
 /// What a transfer of parts does.
@@ -155,6 +162,8 @@ class Plant {
   std::uint32_t parts(std::uint32_t location) const noexcept;
   /// A part at a location: `index` 0 is the front-most on a track, and the one that came first in a place. O(1).
   PartView part(std::uint32_t location, std::uint32_t index) const noexcept;
+  /// The motion of a part on a track, from now on. O(1).
+  PartMotion motion(std::uint32_t track, std::uint32_t index) const noexcept;
   /// The parts made as a kind since the reset, those that left the plant as that kind, and those present. Work changes
   /// the kind of parts, so that present is not made - gone. O(1), O(parts) for the present ones.
   std::uint64_t parts_made(std::uint32_t kind) const noexcept;

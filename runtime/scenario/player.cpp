@@ -46,17 +46,6 @@ void Player::instant(const engine::Instant& instant) noexcept {
   met_time_ = instant.time;
 }
 
-void Player::set(const SymbolValue& value) noexcept {
-  const tables::SymbolRow& row = plant_.tables().symbols[value.symbol];
-  if (row.direction() == tables::Direction::event) {
-    plant_.set_input(value.symbol, value.value);
-  } else if (row.type() == tables::DataType::boolean) {
-    plant_.set_operation(row.index, value.value != 0);
-  } else {
-    plant_.set_operation_value(row.index, value.value);
-  }
-}
-
 /// False if a part had no room, or there was none to take.
 bool Player::act_by_hand(const Step& step) noexcept {
   const std::size_t hands = step.put.size() + step.take.size();
@@ -78,22 +67,10 @@ bool Player::act_by_hand(const Step& step) noexcept {
 
 /// False if the step has failed already.
 bool Player::act(const Step& step) noexcept {
-  for (const SymbolValue& value : step.set) set(value);
-  for (const UnitState& unit : step.states) plant_.set_state(unit.unit, unit.state);
+  write_symbols(step, plant_);
   const bool well = act_by_hand(step);
-  for (const SymbolValue& value : step.force) {
-    plant_.force(value.symbol, value.value);
-    note_force(value.symbol, true);
-  }
-  for (const std::uint32_t symbol : step.release) {
-    plant_.release(symbol);
-    note_force(symbol, false);
-  }
+  force_symbols(step, plant_, recorder_);
   return well;
-}
-
-void Player::note_force(std::uint32_t symbol, bool forced) noexcept {
-  recorder_.note(plant_.now(), kForceNote, std::uint64_t{symbol} * 2 + (forced ? 1 : 0));
 }
 
 void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {
@@ -107,6 +84,7 @@ void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {
     if (!scenario_.repeats.empty()) note(kTurnNote, outcome.done);
     note(static_cast<std::uint32_t>(at_), static_cast<std::uint64_t>(time));
   }
+  if (notes_steps_) recorder_.note(plant_.now(), kStepNote, at_ + (kind == Outcome::Kind::failed ? kStepFailed : 0));
   ++outcome.done;
   if (outcome.kind != Outcome::Kind::failed) {
     outcome.kind = kind;
@@ -164,6 +142,7 @@ void Player::advance_to(tables::Time time) noexcept {
     if (due > time) break;
     const bool well = act(step);
     if (!step.expect) {
+      if (step.ends_instant) advance_plant(time);
       decide(!step.is_checked() ? Outcome::Kind::done : well ? Outcome::Kind::held : Outcome::Kind::failed, due);
       continue;
     }
@@ -171,6 +150,15 @@ void Player::advance_to(tables::Time time) noexcept {
     decide(well && holds(*step.expect, plant_) ? Outcome::Kind::held : Outcome::Kind::failed, due);
   }
   advance_plant(time);
+}
+
+void Player::begin_again() noexcept {
+  std::fill(outcomes_.begin(), outcomes_.end(), Outcome{});
+  std::fill(turns_.begin(), turns_.end(), 0);
+  late_notes_.clear();
+  hands_ = at_ = 0;
+  moment_ = plant_.now();
+  waiting_ = met_ = false;
 }
 
 void Player::end() noexcept {

@@ -7,6 +7,7 @@
 
 #include "symplant/exec/stepper.hpp"
 #include "symplant/plant/plant.hpp"
+#include "symplant/scenario/act.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/recorder.hpp"
 
@@ -28,13 +29,15 @@ struct Outcome {
 };
 /// The `of` of a note before that of a failed step: its value is how often the step was done before.
 inline constexpr std::uint32_t kTurnNote = 0xFFFF'FFFF;
-/// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
-inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
-
 /// The `of` of a note before that of a failed step: its value is the index of a part in Step::put that has no room, or
 /// kTakeNote more than an index in Step::take with no part.
 inline constexpr std::uint32_t kHandNote = 0xFFFF'FFFD;
 inline constexpr std::uint64_t kTakeNote = std::uint64_t{1} << 32;
+
+/// The `of` of a note about each step that was done, only with Player::note_steps(): its value is the step's index, and
+/// kStepFailed more if its expectation failed.
+inline constexpr std::uint32_t kStepNote = 0xFFFF'FFFC;
+inline constexpr std::uint64_t kStepFailed = std::uint64_t{1} << 32;
 
 /// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
 /// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
@@ -57,6 +60,11 @@ class Player final : public engine::Observer, public exec::Stepper {
   /// Ends the run: marks the remaining steps as unreached.
   void end() noexcept;
 
+  /// Adds a note for each step that is done (kStepNote).
+  void note_steps() noexcept { notes_steps_ = true; }
+  /// Begins again with the first step at the plant's time, which is that of the first `plus`.
+  void begin_again() noexcept;
+
   /// One outcome per step.
   std::span<const Outcome> outcomes() const noexcept { return outcomes_; }
 
@@ -70,9 +78,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   tables::Time time_of(const Step& step) const noexcept;
   bool act(const Step& step) noexcept;
   bool act_by_hand(const Step& step) noexcept;
-  void note_force(std::uint32_t symbol, bool forced) noexcept;
   void advance_plant(tables::Time time) noexcept;
-  void set(const SymbolValue& value) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;
   void go_on() noexcept;
@@ -96,6 +102,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   tables::Time deadline_ = 0;  ///< of the current wait
   bool met_ = false;           ///< the current wait is met
   tables::Time met_time_ = 0;  ///< the time at which it was met
+  bool notes_steps_ = false;
 };
 
 }  // namespace symplant::scenario
