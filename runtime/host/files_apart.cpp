@@ -24,12 +24,8 @@ bool is_device(const std::string& path) {
 }
 
 std::vector<Output> outputs_of(const RunOptions& options) {
-  std::vector<Output> outputs{{"--trace", options.trace},
-                              {"--vcd", options.vcd},
-                              {"--findings", options.findings},
-                              {"--junit", options.junit},
-                              {"--stats", options.stats},
-                              {"--save", options.save}};
+  std::vector<Output> outputs{{"--trace", options.trace}, {"--vcd", options.vcd},     {"--findings", options.findings},
+                              {"--junit", options.junit}, {"--stats", options.stats}, {"--save", options.save}};
   outputs.erase(
       std::remove_if(outputs.begin(), outputs.end(), [](const Output& output) { return output.path.empty(); }),
       outputs.end());

@@ -15,8 +15,10 @@
 #include "symplant/host/last_resort.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/load_scenario.hpp"
+#include "symplant/host/panel_run.hpp"
 #include "symplant/host/plc_clock.hpp"
 #include "symplant/host/rt_check.hpp"
+#include "symplant/host/run_paced.hpp"
 #include "symplant/host/run_real.hpp"
 #include "symplant/host/run_virtual.hpp"
 #include "symplant/host/signals.hpp"
@@ -122,6 +124,10 @@ bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostr
         << "`: use `--clock real`\n";
     return false;
   }
+  if (options.rt_check && options.panel && options.clock != RunOptions::Clock::real_time) {
+    err << "error: `--rt-check` with `--panel` needs the real-time cycle: add `--clock real`\n";
+    return false;
+  }
   if (options.rt_check && options.until) {
     err << "error: `--rt-check` already sets the length of the run, in cycles: remove `--until`\n";
     return false;
@@ -140,7 +146,8 @@ struct Resumed {
   trace::Snapshot snapshot;
 };
 
-/// Reads the snapshot of `--resume` or of the scenario, if there is one. Returns false with a message on `err` on error.
+/// Reads the snapshot of `--resume` or of the scenario, if there is one. Returns false with a message on `err` on
+/// error.
 bool read_resumed(const Stage& stage, const RunOptions& options, const scenario::Scenario* scenario,
                   std::optional<Resumed>& resumed, std::ostream& err) {
   const std::string by_scenario = scenario != nullptr ? scenario->restore : std::string();
@@ -178,6 +185,7 @@ struct Played {
   bool real;                    ///< in real time
   const PlcClockChoice* clock;  ///< null: the wall clock
   const Resumed* resumed;       ///< null: from the initial state
+  const std::vector<bool>& carried;
 };
 
 /// Runs the plant from time 0 to the end. Returns the exit code.
@@ -203,18 +211,30 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
     streams.report << "links of the plant are not opened in virtual time; to open them, use --clock real\n";
   }
 
+  std::unique_ptr<panel::Panel> panel;
+  const int served = open_panel(
+      {program, options, played.names, played.carried, played.scenario, links, has_real_link(played.links),
+       played.clock != nullptr, played.real, played.resumed != nullptr ? played.resumed->name : std::string()},
+      stage, streams.report, streams.err, panel);
+  if (served != kGood) return served;
+
   const auto begin = std::chrono::steady_clock::now();
   std::optional<RealRun> real_run;
   bool clean = true;
   if (played.real) {
-    real_run = run_real(stage, options, links, played.clock, streams);
+    real_run = run_real(stage, options, links, played.clock, panel.get(), streams);
     clean = !report_missing_cycles(real_run->cycles.cycles, options, streams.report) && real_run->clean;
   } else if (options.rt_check) {
     clean = run_rt_check(stage, options, links, streams.report);
+  } else if (panel != nullptr) {
+    run_paced(stage, options, *panel, streams.report);
   } else {
     run_virtual(stage, options, streams.report);
   }
   const std::chrono::nanoseconds wall = std::chrono::steady_clock::now() - begin;
+  stage.outputs.drain();
+  stage.outputs.hide();
+  panel.reset();
 
   if (stage.player) stage.player->end();
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
@@ -265,6 +285,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   catch_signals();
   LastResort resort;
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
+  // A panel without a PLC sets the speed of plant time, unless the guard or the user asks for the real-time cycle.
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   if (!times_fit(options, clock, err)) return kBadInput;
   report_without_effect(options, real, linked, clock != nullptr, err);
@@ -286,7 +307,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
     return kBadInput;
   }
   const Resumed* const from = resumed ? &*resumed : nullptr;
-  const int code = play(stage, {program, options, names, played, chosen, real, clock, from}, resort, streams);
+  const int code = play(stage, {program, options, names, played, chosen, real, clock, from, carried}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

@@ -8,6 +8,7 @@
 
 #include "symplant/exec/real_time.hpp"
 #include "symplant/link/link_settings.hpp"
+#include "symplant/panel/options.hpp"
 #include "symplant/tables/time.hpp"
 #include "symplant/trace/output_file.hpp"
 
@@ -40,8 +41,10 @@ struct RunOptions {
   std::string findings;
   std::string junit;
   std::string stats;
-  std::string save;    ///< the state at the end
-  std::string resume;  ///< the state at the start
+  std::string save;                             ///< the state at the end
+  std::string resume;                           ///< the state at the start
+  std::optional<panel::PanelOptions> panel;     ///< nothing: no panel
+  std::vector<std::string> exercises;           ///< scenarios that the panel offers
   std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
   bool fail_on_findings = false;

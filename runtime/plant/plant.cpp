@@ -99,9 +99,8 @@ UnitView Plant::unit(std::uint32_t unit) const noexcept {
   const engine::UnitState& state = engine_->unit(unit);
   const auto is = [&](std::uint16_t flag) { return (state.flags & flag) != 0; };
   UnitView view{
-      state.state, state.state, is(engine::kMoving), is(engine::kMidway), is(engine::kDisabled), is(engine::kFrozen),
-      0,           0,
-      0.0};
+      state.state, state.state, is(engine::kMoving), is(engine::kMidway), is(engine::kDisabled), is(engine::kFrozen), 0,
+      0,           0.0};
   if (!view.moving) return view;
   view.target = state.target;
   view.remaining = std::max<tables::Time>(engine_->remaining(unit), 0);

@@ -58,7 +58,7 @@ struct Step {
   bool ends_instant = false;  ///< what follows at the same time acts in a further instant
   std::string text;           ///< for the trainee of an exercise; may be empty
   std::size_t line = 0;       ///< in the file, from 1
-  std::uint32_t file = 0;  ///< index in Scenario::files
+  std::uint32_t file = 0;     ///< index in Scenario::files
 
   /// Whether it can fail.
   bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty(); }
@@ -83,7 +83,7 @@ struct Exercise {
 };
 
 struct Scenario {
-  std::string restore;              ///< the snapshot file from which the plant starts; empty: its initial state
+  std::string restore;  ///< the snapshot file from which the plant starts; empty: its initial state
   std::optional<Exercise> exercise;
   std::vector<Step> steps;         ///< each once, however often it is done
   std::vector<Repeat> repeats;     ///< sorted by end, then the inner one first

@@ -46,6 +46,9 @@ class Recorder final : public engine::Observer {
   /// Takes the states of units as they are now for the last recorded ones: after a reset or a restore of the plant, of
   /// which the reader of the records must know (a note). O(units).
   void take_over() noexcept;
+  /// Acts on the plant with equal turns take effect in one instant: what advances the plant begins the next turn.
+  std::uint32_t turn() const noexcept { return turn_; }
+  void next_turn() noexcept { ++turn_; }
   /// The number of instants with records so far. Only for the thread that runs the plant.
   std::uint64_t instants() const noexcept { return instants_; }
   /// Adds a note. Only between instants, by the thread that runs the plant. False if the ring is full.
@@ -89,6 +92,7 @@ class Recorder final : public engine::Observer {
   std::vector<std::uint32_t> units_;  ///< as last recorded: pack_unit
   Detail detail_;
   std::uint64_t instants_ = 0;
+  std::uint32_t turn_ = 0;
   ZeroedArray<Record> ring_;
   std::size_t mask_;
   std::size_t at_ = 0;   ///< index of the next record; ahead of written_ while an instant is recorded

@@ -66,8 +66,8 @@ Header parse_header(const std::string& line) {
     return true;
   };
   header.valid = text("version", header.version) && text("plant", header.plant) &&
-                 text("model_hash", header.model_hash) && text("digest", header.digest) &&
-                 number("t", header.time) && number("bytes", header.bytes);
+                 text("model_hash", header.model_hash) && text("digest", header.digest) && number("t", header.time) &&
+                 number("bytes", header.bytes);
   return header;
 }
 
@@ -84,7 +84,8 @@ std::string refusal(const std::string& path, const Header& header, std::uint64_t
         "description and lists with which it was made",
         path, header.model_hash, header.plant, model_hash);
   }
-  if (header.bytes != block) return fmt::format("the snapshot `{}` is of another build of symplant: make it again", path);
+  if (header.bytes != block)
+    return fmt::format("the snapshot `{}` is of another build of symplant: make it again", path);
   return "";
 }
 
@@ -128,7 +129,8 @@ ReadSnapshot read_snapshot(const std::string& path, std::uint64_t model_hash, st
   if (std::string error = refusal(path, header, model_hash, block); !error.empty()) return {{}, std::move(error)};
   Snapshot snapshot{std::vector<std::byte>(block), model_hash, header.time};
   file.read(reinterpret_cast<char*>(snapshot.block.data()), static_cast<std::streamsize>(block));
-  const bool whole = file.gcount() == static_cast<std::streamsize>(block) && file.peek() == std::ifstream::traits_type::eof();
+  const bool whole =
+      file.gcount() == static_cast<std::streamsize>(block) && file.peek() == std::ifstream::traits_type::eof();
   if (!whole || header.digest != fmt::format("{:016x}", digest(snapshot.block))) {
     return {{}, fmt::format("the snapshot `{}` is damaged: make it again", path)};
   }

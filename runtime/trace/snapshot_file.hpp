@@ -22,8 +22,8 @@ struct Snapshot {
   static Snapshot of(const plant::Plant& plant);
 };
 
-/// Writes a snapshot of the plant of this name: a line of JSON, then the block. The file is complete or unchanged. Returns
-/// the reason of a failure, or an empty text. O(block).
+/// Writes a snapshot of the plant of this name: a line of JSON, then the block. The file is complete or unchanged.
+/// Returns the reason of a failure, or an empty text. O(block).
 std::string write_snapshot(const std::string& path, std::string_view plant_name, const Snapshot& snapshot);
 
 struct ReadSnapshot {

@@ -1,0 +1,239 @@
+// The panel of a run.
+#include "symplant/panel/panel.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <fstream>
+#include <utility>
+
+#include "symplant/panel/desk.hpp"
+#include "symplant/panel/json_text.hpp"
+#include "symplant/panel/routes.hpp"
+#include "symplant/panel/server.hpp"
+
+namespace symplant::panel {
+namespace {
+
+using link::LinkError;
+
+/// The token of a file, or an error; a token of its own without a file.
+std::variant<std::string, LinkError> token_of(const PanelOptions& options) {
+  if (options.token_file.empty()) return random_token();
+  std::ifstream file(options.token_file);
+  std::string token;
+  if (!file || !(file >> token)) {
+    return LinkError{LinkError::Kind::usage, fmt::format("cannot read a token from `{}`", options.token_file)};
+  }
+  if (is_token(token)) return token;
+  return LinkError{LinkError::Kind::usage,
+                   fmt::format("the token in `{}` is not 32 to 256 letters, digits, `-` or `_`; make one with "
+                               "`openssl rand -hex 16`",
+                               options.token_file)};
+}
+
+/// HOST:PORT, where a port alone is one of the loopback address.
+std::variant<link::net::HostPort, LinkError> address_of(const std::string& text) {
+  const bool is_port =
+      !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return link::net::parse_host_port(is_port ? "127.0.0.1:" + text : text);
+}
+
+std::vector<std::uint32_t> indexes_of(const std::string& text, std::size_t count, bool& well) {
+  std::vector<std::uint32_t> indexes;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end) {
+    std::uint32_t index = 0;
+    const auto [next, error] = std::from_chars(at, end, index);
+    if (error != std::errc() || index >= count || (next != end && *next != ',')) {
+      well = false;
+      return indexes;
+    }
+    indexes.push_back(index);
+    at = next == end ? end : next + 1;
+  }
+  return indexes;
+}
+
+template <class Number>
+void number_of(const std::map<std::string, std::string>& query, const char* key, Number& number, bool& well) {
+  const auto found = query.find(key);
+  if (found == query.end()) return;
+  const std::string& text = found->second;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  well = well && error == std::errc() && end == text.data() + text.size() && number >= 0;
+}
+
+constexpr std::size_t kMostSeries = 32;
+
+}  // namespace
+
+/// The names of the interface over a desk, under its mutex.
+struct Panel::Parts final : Source {
+  Parts(const PanelOptions& chosen, PanelPlant of, Access granted)
+      : options(chosen),
+        plant(std::move(of)),
+        access(std::move(granted)),
+        desk({plant.names, plant.plant, plant.recorder, plant.history, plant.behaviours, plant.carried, plant.exercises,
+              plant.scenario, plant.player, plant.scenario_name, options.files, plant.seed, plant.cycle, plant.with_plc,
+              plant.by_plc_clock, plant.paced, !options.view_only, plant.resumed}),
+        routes(*this, access) {
+    put_plant(description, plant.names, plant.view, plant.links);
+  }
+
+  void put_description(std::string& json) override {
+    const std::lock_guard guard(mutex);
+    desk.put_description(json);
+    json += "," + description;
+  }
+  bool acts() const override { return !options.view_only; }
+
+  std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query,
+                           const Answered& later) override {
+    const std::lock_guard guard(mutex);
+    if (path == "chart") return chart(query);
+    if (path == "why") {
+      const auto name = query.find("name");
+      if (name == query.end()) return Reply{Reply::Kind::now, error_answer(400, "`why` needs a `name`")};
+      desk.why(name->second, later);
+      return Reply{Reply::Kind::later, {}};
+    }
+    constexpr std::string_view kSession = "session/";
+    if (!path.starts_with(kSession)) return std::nullopt;
+    const std::string_view kind = path.substr(kSession.size());
+    if (kind != "scenario" && kind != "session" && kind != "junit") return std::nullopt;
+    Reply reply{Reply::Kind::now, desk.session_file(kind)};
+    if (reply.answer.status == 200) {
+      reply.file_name = kind == "junit" ? "session.junit.xml" : fmt::format("session.{}.json", kind);
+      if (kind == "junit") reply.content_type = "application/xml";
+    }
+    return reply;
+  }
+
+  Reply chart(const std::map<std::string, std::string>& query) {
+    ChartWish wish;
+    bool well = true;
+    const auto text = [&](const char* key) {
+      const auto found = query.find(key);
+      return found == query.end() ? std::string() : found->second;
+    };
+    wish.symbols = indexes_of(text("symbols"), plant.names.tables().symbols.size(), well);
+    wish.devices = indexes_of(text("devices"), plant.names.tables().units.size(), well);
+    number_of(query, "from", wish.from, well);
+    number_of(query, "to", wish.to, well);
+    number_of(query, "after", wish.after, well);
+    if (!well || wish.symbols.size() + wish.devices.size() > kMostSeries) {
+      return {Reply::Kind::now, error_answer(400,
+                                             "a chart has at most 32 `symbols` and `devices` by their indexes, and "
+                                             "times `from`, `to`, or `after`")};
+    }
+    return {Reply::Kind::now, {200, desk.chart(wish)}};
+  }
+
+  void post(std::string_view path, std::string_view body, const Answered& later) override {
+    const std::lock_guard guard(mutex);
+    path == "check" ? later(desk.check(body)) : desk.request(body, later);
+  }
+
+  std::string picture() override {
+    const std::lock_guard guard(mutex);
+    std::string json = desk.picture();
+    json.insert(json.size() - 1, status.empty() ? "" : "," + status);
+    return json;
+  }
+
+  std::string changes() override {
+    const std::lock_guard guard(mutex);
+    std::string json = desk.changes();
+    if (!std::exchange(status_is_new, false) || status.empty()) return json;
+    if (json.empty()) return desk.beat() + "," + status + "}";
+    json.insert(json.size() - 1, "," + status);
+    return json;
+  }
+
+  void each_second() {
+    const std::lock_guard guard(mutex);
+    desk.look_at_time(options.backtrack);
+    const auto now = std::chrono::steady_clock::now();
+    const tables::Time time = desk.plant_operator().now();
+    const std::chrono::duration<double> passed = now - last_look;
+    if (time >= last_time) desk.note_real_speed(static_cast<double>(time - last_time) / 1e9 / passed.count());
+    last_look = now;
+    last_time = time;
+    status_is_new = true;
+    if (ask_status) status = ask_status();
+  }
+
+  const PanelOptions options;
+  const PanelPlant plant;
+  const Access access;
+  std::mutex mutex;
+  Desk desk;
+  Routes routes;
+  std::string description;  ///< what follows from the tables
+  std::string status;       ///< the keys `links` and `cycle`
+  bool status_is_new = false;
+  std::function<std::string()> ask_status;
+  std::chrono::steady_clock::time_point last_look = std::chrono::steady_clock::now();
+  tables::Time last_time = 0;
+  std::optional<Server> server;  ///< the last member: it uses the others
+};
+
+std::variant<std::unique_ptr<Panel>, LinkError> Panel::open(const PanelOptions& options, PanelPlant plant) {
+  auto token = token_of(options);
+  if (auto* error = std::get_if<LinkError>(&token)) return std::move(*error);
+  const auto address = address_of(options.address);
+  if (const auto* error = std::get_if<LinkError>(&address)) return *error;
+  auto listener = link::net::listen_on(std::get<link::net::HostPort>(address));
+  if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
+  auto& open = std::get<link::net::Listener>(listener);
+  auto parts = std::make_unique<Parts>(
+      options, std::move(plant), Access(open.bound.host, open.bound.port, std::get<std::string>(std::move(token))));
+  Parts& all = *parts;
+  all.server.emplace(std::move(open), all.routes, all, [&all] { all.each_second(); });
+  return std::unique_ptr<Panel>(new Panel(std::move(parts)));
+}
+
+Panel::Panel(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Panel::~Panel() {
+  {
+    const std::lock_guard guard(parts_->mutex);
+    parts_->desk.end();
+  }
+  parts_->server.reset();
+}
+
+std::string Panel::link() const { return parts_->access.url() + "#token=" + parts_->access.token(); }
+
+exec::Stepper& Panel::stepper() { return parts_->desk.plant_operator(); }
+
+tables::Time Panel::next_step() const noexcept { return parts_->desk.plant_operator().next(); }
+
+double Panel::speed() const noexcept { return parts_->desk.speed(); }
+
+Stepping Panel::stepping() const noexcept { return parts_->desk.plant_operator().stepping(); }
+
+std::unique_lock<std::mutex> Panel::lock() { return std::unique_lock(parts_->mutex); }
+
+void Panel::before(const trace::Record& record) { parts_->desk.before(record); }
+
+void Panel::after(const trace::Record& record) { parts_->desk.after(record); }
+
+std::optional<Jump> Panel::note(const trace::Record& record) {
+  std::optional<SetBack> back = parts_->desk.note(record);
+  if (!back) return std::nullopt;
+  return Jump{back->what, std::move(back->name), back->time};
+}
+
+std::vector<std::string> Panel::take_acts() { return parts_->desk.take_acts(); }
+
+void Panel::finding(const trace::FoundThing& found, const std::string& words) { parts_->desk.finding(found, words); }
+
+void Panel::set_status(std::function<std::string()> status) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->ask_status = std::move(status);
+}
+
+}  // namespace symplant::panel
