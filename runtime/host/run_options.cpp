@@ -99,27 +99,9 @@ panel::PanelOptions& panel_of(RunOptions& options) {
 }
 
 void add_panel(CLI::App& app, RunOptions& options) {
-  app.add_option_function<std::vector<std::string>>(
-         "--panel",
-         [&options](const std::vector<std::string>& texts) {
-           panel::PanelOptions& panel = panel_of(options);
-           if (texts.empty() || texts.front().empty()) return;
-           const std::string& text = texts.front();
-           if (text.find_first_not_of("0123456789") != std::string::npos && text.find(':') == std::string::npos) {
-             throw CLI::ValidationError("--panel",
-                                        "`" + text + "` is not HOST:PORT or PORT; write the plant before `--panel`");
-           }
-           panel.address = text;
-         },
-         "show and operate the plant in a browser, at this address (default: 127.0.0.1:8137); prints the link")
-      ->type_name("[[HOST:]PORT]")
-      ->expected(0, 1);
+  add_address_options(app, options);
   app.add_flag_callback(
       "--panel-view", [&options] { panel_of(options).view_only = true; }, "the panel only shows: no acts");
-  app.add_option_function<std::string>(
-         "--panel-token", [&options](const std::string& file) { panel_of(options).token_file = file; },
-         "the panel's token is the first word of this file (default: another one for each start)")
-      ->type_name("FILE");
   app.add_option_function<std::string>(
          "--panel-files", [&options](const std::string& folder) { panel_of(options).files = folder; },
          "the panel saves snapshots and sessions in this folder")
@@ -195,6 +177,28 @@ void add_real_time(CLI::App& app, RunOptions& options) {
 }
 
 }  // namespace
+
+void add_address_options(CLI::App& app, RunOptions& options) {
+  app.add_option_function<std::vector<std::string>>(
+         "--panel",
+         [&options](const std::vector<std::string>& texts) {
+           panel::PanelOptions& panel = panel_of(options);
+           if (texts.empty() || texts.front().empty()) return;
+           const std::string& text = texts.front();
+           if (text.find_first_not_of("0123456789") != std::string::npos && text.find(':') == std::string::npos) {
+             throw CLI::ValidationError("--panel",
+                                        "`" + text + "` is not HOST:PORT or PORT; write the plant before `--panel`");
+           }
+           panel.address = text;
+         },
+         "show and operate the plant in a browser, at this address (default: 127.0.0.1:8137); prints the link")
+      ->type_name("[[HOST:]PORT]")
+      ->expected(0, 1);
+  app.add_option_function<std::string>(
+         "--panel-token", [&options](const std::string& file) { panel_of(options).token_file = file; },
+         "the panel's token is the first word of this file (default: another one for each start)")
+      ->type_name("FILE");
+}
 
 void add_run_options(CLI::App& app, RunOptions& options) {
   app.add_option_function<std::string>(

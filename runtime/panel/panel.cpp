@@ -2,72 +2,18 @@
 #include "symplant/panel/panel.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <fstream>
 #include <utility>
 
 #include "symplant/panel/desk.hpp"
 #include "symplant/panel/json_text.hpp"
+#include "symplant/panel/open_port.hpp"
+#include "symplant/panel/query.hpp"
 #include "symplant/panel/routes.hpp"
 #include "symplant/panel/server.hpp"
 
 namespace symplant::panel {
-namespace {
-
 using link::LinkError;
-
-/// The token of a file, or an error; a token of its own without a file.
-std::variant<std::string, LinkError> token_of(const PanelOptions& options) {
-  if (options.token_file.empty()) return random_token();
-  std::ifstream file(options.token_file);
-  std::string token;
-  if (!file || !(file >> token)) {
-    return LinkError{LinkError::Kind::usage, fmt::format("cannot read a token from `{}`", options.token_file)};
-  }
-  if (is_token(token)) return token;
-  return LinkError{LinkError::Kind::usage,
-                   fmt::format("the token in `{}` is not 32 to 256 letters, digits, `-` or `_`; make one with "
-                               "`openssl rand -hex 16`",
-                               options.token_file)};
-}
-
-/// HOST:PORT, where a port alone is one of the loopback address.
-std::variant<link::net::HostPort, LinkError> address_of(const std::string& text) {
-  const bool is_port =
-      !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  return link::net::parse_host_port(is_port ? "127.0.0.1:" + text : text);
-}
-
-std::vector<std::uint32_t> indexes_of(const std::string& text, std::size_t count, bool& well) {
-  std::vector<std::uint32_t> indexes;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at != end) {
-    std::uint32_t index = 0;
-    const auto [next, error] = std::from_chars(at, end, index);
-    if (error != std::errc() || index >= count || (next != end && *next != ',')) {
-      well = false;
-      return indexes;
-    }
-    indexes.push_back(index);
-    at = next == end ? end : next + 1;
-  }
-  return indexes;
-}
-
-template <class Number>
-void number_of(const std::map<std::string, std::string>& query, const char* key, Number& number, bool& well) {
-  const auto found = query.find(key);
-  if (found == query.end()) return;
-  const std::string& text = found->second;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  well = well && error == std::errc() && end == text.data() + text.size() && number >= 0;
-}
-
-constexpr std::size_t kMostSeries = 32;
-
-}  // namespace
 
 /// The names of the interface over a desk, under its mutex.
 struct Panel::Parts final : Source {
@@ -113,21 +59,7 @@ struct Panel::Parts final : Source {
 
   Reply chart(const std::map<std::string, std::string>& query) {
     ChartWish wish;
-    bool well = true;
-    const auto text = [&](const char* key) {
-      const auto found = query.find(key);
-      return found == query.end() ? std::string() : found->second;
-    };
-    wish.symbols = indexes_of(text("symbols"), plant.names.tables().symbols.size(), well);
-    wish.devices = indexes_of(text("devices"), plant.names.tables().units.size(), well);
-    number_of(query, "from", wish.from, well);
-    number_of(query, "to", wish.to, well);
-    number_of(query, "after", wish.after, well);
-    if (!well || wish.symbols.size() + wish.devices.size() > kMostSeries) {
-      return {Reply::Kind::now, error_answer(400,
-                                             "a chart has at most 32 `symbols` and `devices` by their indexes, and "
-                                             "times `from`, `to`, or `after`")};
-    }
+    if (!read_chart(query, plant.names, wish)) return {Reply::Kind::now, error_answer(400, kChartForm)};
     return {Reply::Kind::now, {200, desk.chart(wish)}};
   }
 
@@ -181,17 +113,12 @@ struct Panel::Parts final : Source {
 };
 
 std::variant<std::unique_ptr<Panel>, LinkError> Panel::open(const PanelOptions& options, PanelPlant plant) {
-  auto token = token_of(options);
-  if (auto* error = std::get_if<LinkError>(&token)) return std::move(*error);
-  const auto address = address_of(options.address);
-  if (const auto* error = std::get_if<LinkError>(&address)) return *error;
-  auto listener = link::net::listen_on(std::get<link::net::HostPort>(address));
-  if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
-  auto& open = std::get<link::net::Listener>(listener);
-  auto parts = std::make_unique<Parts>(
-      options, std::move(plant), Access(open.bound.host, open.bound.port, std::get<std::string>(std::move(token))));
+  auto opened = open_port(options);
+  if (auto* error = std::get_if<LinkError>(&opened)) return std::move(*error);
+  auto& open = std::get<OpenPort>(opened);
+  auto parts = std::make_unique<Parts>(options, std::move(plant), std::move(open.access));
   Parts& all = *parts;
-  all.server.emplace(std::move(open), all.routes, all, [&all] { all.each_second(); });
+  all.server.emplace(std::move(open.listener), all.routes, all, [&all] { all.each_second(); });
   return std::unique_ptr<Panel>(new Panel(std::move(parts)));
 }
 

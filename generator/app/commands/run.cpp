@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "app/panel_view.hpp"
 #include "base/large_memory.hpp"
 #include "symplant/host/run_options.hpp"
 
@@ -74,6 +75,7 @@ class Prepared {
       : tables_(std::move(compiled.tables)),
         rows_(tables_.tables()),
         description_(compiled.plant.description),
+        view_(compiled.plant),
         controllers_(std::move(compiled.plant.links)),
         more_(more(compiled.plant)),
         inputs_(compiled.plant.input_files()),
@@ -95,6 +97,7 @@ class Prepared {
             .link_settings = settings_,
             .more = more_views_,
             .ignored = ignored_,
+            .view = view_.view(),
             .inputs = input_views_};
   }
 
@@ -102,6 +105,7 @@ class Prepared {
   const lower::EngineTables tables_;
   const tables::PlantTables rows_;
   const std::shared_ptr<const description::Description> description_;  ///< its texts are in links and settings
+  const PanelView view_;
   const std::vector<model::ControllerLink> controllers_;
   const std::vector<std::string> more_;
   const std::vector<std::string> inputs_;
