@@ -192,7 +192,8 @@ struct Played {
 int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
   const PlantProgram& program = played.program;
   const RunOptions& options = played.options;
-  if (played.resumed == nullptr) stage.advance_to(0);  // so that links answer from the plant's initial state
+  // So that links answer from the plant's initial state, or what was written to a saved one takes effect.
+  stage.advance_to(stage.plant.now());
   Links links;
   const int opened = open_links(played.links, program.tables, stage.plant, links, streams.err);
   if (opened != kGood) return opened;

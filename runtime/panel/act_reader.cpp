@@ -100,8 +100,8 @@ struct ActReader::Parts {
   static Act speed(const Json& value, std::string& error) {
     Act act;
     act.kind = Kind::speed;
-    act.speed = value == "max" ? 0 : value.is_number() ? value.get<double>() : -1;
-    if (act.speed != 0 && !(act.speed >= kLeastSpeed && act.speed <= kMostSpeed)) {
+    act.speed = value.is_number() ? value.get<double>() : 0;
+    if (value != "max" && !(act.speed >= kLeastSpeed && act.speed <= kMostSpeed)) {
       error = "`speed` is a number from 0.1 to 100, or \"max\"";
     }
     return act;

@@ -17,7 +17,6 @@ using std::chrono::seconds;
 constexpr std::size_t kMostStreams = 8;
 constexpr std::uint32_t kLongestHeader = 8 * 1024;
 constexpr std::uint64_t kLongestBody = 64 * 1024;
-constexpr auto kRequestTime = seconds(10);
 constexpr auto kWriteTime = seconds(10);
 
 constexpr std::string_view kPolicy =
@@ -78,7 +77,7 @@ void Connection::read() {
   parser_.emplace();
   parser_->header_limit(kLongestHeader);
   parser_->body_limit(kLongestBody);
-  stream_.expires_after(kRequestTime);  // for the whole request
+  stream_.expires_after(shared_.request_time);  // for the whole request
   http::async_read(stream_, buffer_, *parser_,
                    [self = shared_from_this()](Error error, std::size_t) { self->read_done(error); });
 }

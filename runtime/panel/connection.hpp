@@ -5,6 +5,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <chrono>
 #include <cstddef>
 #include <list>
 #include <memory>
@@ -23,11 +24,12 @@ class Connection;
 
 /// What the connections share. All of it is used by the server's thread only.
 struct Shared {
-  Shared(Routes& all_routes, Source& plant) : routes(all_routes), source(plant) {}
+  Shared(Routes& all_routes, Source& plant, int seconds) : routes(all_routes), source(plant), request_time(seconds) {}
 
   boost::asio::io_context context;
   Routes& routes;
   Source& source;
+  std::chrono::seconds request_time;
   std::list<std::shared_ptr<Connection>> connections;  ///< that idle for longest first
   std::size_t streams = 0;
 };

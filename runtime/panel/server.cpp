@@ -27,8 +27,12 @@ constexpr auto kPeriod = milliseconds(40);  ///< of the stream
 }  // namespace
 
 struct Server::Parts {
-  Parts(link::net::Listener listener, Routes& routes, Source& source, std::function<void()> every_second)
-      : shared(routes, source), acceptor(shared.context), timer(shared.context), each_second(std::move(every_second)) {
+  Parts(link::net::Listener listener, Routes& routes, Source& source, int request_time,
+        std::function<void()> every_second)
+      : shared(routes, source, request_time),
+        acceptor(shared.context),
+        timer(shared.context),
+        each_second(std::move(every_second)) {
     sockaddr_storage storage{};
     socklen_t size = sizeof storage;
     ::getsockname(listener.socket.get(), reinterpret_cast<sockaddr*>(&storage), &size);
@@ -101,8 +105,9 @@ struct Server::Parts {
   std::thread thread;
 };
 
-Server::Server(link::net::Listener listener, Routes& routes, Source& source, std::function<void()> each_second)
-    : parts_(std::make_unique<Parts>(std::move(listener), routes, source, std::move(each_second))) {}
+Server::Server(link::net::Listener listener, Routes& routes, Source& source, int request_time,
+               std::function<void()> each_second)
+    : parts_(std::make_unique<Parts>(std::move(listener), routes, source, request_time, std::move(each_second))) {}
 
 Server::~Server() = default;
 
