@@ -22,6 +22,7 @@
 #include "symplant/host/stage.hpp"
 #include "symplant/host/stats.hpp"
 #include "symplant/host/summary.hpp"
+#include "symplant/host/why.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -140,6 +141,8 @@ struct Played {
   trace::PlantNames& names;
   const scenario::Scenario* scenario;  ///< null: none
   const LinkChoices& links;
+  const std::vector<bool>& carried;  ///< by symbol: whether one of the links carries it
+  const std::vector<Question>& questions;
   bool real;                    ///< in real time
   const PlcClockChoice* clock;  ///< null: the wall clock
 };
@@ -183,6 +186,8 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   stage.outputs.finish(stage.plant.now(), streams.err);
   stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), streams.report);
+  const std::vector<Answer> answers = answers_to(played.questions, stage, {links, played.carried, played.scenario});
+  streams.report << answers_text(answers);
   std::optional<scenario::Verdict> verdict;
   if (played.scenario != nullptr) verdict = scenario::verdict_of(*played.scenario, outcomes);
   last.junit([&] {
@@ -190,7 +195,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   });
   last.stats([&] {
     return stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, played.clock, links,
-                       tables::Time{wall.count()}});
+                       answers, played.names, tables::Time{wall.count()}});
   });
   if (!last.are_well(streams.err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;
@@ -220,6 +225,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
   trace::PlantNames names(program.tables);
   const std::vector<bool> carried = carried_symbols(chosen, program.tables);
+  const auto questions = questions_of(options.why, names, err);
+  if (!questions) return kBadInput;
   std::optional<scenario::Scenario> scenario;
   if (!options.scenario.empty()) {
     scenario = load_scenario(options.scenario, names, carried, err);
@@ -242,7 +249,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
   if (linked) stage.outputs.report_short_events_of(carried);
-  const int code = play(stage, {program, options, names, played, chosen, real, clock}, resort, streams);
+  const int code =
+      play(stage, {program, options, names, played, chosen, carried, *questions, real, clock}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

@@ -40,6 +40,7 @@ struct RunOptions {
   std::string findings;
   std::string junit;
   std::string stats;
+  std::vector<std::string> why;                 ///< names to explain at the end
   std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
   bool fail_on_findings = false;

@@ -8,7 +8,7 @@
 namespace symplant::why {
 
 Explanation Walk::thing(const Reference& thing) {
-  if (path_.empty()) names_users_ = true;
+  if (path_.empty()) is_asked_ = true;
   switch (thing.kind) {
     case Reference::Kind::unit:
       return unit(thing.index);

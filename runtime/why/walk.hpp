@@ -91,7 +91,10 @@ class Walk {
 
   // Words (walk_words.cpp).
   bool commands(std::uint32_t operation) const;
-  std::string operation_words(std::uint32_t operation) const;
+  std::string operation_head(std::uint32_t operation, std::string_view to = {}) const;
+  std::string operation_words(std::uint32_t operation, std::string_view to = {}) const;
+  std::string last_words(std::uint32_t operation) const;
+  std::vector<std::uint32_t> risen_operations(std::uint32_t unit) const;
   std::string led_words(std::uint32_t unit) const;
   std::string unit_head(std::uint32_t unit) const;
   std::string symbol_head(std::uint32_t symbol) const;
@@ -103,6 +106,7 @@ class Walk {
   Explanation unit(std::uint32_t unit, const States& goals = {});
   Explanation led_unit(std::uint32_t unit);
   void add_forced(std::uint32_t unit, Explanation& result);
+  void add_last_command(std::uint32_t unit, Explanation& result) const;
   void add_behaviour(std::uint32_t unit, Explanation& result) const;
   void add_move(std::uint32_t unit, const plant::UnitView& now, Explanation& result);
   void add_stop(std::uint32_t unit, const plant::UnitView& now, Explanation& result);
@@ -119,6 +123,7 @@ class Walk {
   // Symbols and requirements (walk_symbol.cpp).
   Explanation symbol(std::uint32_t symbol);
   void add_operation(std::uint32_t symbol, Explanation& result);
+  Explanation moved_unit(std::uint32_t operation, std::uint32_t unit);
   void add_event_of_unit(std::uint32_t symbol, std::uint32_t unit, Explanation& result);
   void add_sensor(std::uint32_t symbol, Explanation& result);
   void add_follow(std::uint32_t symbol, Explanation& result);
@@ -145,7 +150,7 @@ class Walk {
   const StateView& view_;
   std::vector<Reference> path_;  ///< from the first thing to the current one
   std::set<Reference> done_;     ///< explained before, or now
-  bool names_users_ = false;     ///< the explanation of the first thing names what uses it
+  bool is_asked_ = false;        ///< the first thing was asked for: more is of interest than what it lacks
 };
 
 /// While it lives, a thing is on the path.

@@ -107,10 +107,14 @@ void Walk::add_sensor(std::uint32_t symbol, Explanation& result) {
   const auto next = std::find_if(parts.begin(), parts.end(), [&](const PartState& part) {
     return *part.x - material.kinds[part.kind].length <= row->at;
   });
-  const auto nearest = next != parts.end() ? next : parts.end() - 1;
-  const std::size_t index = static_cast<std::size_t>(nearest - parts.begin());
-  const bool covers = *nearest->x >= row->at && next != parts.end();
-  result.sentence += fmt::format(", and part {} {}", nearest->number, covers ? "covers it" : "is the nearest one");
+  if (next == parts.end()) {
+    result.sentence += fmt::format(", and part {} has passed it", parts.back().number);
+    append(result.because,
+           causes(feeders_of(row->location), [this](const Reference& feeder) { return thing(feeder); }));
+    return;
+  }
+  const auto index = static_cast<std::size_t>(next - parts.begin());
+  result.sentence += fmt::format(", and part {} {}", next->number, *next->x >= row->at ? "covers it" : "comes next");
   append(result.because, causes(std::vector{index}, [&](std::size_t i) { return part({row->location, i, parts}); }));
 }
 

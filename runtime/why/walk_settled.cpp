@@ -135,8 +135,7 @@ Explanation Walk::exit(std::uint32_t unit, std::uint16_t transition) {
     result.sentence = fmt::format("it goes to {} without a command", to);
   } else {
     const std::uint32_t operation = index_.operation_of(unit, row.on);
-    result = {operation_words(operation), {{Reference::Kind::symbol, operation}}, {}};
-    if (names_.task(operation) != to) result.sentence += fmt::format(", which leads to {}", to);
+    result = {operation_words(operation, to), {{Reference::Kind::symbol, operation}}, {}};
     on = commands(operation);
     armed = view_.is_armed(operation);
   }

@@ -84,21 +84,33 @@ void Walk::add_operation(std::uint32_t symbol, Explanation& result) {
   if (bit && on && !view_.is_armed(symbol).value_or(true)) {
     result.sentence += ", without effect until it goes off and on again";
   }
-  if (!names_users_ || path_.size() != 1) return;
+  if (!is_asked_ || path_.size() != 1) return;
   const SymbolDriver driver = index_.use.driver(symbol);
-  if (driver.kind == SymbolDriver::Kind::unit) {
-    States goals;
-    const tables::SymbolRow& row = tables_.symbols[symbol];
-    const tables::TypeRow& type = type_of(driver.unit);
-    const std::uint32_t operation = row.index - tables_.units[driver.unit].operation_bit;
-    for (std::uint8_t state = 0; bit && row.unit == driver.unit && state < type.states; ++state) {
-      goals.set(state, leads_to(driver.unit, static_cast<std::uint8_t>(operation), state));
-    }
-    result.because.push_back(unit(driver.unit, goals));
-  }
+  if (driver.kind == SymbolDriver::Kind::unit) result.because.push_back(moved_unit(symbol, driver.unit));
   const auto readers = index_.use.readers(symbol);
   append(result.because, causes(readers, [this](const SymbolReader& each) { return reader(each); }));
   if (result.because.empty()) result.sentence += "; no device and no condition uses it";
+}
+
+/// The unit that an operation moves, and what keeps it from that.
+Explanation Walk::moved_unit(std::uint32_t operation, std::uint32_t unit) {
+  States goals;
+  const tables::SymbolRow& row = tables_.symbols[operation];
+  const bool bit = row.type() == tables::DataType::boolean && row.unit == unit;
+  for (std::uint8_t state = 0; bit && state < type_of(unit).states; ++state) {
+    const auto number = static_cast<std::uint8_t>(row.index - tables_.units[unit].operation_bit);
+    goals.set(state, leads_to(unit, number, state));
+  }
+  const plant::UnitView now = view_.unit(unit);
+  const bool there = !now.moving && goals[now.state];
+  if (!there && commands(operation)) return this->unit(unit, goals);
+  Explanation result{unit_head(unit), {{Reference::Kind::unit, unit}}, {}};
+  if (there) {
+    result.sentence += ", to which it leads";
+  } else if (goals.any()) {
+    result.sentence += fmt::format(", and goes to {} on it", state_list(unit, goals));
+  }
+  return result;
 }
 
 /// What reads an operation.

@@ -28,6 +28,7 @@ Explanation Walk::unit(std::uint32_t unit, const States& goals) {
   } else {
     add_stay(unit, now.state, goals, result);
     add_behaviour(unit, result);
+    if (is_asked_ && path_.size() == 1) add_last_command(unit, result);
   }
   add_forced(unit, result);
   return result;
@@ -58,6 +59,14 @@ void Walk::add_forced(std::uint32_t unit, Explanation& result) {
          {self},
          {}});
   }
+}
+
+/// The command before a settled unit came to its state, if it is off now.
+void Walk::add_last_command(std::uint32_t unit, Explanation& result) const {
+  const std::vector<std::uint32_t> risen = risen_operations(unit);
+  if (risen.empty() || commands(risen.front()) || view_.rose(risen.front()) > view_.unit_since(unit)) return;
+  result.because.push_back(
+      {"before that, " + last_words(risen.front()), {{Reference::Kind::symbol, risen.front()}}, {}});
 }
 
 /// A custom behavior that asks for states itself.
@@ -100,8 +109,10 @@ void Walk::add_stop(std::uint32_t unit, const plant::UnitView& now, Explanation&
     const bool bit = tables_.symbols[symbol].type() == tables::DataType::boolean;
     if (bit && names_.is_operation(symbol) && commands(symbol)) on.push_back(symbol);
   }
-  const auto words = [this](std::uint32_t symbol) {
-    return Explanation{operation_words(symbol), {{Reference::Kind::symbol, symbol}}, {}};
+  const auto words = [&](std::uint32_t symbol) {
+    const bool leads = std::find(forth.begin(), forth.end(), symbol) != forth.end();
+    const std::string_view to = leads ? names_.state(unit, now.target) : std::string_view();
+    return Explanation{operation_words(symbol, to), {{Reference::Kind::symbol, symbol}}, {}};
   };
   const bool goes_forth = std::any_of(forth.begin(), forth.end(), [this](std::uint32_t s) { return commands(s); });
   if (goes_forth) {

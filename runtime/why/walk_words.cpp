@@ -17,18 +17,25 @@ bool Walk::commands(std::uint32_t operation) const {
   return (view_.value(operation) != 0) != tables_.symbols[operation].inverted();
 }
 
+/// `Y0008 (operation OPEN, body-shop.csv:30)`; with `to`, if the operation has another name, `(operation PUSH to P2,
+/// ...)`.
+std::string Walk::operation_head(std::uint32_t operation, std::string_view to) const {
+  const std::string_view task = names_.task(operation);
+  return fmt::format("{} (operation {}{}{}{}, {})", trace::address_or_name(operation, names_), task,
+                     to.empty() || to == task ? "" : " to ", to == task ? std::string_view() : to,
+                     tables_.symbols[operation].inverted() ? ", inverted" : "", names_.cite(operation));
+}
+
 /// `Y0008 (operation OPEN, body-shop.csv:30) has been on since 21.9 s`; "on" means that it commands.
-std::string Walk::operation_words(std::uint32_t operation) const {
-  std::string text =
-      fmt::format("{} (operation {}{}, {}) ", trace::address_or_name(operation, names_), names_.task(operation),
-                  tables_.symbols[operation].inverted() ? ", inverted" : "", names_.cite(operation));
+std::string Walk::operation_words(std::uint32_t operation, std::string_view to) const {
+  std::string text = operation_head(operation, to);
   const tables::Time rose = view_.rose(operation);
   if (commands(operation)) {
-    text += "has been on " + since_words(std::max<tables::Time>(rose, 0));
+    text += " has been on " + since_words(std::max<tables::Time>(rose, 0));
   } else {
-    text += rose < 0 ? "has never been on" : "has been off " + since_words(view_.since(operation));
+    text += rose < 0 ? " has never been on" : " has been off " + since_words(view_.since(operation));
     const std::string why = view_.unwritten(operation);
-    if (!why.empty()) text += ", and " + why;
+    if (!why.empty()) text += " (" + why + ")";
   }
   const std::string forced = view_.forced(operation);
   if (!forced.empty()) text += ", forced " + forced;
@@ -37,27 +44,36 @@ std::string Walk::operation_words(std::uint32_t operation) const {
   return text;
 }
 
-/// What led a unit to its state: the operation that came on last, and those that are still on.
-std::string Walk::led_words(std::uint32_t unit) const {
+/// `Y0008 (operation OPEN, body-shop.csv:30) was on from 3 s to 4 s`.
+std::string Walk::last_words(std::uint32_t operation) const {
+  return fmt::format("{} was on from {} to {}", operation_head(operation), seconds(view_.rose(operation)),
+                     seconds(view_.since(operation)));
+}
+
+/// The operations of a unit that have been on, the latest first.
+std::vector<std::uint32_t> Walk::risen_operations(std::uint32_t unit) const {
   std::vector<std::uint32_t> risen;
-  bool has_operations = false;
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {
-    if (!names_.is_operation(symbol)) continue;
-    has_operations = true;
-    if (view_.rose(symbol) >= 0) risen.push_back(symbol);
+    if (names_.is_operation(symbol) && view_.rose(symbol) >= 0) risen.push_back(symbol);
   }
   std::stable_sort(risen.begin(), risen.end(),
                    [this](std::uint32_t a, std::uint32_t b) { return view_.rose(a) > view_.rose(b); });
+  return risen;
+}
+
+/// What led a unit to its state: the operation that came on last, and those that are still on.
+std::string Walk::led_words(std::uint32_t unit) const {
   std::string text;
-  for (const std::uint32_t symbol : risen) {
+  for (const std::uint32_t symbol : risen_operations(unit)) {
     if (commands(symbol)) {
       text += ", " + operation_words(symbol);
     } else if (text.empty()) {
-      text += fmt::format(", {} (operation {}{}, {}) was on from {} to {}", trace::address_or_name(symbol, names_),
-                          names_.task(symbol), tables_.symbols[symbol].inverted() ? ", inverted" : "",
-                          names_.cite(symbol), seconds(view_.rose(symbol)), seconds(view_.since(symbol)));
+      text += ", " + last_words(symbol);
     }
   }
+  const auto symbols = names_.symbols_of(unit);
+  const bool has_operations =
+      std::any_of(symbols.begin(), symbols.end(), [this](std::uint32_t symbol) { return names_.is_operation(symbol); });
   return text.empty() && has_operations ? ", none of its operations has been on" : text;
 }
 

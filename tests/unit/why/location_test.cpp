@@ -95,11 +95,14 @@ TEST_CASE("A sensor names the part that it sees, or the nearest one and why that
         "    CV has no part: nothing brings parts there\n");
   asked.put("CV", 500, 1).put("CV", 1500).to(0);
   CHECK(contains(asked.why("EYE"),
-                 "at CV@1000 mm, and part 1 is the nearest one\n"
+                 "at CV@1000 mm, and part 1 comes next\n"
                  "    part 1 (tall) on CV, with its front at 600 mm, does not move: its drive is off"));
-  asked.set("FWD").to(500).to(1400).set("FWD", 0).to(1500);
+  REQUIRE(asked.plant.take({plant.location("CV"), 500'000}));
+  asked.to(0);
+  CHECK(contains(asked.why("EYE"), "at CV@1000 mm, and part 2 has passed it\n"));
+  asked.put("CV", 500, 1).set("FWD").to(500).to(1400).set("FWD", 0).to(1500);
   CHECK(contains(asked.why("EYE"), "EYE has been on since 1.3 s"));
-  CHECK(contains(asked.why("EYE"), "and part 1 covers it\n    part 1 (tall) on CV"));
+  CHECK(contains(asked.why("EYE"), "and part 3 covers it\n    part 3 (tall) on CV"));
   CHECK(contains(asked.why("NEST"), ": it sees parts at BOX\n    BOX has no part: nothing brings parts there\n"));
 }
 

@@ -82,6 +82,12 @@ TEST_CASE("An operation names its device, what that waits for, and what else rea
         "`when` needs L_P_MC.RUN2\n"
         "        L_P_MC has been in IDLE1 since the start: %QX6 (operation RUN2, symbols.csv:8) has never been on\n"
         "    requirement `one` reads it\n");
+  CHECK(contains(asked.why("MC_O_RUN2"),
+                 "(symbols.csv:8)\n    L_P_MC has been in IDLE1 since the start, and goes to "
+                 "RUN2 on it\n    requirement `one` reads it\n"));
+  asked.state("MC", "RUN2").set("MC_O_RUN2").to(1000);
+  CHECK(
+      contains(asked.why("MC_O_RUN2"), "(symbols.csv:8)\n    L_P_MC has been in RUN2 since 1 s, to which it leads\n"));
   CHECK(asked.why("LAMP") ==
         "LAMP has been off since the start, PLC output %QX77, symbol LAMP (symbols.csv:9); no device and no condition "
         "uses it\n");

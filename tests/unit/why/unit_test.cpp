@@ -46,7 +46,9 @@ TEST_CASE("A command that starts nothing is named") {
       asked.why("AGV") ==
       "L_P_AGV has been in P3 since 1 s: %QX4 (operation P3, symbols.csv:6) has been on since 1 s, and leads to P3\n");
   asked.set("AGV_O_P3", 0).to(2000);
-  CHECK(asked.why("AGV") == "L_P_AGV has been in P3 since 1 s: no transition leads from there\n");
+  CHECK(asked.why("AGV") ==
+        "L_P_AGV has been in P3 since 1 s: no transition leads from there\n"
+        "    before that, %QX4 (operation P3, symbols.csv:6) was on from 1 s to 2 s\n");
 }
 
 TEST_CASE("An automatic transition and a command that must hold for a time name the time left") {
@@ -61,9 +63,10 @@ TEST_CASE("An automatic transition and a command that must hold for a time name 
         "an effect in 0.2 s\n");
   CHECK(contains(asked.why("MC", false), "has been on since 1 s, and has an effect after 0.7 s\n"));
   asked.to(1700).to(2700).set("MC_O_RUN2", 0).to(3000);
-  CHECK(asked.why("MC") == "L_P_MC has been in RUN2 since 2.7 s: it goes to IDLE1 without a command in 4.7 s\n");
-  CHECK(asked.why("MC", false) ==
-        "L_P_MC has been in RUN2 since 2.7 s: it goes to IDLE1 without a command after 5 s\n");
+  CHECK(asked.why("MC") ==
+        "L_P_MC has been in RUN2 since 2.7 s: it goes to IDLE1 without a command in 4.7 s\n"
+        "    before that, %QX2 (operation RUN2, symbols.csv:4) was on from 1 s to 3 s\n");
+  CHECK(contains(asked.why("MC", false), "it goes to IDLE1 without a command after 5 s\n"));
 }
 
 TEST_CASE("A command that has had its effect must go off first, also where the plant is not at hand") {

@@ -20,7 +20,7 @@ TEST_CASE("The phrases of a view end the sentences that they are about") {
   const Phrases view(asked.history(), 0, &asked.plant);
   CHECK(asked.why("AGV", view) ==
         "L_P_AGV has been in P1 since the start, stuck by malfunction `rust`: %QX3 (operation P2, symbols.csv:5) has "
-        "never been on, and no link carries it, forced by malfunction `wire`\n"
+        "never been on (no link carries it), forced by malfunction `wire`\n"
         "    link slmp: is lost, and the plant is frozen\n");
   CHECK(contains(asked.why("AGV_O_P2", view),
                  "L_P_AGV_O_P2 has been off since the start, forced by malfunction "
