@@ -125,10 +125,10 @@ PartView Plant::part(std::uint32_t location, std::uint32_t index) const noexcept
   const engine::Flow& flow = engine_->flow();
   if (tables_.material.is_track(location)) {
     const engine::Part& part = flow.part_on(location, index);
-    return {part.number, part.kind, part.at(engine_->now()) / engine::kMicrometer, part.v, part.since};
+    return {part.number, part.kind, part.at(engine_->now()) / engine::kMicrometer, part.v, part.drive, part.since};
   }
   const engine::PlacePart& part = flow.part_in(tables_.material.place_of(location), index);
-  return {part.number, part.kind, 0, 0, part.since};
+  return {part.number, part.kind, 0, 0, 0, part.since};
 }
 
 std::uint64_t Plant::parts_made(std::uint32_t kind) const noexcept { return engine_->flow().kind(kind).made; }

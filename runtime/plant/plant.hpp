@@ -35,9 +35,10 @@ struct UnitView {
 struct PartView {
   std::uint64_t number;  ///< from 1, in the order in which they were made
   std::uint32_t kind;
-  std::int64_t x;      ///< on a track: its front, in um, rounded down; else 0
-  std::int64_t speed;  ///< on a track: um/s, < 0: backward; else 0
-  tables::Time since;  ///< when it came to its location
+  std::int64_t x;       ///< on a track: its front, in um, rounded down; else 0
+  std::int64_t speed;   ///< on a track: um/s, < 0: backward; else 0
+  std::uint32_t drive;  ///< of the track: the one that moves it; 0 elsewhere
+  tables::Time since;   ///< when it came to its location
 };
 
 /// What a transfer of parts does.

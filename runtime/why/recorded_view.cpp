@@ -26,7 +26,7 @@ std::vector<PartState> RecordedView::parts(std::uint32_t location) const {
     });
     if (same == parts.end()) return parts;
     located.push_back(
-        {view.number, view.kind, same->since, on_track ? std::optional(view.x) : std::nullopt, view.speed});
+        {view.number, view.kind, same->since, on_track ? std::optional(view.x) : std::nullopt, view.speed, view.drive});
   }
   return located;
 }

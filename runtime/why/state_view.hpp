@@ -18,6 +18,7 @@ struct PartState {
   tables::Time since;             ///< when it came there
   std::optional<std::int64_t> x;  ///< on a track: its front, in um; nothing: unknown
   std::int64_t speed = 0;         ///< on a track: um/s, < 0: backward; valid only with `x`
+  std::uint32_t drive = 0;        ///< of the track: the one that moves it; valid only with `x`
 };
 
 /// The state of a plant at the end of an instant. Values are after forces. Members that return an optional may not

@@ -38,11 +38,14 @@ bool Walk::is_mentioned(const Reference& thing, Explanation& result) const {
     result.sentence += ", see above";
     return true;
   }
-  result.sentence += fmt::format("; a circle: {} waits for ", name_of(thing, names_));
+  const auto name = [this](const Reference& other) {
+    return (other.kind == Reference::Kind::part ? "part " : "") + name_of(other, names_);
+  };
+  result.sentence += fmt::format("; a circle: {} waits for ", name(thing));
   for (auto next = begin + 1; next != path_.end(); ++next) {
-    result.sentence += fmt::format("{}, which waits for ", name_of(*next, names_));
+    result.sentence += fmt::format("{}, which waits for ", name(*next));
   }
-  result.sentence += path_.end() - begin == 1 ? "itself" : name_of(thing, names_);
+  result.sentence += path_.end() - begin == 1 ? "itself" : name(thing);
   return true;
 }
 

@@ -56,13 +56,14 @@ class Walk {
 
   // Levels and circles (walk.cpp).
   class Level;
-  bool is_deepest() const { return path_.size() >= kMostLevels; }
+  bool is_deepest() const { return depth_ + 1 >= kMostLevels; }
   bool is_mentioned(const Reference& thing, Explanation& result) const;
   /// A cause for each item; none on the deepest level.
   template <class Items, class Make>
   std::vector<Explanation> causes(const Items& items, Make make) {
     std::vector<Explanation> made;
     if (is_deepest()) return made;
+    ++depth_;
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (i == kMostCauses) {
         made.push_back({"and " + std::to_string(items.size() - i) + " more"});
@@ -70,6 +71,7 @@ class Walk {
       }
       made.push_back(make(items[i]));
     }
+    --depth_;
     return made;
   }
   /// Adds the causes of an explanation: of a single one the sentence becomes a part of the result's.
@@ -148,6 +150,7 @@ class Walk {
   const trace::PlantNames& names_;
   std::span<const engine::Behaviour> behaviours_;
   const StateView& view_;
+  std::size_t depth_ = 0;        ///< of the current sentence; 0 is the first one
   std::vector<Reference> path_;  ///< from the first thing to the current one
   std::set<Reference> done_;     ///< explained before, or now
   bool is_asked_ = false;        ///< the first thing was asked for: more is of interest than what it lacks

@@ -13,13 +13,13 @@
 namespace symplant::why {
 namespace {
 
-/// The direction of a number that is a speed: -1, 0 or 1.
-int direction_of(tables::DataType type, std::uint64_t value) {
-  if (trace::is_real(type)) {
-    const auto number = std::bit_cast<double>(value);
-    return std::isnan(number) || number == 0 ? 0 : number < 0 ? -1 : 1;
-  }
-  return value == 0 ? 0 : trace::is_signed(type) && static_cast<std::int64_t>(value) < 0 ? -1 : 1;
+/// The speed that a number gives, in um/s, as the engine computes it. Only its sign matters here.
+double speed_of(tables::DataType type, std::uint64_t value, std::int64_t unit) {
+  const double number = trace::is_real(type)     ? std::bit_cast<double>(value)
+                        : trace::is_signed(type) ? static_cast<double>(static_cast<std::int64_t>(value))
+                                                 : static_cast<double>(value);
+  const double speed = std::trunc(number * static_cast<double>(unit));
+  return std::isnan(speed) ? 0 : speed;
 }
 
 }  // namespace
@@ -32,9 +32,12 @@ int Walk::direction_of_drive(std::uint32_t drive) const {
   };
   const bool forward = on(row.forward);
   if (forward == on(row.backward)) return 0;
-  const int speed =
-      row.symbol == tables::kNone ? 1 : direction_of(tables_.symbols[row.symbol].type(), view_.value(row.symbol));
-  return forward ? speed : -speed;
+  double speed = 1;
+  if (row.symbol != tables::kNone) {
+    speed = speed_of(tables_.symbols[row.symbol].type(), view_.value(row.symbol), row.speed);
+  }
+  const int direction = speed > 0 ? 1 : speed < 0 ? -1 : 0;
+  return forward ? direction : -direction;
 }
 
 Explanation Walk::part(const Place& place) {
@@ -68,35 +71,36 @@ void Walk::add_halt(const Place& place, Explanation& result) {
   const tables::TrackRow& track = material.tracks[place.track];
   const PartState& part = place.parts[place.index];
   const std::int64_t length = material.kinds[part.kind].length;
-  const std::int64_t middle = 2 * *part.x - length;  // twice as much
   if (view_.is_frozen_track(place.track).value_or(false)) {
     result.sentence += ": the track is in an instantaneous loop, and stays frozen until the run ends";
     return;
   }
-  std::uint32_t drive = track.drives.first;
-  while (drive + 1 < track.drives.first + track.drives.count && middle >= 2 * material.drives[drive].until) ++drive;
+  const std::uint32_t drive = track.drives.first + part.drive;
   const int direction = direction_of_drive(drive);
   if (direction == 0) {
     add_drive(drive, result);
     return;
   }
-  if (direction < 0 && drive > track.drives.first && middle == 2 * material.drives[drive - 1].until &&
-      direction_of_drive(drive - 1) > 0) {
-    result.sentence += ": two drives push it against each other";
-    return;
+  if (direction < 0 && part.drive > 0 && direction_of_drive(drive - 1) > 0) {
+    const std::int64_t middle = 2 * *part.x - length;  // twice as much, rounded down
+    const std::int64_t boundary = 2 * material.drives[drive - 1].until;
+    if (middle <= boundary && boundary < middle + 2) {
+      result.sentence += ": two drives push it against each other";
+      return;
+    }
   }
   const std::int64_t edge = direction > 0 ? *part.x : *part.x - length;
-  const bool ends = direction > 0 ? edge >= track.length : edge <= 0;
-  if (ends && direction > 0) return add_end(place, result);
-  if (ends) {
-    result.sentence += ": it is at the start of the track";
-    return;
-  }
   for (const tables::StopRow& stop : material.stops.subspan(track.stops.first, track.stops.count)) {
     const Network condition = index_.conditions.network(stop.condition);
     if (stop.at != edge || !holds(condition, view_)) continue;
     result.sentence += fmt::format(": the stop at {} holds", millimeters(stop.at));
     append(result.because, causes_of(changes_of(condition, view_)));
+    return;
+  }
+  const bool ends = direction > 0 ? edge >= track.length : edge <= 0;
+  if (ends && direction > 0) return add_end(place, result);
+  if (ends) {
+    result.sentence += ": it is at the start of the track";
     return;
   }
   const std::size_t other = direction > 0 ? place.index - 1 : place.index + 1;
@@ -137,6 +141,7 @@ void Walk::add_end(const Place& place, Explanation& result) {
         add_need(result, fmt::format(", to {} `when`", to), index_.conditions.network(end.condition))) {
       continue;
     }
+    if (end.to == tables::kOut) return;
     result.sentence += fmt::format(", {} has no room", to);
     append(result.because, causes(std::vector{end.to}, [this](std::uint32_t of) { return location(of); }));
     return;

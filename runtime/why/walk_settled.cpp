@@ -73,7 +73,9 @@ void Walk::add_stay(std::uint32_t unit, std::uint8_t here, const States& goals, 
   const States next = anywhere ? ~States() : next_states(type, here, goals);
   if (next.none()) {
     result.sentence += fmt::format(": no transition leads from there to {}", state_list(unit, goals));
-  } else if ((next & ~goals).any() && !anywhere) {
+    return;
+  }
+  if ((next & ~goals).any() && !anywhere) {
     result.sentence += fmt::format(", and goes to {} through {}", state_list(unit, goals), state_list(unit, next));
   }
   using Kind = Reason::Kind;
@@ -104,7 +106,7 @@ void Walk::add_stay(std::uint32_t unit, std::uint8_t here, const States& goals, 
     add_causes(result, active, "it waits", make);
   } else if (!off.empty()) {
     add_causes(result, off, "it waits for a command", make);
-  } else if (next.any()) {
+  } else {
     result.sentence += type.operations == 0 ? ": no operation and no automatic transition moves it"
                                             : ": no transition leads from there";
   }
@@ -145,13 +147,11 @@ Explanation Walk::exit(std::uint32_t unit, std::uint16_t transition) {
     if (guarded && add_need(result, before, index_.condition_of(unit, row.when))) return result;
     if (!on) return result;
     const std::string after = after_words(unit, transition);
-    if (!after.empty()) {
-      result.sentence += after;
-      return result;
-    }
+    result.sentence += after;
+    if (!after.empty()) return result;
   }
-  if (type.actuation == tables::Actuation::latched && !armed.value_or(false))
-    result.sentence += ", but has no effect until it goes off and on again";
+  const bool used = type.actuation == tables::Actuation::latched && !armed.value_or(false);
+  result.sentence += used ? ", but has no effect until it goes off and on again" : ", and is about to have its effect";
   return result;
 }
 

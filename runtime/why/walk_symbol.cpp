@@ -86,7 +86,10 @@ void Walk::add_operation(std::uint32_t symbol, Explanation& result) {
   }
   if (!is_asked_ || path_.size() != 1) return;
   const SymbolDriver driver = index_.use.driver(symbol);
-  if (driver.kind == SymbolDriver::Kind::unit) result.because.push_back(moved_unit(symbol, driver.unit));
+  if (driver.kind == SymbolDriver::Kind::unit) {
+    append(result.because,
+           causes(std::vector{driver.unit}, [&](std::uint32_t unit) { return moved_unit(symbol, unit); }));
+  }
   const auto readers = index_.use.readers(symbol);
   append(result.because, causes(readers, [this](const SymbolReader& each) { return reader(each); }));
   if (result.because.empty()) result.sentence += "; no device and no condition uses it";
@@ -245,7 +248,9 @@ Explanation Walk::led(const condition::Atom& atom) {
   Explanation result{symbol_head(of.index), {of}, {}};
   const std::uint32_t unit = tables_.symbols[of.index].unit;
   done_.insert(of);
-  if (unit != tables::kNone) result.because.push_back(led_unit(unit));
+  if (unit != tables::kNone) {
+    append(result.because, causes(std::vector{unit}, [this](std::uint32_t each) { return led_unit(each); }));
+  }
   return result;
 }
 

@@ -40,6 +40,7 @@ TEST_CASE("A part's speed, a spent transfer and a source's next part are shown")
   plant.set_operation(tables.rows.symbols[tables.symbol("L_P_ARM_O_PICK")].index, true);
   plant.advance_to(tables::kSecond);
   CHECK(plant.part(0, 0).speed == 500'000);
+  CHECK(plant.part(0, 0).drive == 0);
   CHECK_FALSE(plant.transfer(0).spent);
   plant.advance_to(5 * tables::kSecond);
   CHECK(plant.source(0).due == tables::kNever);

@@ -61,6 +61,13 @@ TEST_CASE("An end that is closed, and one without room, are named") {
                  "        A has part 2 (raw) since 5 s: nothing takes parts from there\n"));
 }
 
+TEST_CASE("A stop at the end of a track holds what would leave") {
+  const DescribedPlant plant = track(R"(, "stops": [{"at": "2 m", "when": "not GATE"}], "end": "out")");
+  Asked asked(plant);
+  asked.put("CV", 1800).set("FWD").to(0).to(5000);
+  CHECK(contains(asked.why("CV"), "with its front at 2000 mm, does not move: the stop at 2000 mm holds\n        GATE"));
+}
+
 TEST_CASE("Drives that face each other, are commanded in both directions, or have no speed") {
   const DescribedPlant facing = track("", "", R"([{"until": "1 m", "forward": "FWD", "speed": "0.5 m/s"},
                                                   {"backward": "BWD", "speed": "0.5 m/s"}])");
