@@ -23,8 +23,8 @@ class Conditions {
  private:
   /// An input of a condition: an atom, or another condition.
   struct Wire {
-    std::uint32_t condition;
-    std::uint8_t input;
+    std::uint32_t condition = 0;
+    std::uint8_t input = 0;
     condition::Input from;
   };
 

@@ -1,7 +1,6 @@
 // Why a device, a symbol or a part is as it is: a sentence, and below it what causes it.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,7 +15,10 @@ struct Reference {
   Kind kind;
   std::uint32_t index;
 
-  friend auto operator<=>(const Reference&, const Reference&) = default;
+  friend bool operator==(const Reference&, const Reference&) = default;
+  friend bool operator<(const Reference& a, const Reference& b) {
+    return a.kind != b.kind ? a.kind < b.kind : a.index < b.index;
+  }
 };
 
 struct Explanation {

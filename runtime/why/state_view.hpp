@@ -13,9 +13,9 @@ namespace symplant::why {
 
 /// A part at a location.
 struct PartState {
-  std::uint64_t number;
-  std::uint32_t kind;
-  tables::Time since;             ///< when it came there
+  std::uint64_t number = 0;
+  std::uint32_t kind = 0;
+  tables::Time since = 0;         ///< when it came there
   std::optional<std::int64_t> x;  ///< on a track: its front, in um; nothing: unknown
   std::int64_t speed = 0;         ///< on a track: um/s, < 0: backward; valid only with `x`
   std::uint32_t drive = 0;        ///< of the track: the one that moves it; valid only with `x`

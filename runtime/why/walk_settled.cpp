@@ -42,7 +42,8 @@ bool Walk::add_conflict(std::uint32_t unit, std::uint8_t here, Explanation& resu
   States wanted;
   std::vector<bool> served(type.operations);
   std::vector<bool> taken(type.operations);
-  for (std::uint16_t n = 0; n < type.transitions.size(); ++n) {
+  const auto transitions = static_cast<std::uint16_t>(type.transitions.size());
+  for (std::uint16_t n = 0; n < transitions; ++n) {
     const tables::Transition& transition = type.transitions[n];
     if (transition.from != here || transition.on >= type.operations || !is_ready(unit, n)) continue;
     wanted.set(transition.to);
@@ -82,7 +83,8 @@ void Walk::add_stay(std::uint32_t unit, std::uint8_t here, const States& goals, 
   std::vector<Reason> active;
   std::vector<Reason> off;
   std::vector<bool> starts(type.operations);
-  for (std::uint16_t n = 0; n < type.transitions.size(); ++n) {
+  const auto transitions = static_cast<std::uint16_t>(type.transitions.size());
+  for (std::uint16_t n = 0; n < transitions; ++n) {
     const tables::Transition& transition = type.transitions[n];
     if (transition.from != here || transition.on == tables::kSpringReturn) continue;
     const bool commanded = transition.on != tables::kNoOperation;
