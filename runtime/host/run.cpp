@@ -25,6 +25,7 @@
 #include "symplant/host/stage.hpp"
 #include "symplant/host/stats.hpp"
 #include "symplant/host/summary.hpp"
+#include "symplant/host/why.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -182,10 +183,11 @@ struct Played {
   trace::PlantNames& names;
   const scenario::Scenario* scenario;  ///< null: none
   const LinkChoices& links;
+  const std::vector<bool>& carried;  ///< by symbol: whether one of the links carries it
+  const std::vector<Question>& questions;
   bool real;                    ///< in real time
   const PlcClockChoice* clock;  ///< null: the wall clock
   const Resumed* resumed;       ///< null: from the initial state
-  const std::vector<bool>& carried;
 };
 
 /// Runs the plant from time 0 to the end. Returns the exit code.
@@ -241,6 +243,8 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   stage.outputs.finish(stage.plant.now(), streams.err);
   stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), streams.report);
+  const std::vector<Answer> answers = answers_to(played.questions, stage, {links, played.carried, played.scenario});
+  streams.report << answers_text(answers);
   std::optional<scenario::Verdict> verdict;
   if (played.scenario != nullptr) verdict = scenario::verdict_of(*played.scenario, outcomes);
   last.junit([&] {
@@ -248,7 +252,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   });
   last.stats([&] {
     return stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, played.clock, links,
-                       tables::Time{wall.count()}});
+                       answers, played.names, tables::Time{wall.count()}});
   });
   if (!last.are_well(streams.err) || !save_end(stage, options, streams.err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;
@@ -278,6 +282,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
   trace::PlantNames names(program.tables);
   const std::vector<bool> carried = carried_symbols(chosen, program.tables);
+  const auto questions = questions_of(options.why, names, err);
+  if (!questions) return kBadInput;
   std::optional<scenario::Scenario> scenario;
   if (!options.scenario.empty()) {
     scenario = load_scenario(options.scenario, names, carried, err);
@@ -308,7 +314,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
     return kBadInput;
   }
   const Resumed* const from = resumed ? &*resumed : nullptr;
-  const int code = play(stage, {program, options, names, played, chosen, real, clock, from, carried}, resort, streams);
+  const int code =
+      play(stage, {program, options, names, played, chosen, carried, *questions, real, clock, from}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

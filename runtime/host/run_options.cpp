@@ -246,6 +246,12 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          "run N cycles under a guard that finds heap, locks, system calls and page faults in them, then end; exit "
          "code 1 if any")
       ->type_name("N");
+  app.add_option(
+         "--why", options.why,
+         "at the end explain why this device, symbol, requirement, track, place, transfer, work or source is as "
+         "it is, and what it waits for; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   app.add_flag("--fail-on-findings", options.fail_on_findings,
                "any finding gives exit code 1, not only failed expectations and violated requirements");
 }

@@ -45,6 +45,7 @@ struct RunOptions {
   std::string resume;                           ///< the state at the start
   std::optional<panel::PanelOptions> panel;     ///< nothing: no panel
   std::vector<std::string> exercises;           ///< scenarios that the panel offers
+  std::vector<std::string> why;                 ///< names to explain at the end
   std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
   bool fail_on_findings = false;

@@ -29,7 +29,9 @@ Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace
     : plant(program.tables, program.behaviours),
       recorder(program.tables, capacity(program.tables, options, real_time), detail_of(options)),
       history(names),
-      report(names, history, scenario, options.scenario, program.ignored, streams.console),
+      explainer(names, program.behaviours),
+      report(explainer, history, real_time ? nullptr : &plant, scenario, options.scenario, program.ignored,
+             streams.console),
       outputs(names, options, recorder, history, report, streams.out) {
   plant.reset(options.seed, real_time ? options.cycle : 0);
   recorder.attach(plant);

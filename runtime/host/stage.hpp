@@ -55,6 +55,7 @@ class Stage {
   plant::OwnedPlant plant;
   trace::Recorder recorder;
   trace::History history;
+  why::Explainer explainer;
   Report report;
   Outputs outputs;
   std::optional<scenario::Player> player;  ///< only with a scenario

@@ -91,9 +91,9 @@ void Desk::step_noted(const trace::Record& record) {
 }
 
 void Desk::step_failed(std::size_t step, tables::Time time) {
-  const auto parts = scenario::failure_parts(*playing_, step, 0, time, {}, setup_.names, setup_.history);
-  add_finding(time, "expectation failed", fmt::format("step {}", step + 1), "error",
-              fmt::format("{}", fmt::join(parts, "; ")));
+  const why::Explanation words =
+      scenario::failure_words(*playing_, {step, 0, time, {}}, setup_.explainer, setup_.history, nullptr);
+  add_finding(time, "expectation failed", fmt::format("step {}", step + 1), "error", why::in_one_line(words));
 }
 
 void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {

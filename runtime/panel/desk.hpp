@@ -24,6 +24,7 @@
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/recorder.hpp"
+#include "symplant/why/explainer.hpp"
 
 namespace symplant::panel {
 
@@ -52,6 +53,7 @@ class Desk {
     plant::Plant& plant;  ///< read before the run only
     trace::Recorder& recorder;
     trace::History& history;
+    const why::Explainer& explainer;
     std::span<const engine::Behaviour> behaviours;
     const std::vector<bool>& carried;
     std::vector<ExerciseFile> exercises;
@@ -148,6 +150,7 @@ class Desk {
   std::optional<SetBack> done(Pending& pending, const trace::Record& note);
   std::optional<SetBack> set_back(const Pending& pending, tables::Time time);
   void copied(Pending& pending, tables::Time time);
+  std::string explain(const std::string& name, tables::Time time);
   void log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step);
   void step_noted(const trace::Record& record);
   void step_failed(std::size_t step, tables::Time time);

@@ -6,6 +6,7 @@
 #include "symplant/panel/desk.hpp"
 #include "symplant/panel/json_text.hpp"
 #include "symplant/scenario/step_text.hpp"
+#include "symplant/why/recorded_view.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -32,6 +33,23 @@ Order::Kind order_kind(Kind kind) {
       return Order::Kind::act;
   }
 }
+
+/// The plant with an operator, for explanations.
+class OperatedView final : public why::RecordedView {
+ public:
+  OperatedView(const trace::History& history, tables::Time now, const plant::Plant& plant, bool frozen,
+               const std::vector<bool>& carried)
+      : RecordedView(history, now, &plant), frozen_(frozen), carried_(carried) {}
+
+  std::string standstill() const override { return frozen_ ? "the plant is frozen at the panel" : ""; }
+  std::string unwritten(std::uint32_t operation) const override {
+    return carried_[operation] ? "" : "no link carries it; set it at the panel";
+  }
+
+ private:
+  bool frozen_;
+  const std::vector<bool>& carried_;
+};
 
 /// The act as JSON members, for the log.
 std::string members_of(const Act& act) {
@@ -350,8 +368,7 @@ void Desk::copied(Pending& pending, tables::Time time) {
   if (pending.purpose == Purpose::backtrack) return snapshots_.keep_backtrack(std::move(pending.state));
   if (pending.purpose == Purpose::why) {
     shadow().restore(pending.state->snapshot.block);
-    // TODO(merge): explanation
-    group.body = "{}";
+    group.body = explain(pending.name, time);
     return;
   }
   if (pending.purpose == Purpose::save) {
@@ -365,7 +382,27 @@ void Desk::copied(Pending& pending, tables::Time time) {
   if (group.error.empty()) log(time, 0, "hand", fmt::format("\"{}\":{}", key, trace::json_string(pending.name)), false);
 }
 
+/// The answer to `why`: the shadow has the state.
+std::string Desk::explain(const std::string& name, tables::Time time) {
+  const OperatedView view(setup_.history, time, shadow(), operator_.frozen(), setup_.carried);
+  std::string text;
+  std::string trees;
+  for (const why::Reference& thing : why::things_named(name, setup_.names)) {
+    const why::Explanation explanation = setup_.explainer.why(thing, view);
+    for (const std::string& line : why::lines_of(explanation)) text += line + "\n";
+    trees += (trees.empty() ? "" : ",") + why::json_of(explanation, setup_.names);
+  }
+  std::string json = "{";
+  put_member(json, "text", text);
+  return json + ",\"trees\":[" + trees + "]}";
+}
+
 void Desk::why(std::string_view name, Answered answered) {
+  if (why::things_named(name, setup_.names).empty()) {
+    const std::string nearest = why::nearest_thing(name, setup_.names);
+    return answered(error_answer(
+        422, fmt::format("`{}` not found{}", name, nearest.empty() ? "" : "; did you mean `" + nearest + "`?")));
+  }
   if (ended_) return answered(error_answer(503, "the run has ended"));
   const auto group = std::make_shared<Group>();
   group->answered = std::move(answered);

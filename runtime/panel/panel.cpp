@@ -21,9 +21,9 @@ struct Panel::Parts final : Source {
       : options(chosen),
         plant(std::move(of)),
         access(std::move(granted)),
-        desk({plant.names, plant.plant, plant.recorder, plant.history, plant.behaviours, plant.carried, plant.exercises,
-              plant.scenario, plant.player, plant.scenario_name, options.files, plant.seed, plant.cycle, plant.with_plc,
-              plant.by_plc_clock, plant.paced, !options.view_only, plant.resumed}),
+        desk({plant.names, plant.plant, plant.recorder, plant.history, plant.explainer, plant.behaviours, plant.carried,
+              plant.exercises, plant.scenario, plant.player, plant.scenario_name, options.files, plant.seed,
+              plant.cycle, plant.with_plc, plant.by_plc_clock, plant.paced, !options.view_only, plant.resumed}),
         routes(*this, access) {
     put_plant(description, plant.names, plant.view, plant.links);
   }

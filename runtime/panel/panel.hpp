@@ -24,6 +24,7 @@
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/recorder.hpp"
+#include "symplant/why/explainer.hpp"
 
 namespace symplant::panel {
 
@@ -33,6 +34,7 @@ struct PanelPlant {
   plant::Plant& plant;
   trace::Recorder& recorder;  ///< with motions
   trace::History& history;
+  const why::Explainer& explainer;
   std::span<const engine::Behaviour> behaviours;
   const std::vector<bool>& carried;    ///< as for read_scenario()
   const scenario::Scenario* scenario;  ///< played from the start; null: none

@@ -121,13 +121,6 @@ void History::move_part(const PartRecord& part) {
   if (part.to != tables::kOut) parts_[part.to].push_back({part.number, part.kind, part.time});
 }
 
-std::uint64_t History::parts(std::uint32_t location, std::uint32_t kind) const {
-  const std::vector<Part>& parts = parts_[location];
-  if (kind == tables::kNone) return parts.size();
-  return static_cast<std::uint64_t>(
-      std::count_if(parts.begin(), parts.end(), [kind](const Part& part) { return part.kind == kind; }));
-}
-
 const History::Part* History::part(std::uint64_t number) const {
   for (const std::vector<Part>& parts : parts_) {
     for (const Part& part : parts) {

@@ -41,8 +41,6 @@ class History {
   };
   /// The parts at a location, in the order in which they came.
   const std::vector<Part>& parts_at(std::uint32_t location) const { return parts_[location]; }
-  /// The number of parts of a kind at a location, of all kinds with kNone. O(parts at the location).
-  std::uint64_t parts(std::uint32_t location, std::uint32_t kind) const;
   /// A part by its number; null if it is not in the plant. O(parts).
   const Part* part(std::uint64_t number) const;
   plant::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }

@@ -129,7 +129,8 @@ void add_run(CLI::App& app, Context& context) {
       "  symplant run plant.json --cycle 1ms --priority 50 --cpu 1 --lock-memory --stay-awake --stats stats.json\n"
       "  symplant run plant.json --until 10s --trace trace.jsonl\n"
       "  symplant run plant.json --link PLC1=modbus-tcp-server://:1502 --link PLC2=modbus-tcp-server://:1503\n"
-      "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml");
+      "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
+      "  symplant run symbols.csv --scenario first_cycle.json --why LINE_P1_CLAMP1 --why LINE_P1_CLAMP1_I_CLOSED");
   command->callback([options, &context] {
     auto compiled = compile_for(context, options->plant, options->plant_options);
     if (!compiled) return;

@@ -143,6 +143,7 @@ class Flow {
   const KindState& kind(std::uint32_t kind) const noexcept { return kinds_[kind]; }
   bool is_frozen_track(std::uint32_t track) const noexcept { return tracks_[track].frozen != 0; }
   const TransferState& transfer(std::uint32_t transfer) const noexcept { return transfers_[transfer]; }
+  const SourceState& source(std::uint32_t source) const noexcept { return sources_[source]; }
   /// The part that a transfer would move, or that would be taken from there.
   Candidate candidate(const tables::PartLocation& from) const noexcept;
   /// The first part that leaves no room at a target for a part of a kind; kNone: there is room.
