@@ -1,0 +1,129 @@
+// The line view: stations with their devices, tracks and places. A large plant shows its stations as small tiles first.
+import {make, select} from "./dom.js";
+import {groupDevices, stationsOf} from "./layout.js";
+import {stationAddress} from "./links_to.js";
+import {Material} from "./material.js";
+import {Overview} from "./overview.js";
+import {STATUSES} from "./status.js";
+import {TileGrid} from "./tile_grid.js";
+import {count} from "./words.js";
+
+const kMostAtOnce = 120;  // devices; more are shown as an overview
+const kNoStation = "no station";
+
+const legend = () => make("details", {class: "legend"}, make("summary", {}, "Legend"),
+  make("ul", {}, STATUSES.map(({key, letter, text}) =>
+    make("li", {}, make("span", {class: "letter s-" + key, "aria-hidden": "true"}, letter), " ", text))),
+  make("p", {class: "soft"}, "▸ an operation that is on, ■ □ events that are on and off, F a forced symbol. On a track: ▼ sensors, ",
+    "bars across the belt are stops, filled if they hold; triangles below are transfers."));
+
+export class LineView {
+  constructor(app) {
+    this.app = app;
+    this.title = "Line";
+    this.groups = groupDevices(app.plant);
+    this.locationStations = app.plant.locations.map((location) => stationsOf(location, app.plant));
+    this.content = make("div", {class: "line"});
+    this.tools = make("div", {class: "row tools"});
+    this.element = make("div", {class: "view line-view"}, this.tools, this.content, legend());
+    this.parts = [];
+    this.shown = null;
+  }
+
+  nameOf({station}) { return station === null ? kNoStation : this.app.plant.stations[station].name; }
+  isLarge() { return this.app.plant.devices.length > kMostAtOnce && this.groups.length > 1; }
+
+  show({station = ""}) {
+    if (this.shown !== station) this.build(station);
+    else this.touchAll();
+    this.parts.forEach((part) => part.selected?.());
+    this.app.frames.request();
+  }
+
+  build(station) {
+    this.parts.forEach((part) => part.close());
+    this.shown = station;
+    const one = this.groups.find((group) => this.nameOf(group) === station);
+    this.tools.replaceChildren(...this.makeTools(station, one));
+    this.parts = one ? this.makeStation(one) : this.makeAll();
+    this.content.replaceChildren(...this.parts.map((part) => part.frame ?? part.element));
+    this.app.main.scrollTop = 0;
+  }
+
+  makeTools(station, one) {
+    const {plant} = this.app;
+    const summary = count(plant.devices.length, "device") + ", " + count(plant.symbols.length, "symbol") + ", " +
+      count(plant.locations.length, "track or place").replace("track or places", "tracks and places");
+    if (this.groups.length < 2) return [make("span", {class: "soft"}, summary)];
+    const choice = select("Station", [["", "All stations"], ...this.groups.map((group) => [this.nameOf(group), this.nameOf(group)])],
+      {onchange: () => this.app.router.view("line", choice.value ? {station: choice.value} : {})});
+    choice.value = one ? station : "";
+    if (!one) return [choice, make("span", {class: "soft"}, summary)];
+    const at = this.groups.indexOf(one);
+    const step = (by, text) => {
+      const group = this.groups[at + by];
+      return group ? make("a", {href: stationAddress(this.nameOf(group)), class: "step"}, text) : null;
+    };
+    return [make("a", {href: "#view=line", class: "step"}, "← All stations"), choice, step(-1, "Previous"), step(1, "Next"),
+      make("span", {class: "soft"}, count(one.devices.length, "device"))];
+  }
+
+  makeFrame(group, link) {
+    const name = this.nameOf(group);
+    const grid = new TileGrid(this.app, group.devices, "Devices of " + name, this.app.main);
+    grid.frame = make("section", {class: "frame", "aria-label": "Station " + name},
+      make("h2", {}, link ? make("a", {href: stationAddress(name)}, name) : name), grid.element);
+    return grid;
+  }
+
+  makeStation(group) {
+    const locations = this.locationStations.flatMap((stations, index) => stations.includes(group.station) ? [index] : []);
+    return [...(locations.length > 0 ? [new Material(this.app, locations)] : []), this.makeFrame(group, false)];
+  }
+
+  makeAll() {
+    const {plant} = this.app;
+    const material = plant.locations.length > 0 ? [new Material(this.app, [...plant.locations.keys()])] : [];
+    const stations = this.isLarge() ? [new Overview(this.app, this.groups)]
+      : this.groups.map((group) => this.makeFrame(group, this.groups.length > 1));
+    return plant.locations.length <= 6 ? [...material, ...stations] : [...stations, ...material];
+  }
+
+  touchAll() {
+    for (const part of this.parts) {
+      part.touchAll?.();
+      part.change?.({all: true, tracks: [], places: [], symbols: []});
+    }
+  }
+
+  /// `statusChanged` is a set of devices.
+  change(change, statusChanged) {
+    const {symbols} = this.app.plant;
+    for (const part of this.parts) {
+      part.change?.(change);
+      if (!part.touch) continue;
+      if (change.all) {
+        part.touchAll();
+        continue;
+      }
+      for (const device of statusChanged) part.touch(device);
+      if (part instanceof Overview) continue;
+      for (const device of change.devices) part.touch(device);
+      for (const symbol of change.symbols) if (symbols[symbol].device !== null) part.touch(symbols[symbol].device);
+    }
+    this.app.frames.request();
+  }
+
+  selectionChanged() { this.parts.forEach((part) => part.selected?.()); }
+
+  /// Returns whether something moves on.
+  frame(now) {
+    let again = false;
+    let late = false;
+    for (const part of this.parts) {
+      if (part instanceof Overview) late = part.draw(now) || late;
+      else again = part.draw(now) || again;
+    }
+    return late || (again && this.app.clock.runs);
+  }
+}
