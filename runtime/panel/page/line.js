@@ -44,7 +44,7 @@ export class LineView {
     this.parts.forEach((part) => part.close());
     this.shown = station;
     const one = this.groups.find((group) => this.nameOf(group) === station);
-    this.tools.replaceChildren(...this.makeTools(station, one));
+    this.tools.replaceChildren(...this.makeTools(station, one).filter((tool) => tool !== null));
     this.parts = one ? this.makeStation(one) : this.makeAll();
     this.content.replaceChildren(...this.parts.map((part) => part.frame ?? part.element));
     this.app.main.scrollTop = 0;

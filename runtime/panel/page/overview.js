@@ -26,10 +26,10 @@ class Card {
     if (shown === this.shown) return;
     this.shown = shown;
     setText(this.counts, shown);
-    const {key, letter, text} = STATUSES[worst];
+    const {key, letter, short} = STATUSES[worst];
     this.element.className = "card s-" + key;
     setText(this.letter, letter);
-    setText(this.word, text);
+    setText(this.word, short);
   }
 }
 

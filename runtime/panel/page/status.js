@@ -5,15 +5,16 @@ const kFindingTime = 60e9;  // a finding marks its device for a minute of plant 
 
 /// In the order of urgency, the least first.
 export const STATUSES = [
-  {key: "contact", letter: "N", text: "no device drives it"},
-  {key: "waits", letter: "W", text: "waits for a command"},
-  {key: "moving", letter: "▶", text: "moving"},
-  {key: "stopped", letter: "S", text: "stopped midway"},
-  {key: "disabled", letter: "D", text: "disabled"},
-  {key: "blocked", letter: "B", text: "has a command and does not move"},
-  {key: "frozen", letter: "L", text: "frozen in a loop"},
-  {key: "malfunction", letter: "M", text: "a malfunction acts on it"},
-  {key: "finding", letter: "!", text: "a finding in the last minute"},
+  {key: "rest", letter: "–", text: "at rest", short: "at rest"},
+  {key: "contact", letter: "N", text: "no device drives it", short: "no device"},
+  {key: "waits", letter: "W", text: "waits for a command", short: "waits"},
+  {key: "moving", letter: "▶", text: "moving", short: "moving"},
+  {key: "stopped", letter: "S", text: "stopped midway", short: "stopped midway"},
+  {key: "disabled", letter: "D", text: "disabled", short: "disabled"},
+  {key: "blocked", letter: "B", text: "has a command and does not move", short: "blocked"},
+  {key: "frozen", letter: "L", text: "frozen in a loop", short: "loop"},
+  {key: "malfunction", letter: "M", text: "a malfunction acts on it", short: "malfunction"},
+  {key: "finding", letter: "!", text: "a finding in the last minute", short: "finding"},
 ];
 export const rank = Object.fromEntries(STATUSES.map(({key}, index) => [key, index]));
 
@@ -22,8 +23,8 @@ export class Statuses {
     this.store = store;
     this.names = names;
     const {devices, stations, symbols} = store.plant;
-    this.contact = devices.map(({operations, events}) =>
-      operations.length === 0 && events.every((symbol) => symbols[symbol].driver === "none"));
+    this.settled = devices.map(({operations, events}) => operations.length > 0 ? rank.waits
+      : events.every((symbol) => symbols[symbol].driver === "none") ? rank.contact : rank.rest);
     this.of = new Uint8Array(devices.length);
     this.foundAt = new Float64Array(devices.length).fill(-Infinity);
     this.stations = stations.map(() => new Uint32Array(STATUSES.length));
@@ -48,7 +49,7 @@ export class Statuses {
     if (bits & DEVICE.disabled) return rank.disabled;
     if (bits & DEVICE.stopped) return rank.stopped;
     if (bits & DEVICE.moving) return rank.moving;
-    return this.contact[device] ? rank.contact : rank.waits;
+    return this.settled[device];
   }
 
   refresh(device, changed) {

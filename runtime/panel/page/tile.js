@@ -24,7 +24,7 @@ const commandsText = (store, device) => {
   const texts = [];
   for (const operation of device.operations) {
     const value = values[operation.symbol];
-    if (value === false) continue;
+    if (value === false || value === 0) continue;
     const label = operationLabel(plant, device, operation);
     texts.push(value === true ? "▸" + label : label + "=" + value);
   }

@@ -27,7 +27,7 @@ export const clockText = (ns) => {
 export const instant = (ns) => trimmed(ns / 1e9, 6) + " s";
 
 /// A length in micrometers: "300 mm", "1.5 m".
-export const length = (um) => Math.abs(um) < 1e6 ? trimmed(um / 1e3, 1) + " mm" : trimmed(um / 1e6, 3) + " m";
+export const length = (um) => um === 0 ? "0" : Math.abs(um) < 1e6 ? trimmed(um / 1e3, 1) + " mm" : trimmed(um / 1e6, 3) + " m";
 
 /// A speed in micrometers per second.
 export const speed = (um) => trimmed(um / 1e6, 3) + " m/s";
