@@ -1,5 +1,5 @@
 // Controls that act on the plant. Each shows its result, or what the server says against it, next to itself.
-import {button, make, select} from "./dom.js";
+import {button, make, select, setAttribute, setText} from "./dom.js";
 import {instant, readValue} from "./words.js";
 
 /// Does `acts()` (one act, or a list) and shows the result in `result`. Returns whether it was done.
@@ -73,13 +73,18 @@ export const stateControl = (app, index, result) => {
     actButton(app, result, "Set state", () => ({state: {[name]: choice.value}})));
 };
 
-/// A button that starts or ends a malfunction; `update()` after each change.
-export const malfunctionButton = (app, result, name, label) => {
+/// A button that starts or ends a malfunction; `update()` after each change. With a label it is a toggle, without one it
+/// says what it does.
+export const malfunctionButton = (app, result, name, label = null) => {
   const isActive = () => app.store.malfunctions.some(([active]) => active === name);
   const text = make("span", {}, label);
   const element = actButton(app, result, text, () => isActive() ? {stop: name} : {start: name},
-    {class: "toggle", "aria-pressed": "false", "data-malfunction": name});
-  const update = () => element.setAttribute("aria-pressed", String(isActive()));
+    {class: label === null ? null : "toggle", "data-malfunction": name});
+  const update = () => {
+    if (label !== null) return setAttribute(element, "aria-pressed", String(isActive()));
+    setText(text, isActive() ? "Stop" : "Start");
+    setAttribute(element, "aria-label", (isActive() ? "Stop " : "Start ") + name);
+  };
   update();
   return {element, update};
 };

@@ -82,13 +82,22 @@ export class ChartView {
 
   label(row) {
     const name = this.app.names.name(row.kind, row.index);
-    const link = linkTo(row.kind, name);
+    const link = linkTo(row.kind, name, this.twoLines(row, name));
     link.title = name;
     const values = [make("span", {class: "at-cursor"}), make("span", {class: "at-cursor"})];
     const move = (by, text, words) => button(text, () => this.model.move(row, by), {class: "tiny", "aria-label": words + " " + name, title: words});
     this.labels.push(values);
-    return make("li", {}, make("span", {class: "grow cut"}, link), values, make("span", {class: "row-buttons"}, move(-1, "↑", "Move up"), move(1, "↓", "Move down"),
+    return make("li", {}, make("span", {class: "grow"}, link), values, make("span", {class: "row-buttons"}, move(-1, "↑", "Move up"), move(1, "↓", "Move down"),
       button("✕", () => this.model.remove(row), {class: "tiny", "aria-label": "Remove " + name, title: "Remove"})));
+  }
+
+  /// What rows have in common is small, what differs is large.
+  twoLines({kind, index}, name) {
+    const {plant} = this.app;
+    const device = kind === "device" ? plant.devices[index] : plant.devices[plant.symbols[index].device];
+    const head = kind === "device" ? name.slice(0, -device.label.length) : device && name.startsWith(device.name + "_") ? device.name + "_" : "";
+    return name.endsWith(name.slice(head.length)) && head !== "" ? [make("span", {class: "soft cut"}, head), make("span", {class: "cut"}, name.slice(head.length))]
+      : [make("span", {class: "cut"}, name)];
   }
 
   resize(again = false) {

@@ -22,8 +22,8 @@ export class ControlBar {
     this.forced = make("a", {href: "#view=io&filter=forced"});
     this.malfunctions = make("a", {href: "#view=malfunctions"});
     const acts = app.canAct ? this.acts() : [make("span", {class: "note"}, app.plant.acts ? app.deniedNote() : "This panel only shows: acts are off.")];
-    this.element = make("div", {class: "row bar"}, this.time, this.state, acts,
-      make("span", {class: "row group"}, this.forced, app.canAct ? this.releaseAll : null), this.malfunctions, this.result);
+    this.element = make("div", {class: "row bar"}, this.time, this.state, acts, this.result);
+    this.marks = make("div", {class: "row marks"}, this.malfunctions, this.forced, app.canAct ? this.releaseAll : null);
     this.update();
   }
 

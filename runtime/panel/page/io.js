@@ -10,7 +10,7 @@ import {count, instant, value} from "./words.js";
 
 const kHeight = 32;
 const kPause = 300;  // ms between two applications of a filter that depends on the state
-const kColumns = ["Symbol", "Address", "Type", "Direction", "Value", "Since", "Driven by", "Link", "Marks"];
+const kColumns = ["Symbol", "Address", "Type", "Direction", "Value", "Since", "Driven by", "Link"];
 const kChecks = [["lately", "changed in the last 10 s"], ["forced", "forced"], ["unlinked", "on no link"], ["malfunction", "malfunction"],
   ["undriven", "no device drives it"]];
 
@@ -74,7 +74,8 @@ export class IoView {
     const force = (label, to) => actButton(app, this.result, label, () => ({force: {[symbol().name]: to}}), {class: "small", tabindex: -1});
     row.buttons = !app.canAct ? [] : [force("on", true), force("off", false),
       actButton(app, this.result, "release", () => ({release: [symbol().name]}), {class: "small", tabindex: -1})];
-    row.acts = app.canAct ? make("span", {role: "cell", class: "row"}, row.buttons) : null;
+    row.more = make("a", {tabindex: -1}, "force ...");
+    row.acts = app.canAct ? make("span", {role: "cell", class: "row"}, row.buttons.slice(0, 2), row.more, row.buttons[2]) : null;
     row.element = make("div", {class: "io-row", role: "row"}, make("span", {role: "cell"}, link), cells, row.acts);
     return row;
   }
@@ -85,13 +86,12 @@ export class IoView {
     const symbol = plant.symbols[index];
     if (row.shown !== index) this.fillFixed(row, symbol);
     row.shown = index;
-    const [, , , shown, since, , , marks] = row.cells;
-    setText(shown, value(store.values[index]));
-    shown.className = store.values[index] === true ? "is-on" : "";
-    setText(since, instant(store.symbolSince[index]));
+    const [, , , shown, since] = row.cells;
     const flags = store.symbolFlags[index];
     const isForced = (flags & SYMBOL.forced) !== 0;
-    setText(marks, (isForced ? "forced " : "") + (flags & SYMBOL.malfunction ? "malfunction" : ""));
+    setText(shown, value(store.values[index]) + (isForced ? ", forced" : "") + (flags & SYMBOL.malfunction ? ", malfunction" : ""));
+    shown.className = store.values[index] === true ? "is-on" : "";
+    setText(since, instant(store.symbolSince[index]));
     row.element.classList.toggle("forced", isForced);
     if (row.buttons.length > 0) row.buttons[2].disabled = !isForced;
   }
@@ -106,9 +106,12 @@ export class IoView {
     setText(direction, symbol.direction);
     setText(driver, driverText(symbol));
     setText(link, symbol.link === null ? "-" : this.app.plant.links[symbol.link].controller || this.app.plant.links[symbol.link].name);
+    row.more.hidden = symbol.type === "BOOL";
+    row.more.href = selecting("symbol", symbol.name);
+    row.more.setAttribute("aria-label", "Force " + symbol.name + " in its details");
     row.buttons.forEach((element, i) => {
-      element.hidden = i < 2 && symbol.type !== "BOOL";  // numbers are forced in the details
-      if (i < 3) element.setAttribute("aria-label", ["Force on: ", "Force off: ", "Release: "][i] + symbol.name);
+      element.hidden = i < 2 && symbol.type !== "BOOL";
+      element.setAttribute("aria-label", ["Force on: ", "Force off: ", "Release: "][i] + symbol.name);
     });
   }
 

@@ -52,8 +52,9 @@ export class LineView {
 
   makeTools(station, one) {
     const {plant} = this.app;
-    const summary = count(plant.devices.length, "device") + ", " + count(plant.symbols.length, "symbol") + ", " +
-      count(plant.locations.length, "track or place").replace("track or places", "tracks and places");
+    const {trackLocations, placeLocations} = this.app.store;
+    const summary = [[plant.devices, "device"], [plant.symbols, "symbol"], [trackLocations, "track"], [placeLocations, "place"]]
+      .filter(([list]) => list.length > 0).map(([list, noun]) => count(list.length, noun)).join(", ");
     if (this.groups.length < 2) return [make("span", {class: "soft"}, summary)];
     const choice = select("Station", [["", "All stations"], ...this.groups.map((group) => [this.nameOf(group), this.nameOf(group)])],
       {onchange: () => this.app.router.view("line", choice.value ? {station: choice.value} : {})});

@@ -144,7 +144,7 @@ const start = async () => {
   const search = makeSearch(app, {label: "Search", choose: (found) => choose(app, found)});
   const details = new Details(app, byId("details"));
   const views = new Views(app, makeViews(app), byId("views"));
-  byId("title").append(make("h1", {class: "name", title: plant.plant}, plant.plant), search);
+  byId("title").append(make("h1", {class: "name", title: plant.plant}, plant.plant), search, make("span", {class: "grow"}), ...[bar.marks].filter(Boolean));
   byId("bar").append(bar.element);
   const announcer = new Announcer(app, byId("footer"), byId("live"));
   app.receive = makeReceiver(app, [bar, views, details, announcer]);

@@ -24,12 +24,11 @@ export class MalfunctionsView {
       const of = [...devices.map((index) => deviceLink(app, index)), ...symbols.map((index) => symbolLink(app, index))];
       const shown = [...of.slice(0, 5).flatMap((link, i) => i > 0 ? [", ", link] : [link]), of.length > 5 ? " and " + (of.length - 5) + " more" : ""];
       if (!app.canAct) return [name, kind, shown];
-      const toggle = malfunctionButton(app, result, name, "Active");
-      toggle.element.setAttribute("aria-label", "Active: " + name);
+      const toggle = malfunctionButton(app, result, name);
       this.toggles.push(toggle);
       return [name, kind, shown, toggle.element];
     });
-    return rows.length > 0 ? table("Malfunctions of the plant", ["Name", "Kind", "Acts on", ...(app.canAct ? ["State"] : [])], rows)
+    return rows.length > 0 ? table("Malfunctions of the plant", ["Name", "Kind", "Acts on", ...(app.canAct ? ["Act"] : [])], rows)
       : make("p", {class: "soft"}, "plant.json has no malfunctions");
   }
 

@@ -84,6 +84,7 @@ export class RecordingBar {
     this.slider = make("input", {type: "range", min: 0, max: kSteps, value: 0, step: 1, class: "grow", "aria-label": "Time",
       oninput: () => player.seek(this.slider.value / kSteps * player.end)});
     this.wrong = make("output", {class: "result wrong"});
+    this.marks = null;
     this.element = make("div", {class: "row bar"}, this.playButton, this.speed, this.time, this.end, this.slider,
       make("span", {class: "note"}, "A recording: acts are off."), this.wrong);
   }
