@@ -85,10 +85,9 @@ export class ChartView {
     const link = linkTo(row.kind, name, this.twoLines(row, name));
     link.title = name;
     const values = [make("span", {class: "at-cursor"}), make("span", {class: "at-cursor"})];
-    const move = (by, text, words) => button(text, () => this.model.move(row, by), {class: "tiny", "aria-label": words + " " + name, title: words});
+    const up = button("↑", () => this.model.moveUp(row), {class: "tiny", "aria-label": "Move up " + name, title: "Move up"});
     this.labels.push(values);
-    return make("li", {}, make("span", {class: "grow"}, link), values, make("span", {class: "row-buttons"}, move(-1, "↑", "Move up"), move(1, "↓", "Move down"),
-      button("✕", () => this.model.remove(row), {class: "tiny", "aria-label": "Remove " + name, title: "Remove"})));
+    return make("li", {}, make("span", {class: "grow"}, link), values, make("span", {class: "row-buttons"}, up, button("✕", () => this.model.remove(row), {class: "tiny", "aria-label": "Remove " + name, title: "Remove"})));
   }
 
   /// What rows have in common is small, what differs is large.
@@ -197,6 +196,7 @@ export class ChartView {
     drawRows(fitCanvas(this.canvas, this.width, height - kAxisHeight), rows, this.view, {from: this.model.from, until: this.model.until}, this.width);
     drawCursors(fitCanvas(this.over, this.width, height), this.cursors, this.view, this.width, height);
     setText(this.time, cursorText(this.cursors) || "Click: cursor A, Shift + click: cursor B. Wheel: zoom. Drag: earlier and later. At most " + kMostRows + " rows.");
+    this.names.classList.toggle("one-cursor", this.cursors.B === null);
     setAttribute(this.followButton, "aria-pressed", String(this.following));
     rows.forEach((row, i) => {
       if (!this.labels[i]) return;

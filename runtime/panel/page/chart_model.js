@@ -85,11 +85,12 @@ export class ChartModel {
     this.changed();
   }
 
-  move(row, by) {
+  moveUp(row) {
     const at = this.rows.indexOf(row);
-    const to = at + by;
-    if (to < 0 || to >= this.rows.length) return;
-    [this.rows[at], this.rows[to]] = [this.rows[to], this.rows[at]];
+    if (at < 1) return;
+    this.rows = this.rows.with(at, this.rows[at - 1]).with(at - 1, row);
+    this.next = null;  // answers come in the order of the rows
+    this.stale = true;
     this.changed();
   }
 

@@ -10,6 +10,14 @@ import {count} from "./words.js";
 
 const kMostAtOnce = 120;  // devices; more are shown as an overview
 const kNoStation = "no station";
+const kMostFirst = 6;
+const kMostColumns = 6;  // of a station next to others
+
+/// Of the frame of a station next to others, in pixels; as in panel.css.
+const frameWidth = (views) => {
+  const columns = Math.max(Math.min(views.length, kMostColumns), ...views.map((view) => view ? Math.ceil(view.x) + 1 : 1));
+  return columns * 184 - 8 + 24;
+};
 
 const legend = () => make("details", {class: "legend"}, make("summary", {}, "Legend"),
   make("ul", {}, STATUSES.map(({key, letter, text}) =>
@@ -46,7 +54,10 @@ export class LineView {
     const one = this.groups.find((group) => this.nameOf(group) === station);
     this.tools.replaceChildren(...this.makeTools(station, one).filter((tool) => tool !== null));
     this.parts = one ? this.makeStation(one) : this.makeAll();
-    this.content.replaceChildren(...this.parts.map((part) => part.frame ?? part.element));
+    const frames = this.parts.filter((part) => part.frame).map((part) => part.frame);
+    const others = this.parts.filter((part) => !part.frame).map((part) => part.element);
+    const ordered = [...others, make("div", {class: "frames"}, frames)];
+    this.content.replaceChildren(...(this.materialFirst(one) ? ordered : ordered.reverse()));
     this.app.main.scrollTop = 0;
   }
 
@@ -82,12 +93,16 @@ export class LineView {
     return [...(locations.length > 0 ? [new Material(this.app, locations)] : []), this.makeFrame(group, false)];
   }
 
+  /// A few tracks come before the stations, many after them.
+  materialFirst(one) { return Boolean(one) || this.app.plant.locations.length <= kMostFirst; }
+
   makeAll() {
     const {plant} = this.app;
     const material = plant.locations.length > 0 ? [new Material(this.app, [...plant.locations.keys()])] : [];
-    const stations = this.isLarge() ? [new Overview(this.app, this.groups)]
-      : this.groups.map((group) => this.makeFrame(group, this.groups.length > 1));
-    return plant.locations.length <= 6 ? [...material, ...stations] : [...stations, ...material];
+    if (!this.isLarge()) return [...material, ...this.groups.map((group) => this.makeFrame(group, this.groups.length > 1))];
+    const overview = new Overview(this.app, this.groups);
+    overview.frame = overview.element;
+    return [...material, overview];
   }
 
   touchAll() {

@@ -2,7 +2,7 @@
 import {make, setText} from "./dom.js";
 import {linkTo} from "./links_to.js";
 
-const kMostSlots = 8;
+const kMostSlots = 6;
 
 /// "3 raw, 1 machined" for parts as the stream has them.
 export const countsByKind = (parts, kinds) => {
