@@ -70,6 +70,6 @@ export const ticks = (from, to, most) => {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((factor) => factor * power).find((size) => size >= rough * (1 - 1e-9));
   const found = [];
-  for (let i = Math.ceil(from / step - 1e-9); i * step <= to * (1 + 1e-12); ++i) found.push(i * step);
+  for (let i = Math.ceil(from / step - 1e-9) || 0; i * step <= to * (1 + 1e-12); ++i) found.push(i * step);
   return found;
 };

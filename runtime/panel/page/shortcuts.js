@@ -37,7 +37,7 @@ export class Shortcuts {
       dialog.remove();
     };
     const rows = (keys) => keys.map(([key, text]) => [make("kbd", {}, key === "Escape" ? "Esc" : key), text]);
-    dialog.append(make("h2", {id: "help-title"}, "Keys"),
+    dialog.append(make("h2", {id: "help-title", tabindex: -1, autofocus: true}, "Keys"),
       table("Keys of the page", ["Key", "Does"], [...rows(this.keys), ...rows([["?", "show this help"],
         ["Tab", "to the next control; arrow keys move within tiles and lists"]])]),
       make("h2", {}, "Keys of the chart, while it has the focus"), table("Keys of the chart", ["Key", "Does"], rows(kChartKeys)),
