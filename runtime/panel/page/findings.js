@@ -6,7 +6,7 @@ import {requirementState} from "./requirement_details.js";
 import {VirtualList} from "./virtual_list.js";
 import {count, instant} from "./words.js";
 
-const kFindingHeight = 64;
+const kFindingHeight = 80;
 const kRequirementHeight = 30;
 const kOrder = {violated: 0, pending: 1, ok: 2};
 const kLetters = {violated: "!", pending: "…", ok: "✓"};

@@ -38,7 +38,7 @@ export class LineView {
     this.shown = null;
   }
 
-  nameOf({station}) { return station === null ? kNoStation : this.app.plant.stations[station].name; }
+  nameOf({station}) { return station === null ? kNoStation : this.app.plant.stations[station].name || kNoStation; }
   isLarge() { return this.app.plant.devices.length > kMostAtOnce && this.groups.length > 1; }
 
   show({station = ""}) {
@@ -85,6 +85,8 @@ export class LineView {
     const grid = new TileGrid(this.app, group.devices, "Devices of " + name, this.app.main);
     grid.frame = make("section", {class: "frame", "aria-label": "Station " + name},
       make("h2", {}, link ? make("a", {href: stationAddress(name)}, name) : name), grid.element);
+    if (link) grid.frame.style.width = frameWidth(group.devices.map((device) => this.app.plant.devices[device].view)) + "px";
+    else grid.frame.classList.add("whole");
     return grid;
   }
 
@@ -100,7 +102,7 @@ export class LineView {
     const {plant} = this.app;
     const material = plant.locations.length > 0 ? [new Material(this.app, [...plant.locations.keys()])] : [];
     if (!this.isLarge()) return [...material, ...this.groups.map((group) => this.makeFrame(group, this.groups.length > 1))];
-    const overview = new Overview(this.app, this.groups);
+    const overview = new Overview(this.app, this.groups, (station) => this.nameOf({station}));
     overview.frame = overview.element;
     return [...material, overview];
   }

@@ -34,13 +34,17 @@ const enterToken = async () => {
 };
 const denied = (text) => notice.show("token", text, false, {label: "Enter the token", run: enterToken});
 
+/// What a description need not have.
+const kDefaults = {stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [], malfunctions: [], ordinary: {},
+  exercises: [], links: []};
+
 /// The description, as soon as the plant answers.
 const loadPlant = async (api) => {
   for (;;) {
     try {
       const plant = await api.plant();
       notice.show("lost", "");
-      return plant;
+      return {...kDefaults, ...plant};
     } catch (error) {
       if (error.status === 401) {
         denied("This panel needs a token to be seen: open the link that symplant printed.");
@@ -56,7 +60,7 @@ const loadPlant = async (api) => {
 const mayAct = async (api, plant) => {
   if (!plant.acts || plant.mode !== "live" || !api.token) return false;
   try {
-    await api.check();
+    await api.check({run: true});
   } catch (error) {
     return error.status !== 401 && error.status !== 403;
   }

@@ -34,13 +34,12 @@ class Card {
 }
 
 export class Overview {
-  /// `groups` as groupDevices() returns them.
-  constructor(app, groups) {
+  /// `groups` as groupDevices() returns them; `nameOf(station)`.
+  constructor(app, groups, nameOf) {
     this.app = app;
     this.last = -Infinity;
     this.dirty = new Set();
-    this.cards = new Map(groups.map(({station, devices}) => [station, new Card(station === null ? "no station" : app.plant.stations[station].name,
-      devices.length)]));
+    this.cards = new Map(groups.map(({station, devices}) => [station, new Card(nameOf(station), devices.length)]));
     this.element = make("section", {"aria-label": "Stations", class: "overview"}, [...this.cards.values()].map(({element}) => element));
     this.touchAll();
     this.draw();

@@ -99,7 +99,7 @@ export class Store {
       this.setTrack(rank, entry);
       change.tracks.push(rank);
     }
-    for (const [rank, ...parts] of event.places ?? []) {
+    for (const [rank, parts] of event.places ?? []) {
       this.places[rank] = parts;
       change.places.push(rank);
     }

@@ -62,12 +62,7 @@ export class Track {
 
   touchAll() { this.marksDirty = this.partsDirty = true; }
   touchSensors() { this.marksDirty = true; }
-  touchParts() {
-    this.partsDirty = true;
-    const stops = String(this.app.store.tracks[this.rank]?.stops);
-    if (stops !== this.stops) this.marksDirty = true;
-    this.stops = stops;
-  }
+  touchParts() { this.partsDirty = true; }
 
   sensorState({symbol}) {
     const {values, symbolFlags} = this.app.store;
@@ -88,14 +83,13 @@ export class Track {
     if (this.marksDirty) {
       this.marksDirty = false;
       drawMarks(this.context, this.still, this.location, this.width,
-        this.sensors.map((sensor) => ({...sensor, ...this.sensorState(sensor)})),
-        this.location.stops.map(({at}, i) => ({at, holds: Boolean(track?.stops[i])})));
+        this.sensors.map((sensor) => ({...sensor, ...this.sensorState(sensor)})));
     }
     if (moving || this.partsDirty) {
       this.partsDirty = false;
       setText(this.parts, count(track?.parts.length ?? 0, "part"));
-      drawParts(this.context, this.still, this.location, this.width, store.partsOn(this.rank, now), plant.part_kinds,
-        track?.drives ?? [], now / 1e9);
+      drawParts(this.context, this.still, this.location, this.width, {parts: store.partsOn(this.rank, now), kinds: plant.part_kinds,
+        speeds: track?.drives ?? [], stops: track?.stops ?? [], seconds: now / 1e9});
     }
     return moving;
   }

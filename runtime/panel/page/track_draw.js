@@ -39,7 +39,8 @@ export const placeNames = (context, track, width, sensors) => {
   sorted.forEach((sensor, rank) => {
     const left = rank > 0 ? (x(rank - 1) + x(rank)) / 2 : 0;
     const right = rank + 1 < sorted.length ? (x(rank) + x(rank + 1)) / 2 : width;
-    sensor.shown = cut(context, sensor.text, 2 * Math.min(x(rank) - left, right - x(rank)) - 6);
+    const shown = cut(context, sensor.text, 2 * Math.min(x(rank) - left, right - x(rank)) - 6);
+    sensor.shown = shown.length < 4 && shown !== sensor.text ? "" : shown;
   });
 };
 
@@ -100,8 +101,20 @@ const drawDrives = (context, track, width, speeds, shift) => {
   context.lineWidth = 1;
 };
 
+/// Stops are bars across the belt, filled while they hold.
+const drawStops = (context, track, width, stops) => {
+  const color = theme();
+  track.stops.forEach(({at}, i) => {
+    const x = Math.round(xOf(track, width, at));
+    context.fillStyle = stops[i] ? color.stop : color.back;
+    context.strokeStyle = color.stop;
+    context.fillRect(x - 2, kBelt + 1, 5, kBeltHeight - 2);
+    context.strokeRect(x - 1.5, kBelt + .5, 4, kBeltHeight - 1);
+  });
+};
+
 /// The parts, each with its kind as far as it fits. `still` is the picture of drawBelt. `seconds` is plant time.
-export const drawParts = (context, still, track, width, parts, kinds, speeds, seconds) => {
+export const drawParts = (context, still, track, width, {parts, kinds, speeds, stops, seconds}) => {
   const color = theme();
   const ratio = still.width / width;
   const top = kBelt - 1;
@@ -120,10 +133,11 @@ export const drawParts = (context, still, track, width, parts, kinds, speeds, se
     const text = cut(context, kinds[kind].name, long - 4) || cut(context, String(number), long - 2);
     if (text.length > 1 || long < 30) write(context, text, left + long / 2, kBelt + kBeltHeight / 2, "#1b1f24");
   }
+  drawStops(context, track, width, stops);
 };
 
-/// Sensors above the belt: a filled triangle is on, an empty one off. Stops: a bar across the belt if it holds.
-export const drawMarks = (context, still, track, width, sensors, stops) => {
+/// Sensors above the belt: a filled triangle is on, an empty one off.
+export const drawMarks = (context, still, track, width, sensors) => {
   const color = theme();
   const ratio = still.width / width;
   context.clearRect(0, 0, width, kBelt - 1);
@@ -141,12 +155,5 @@ export const drawMarks = (context, still, track, width, sensors, stops) => {
     context.stroke();
     write(context, shown, x, kNames, on ? color.text : color.soft);
     if (forced) write(context, "F", x + 12, kBelt - 7, color.blocked);
-  }
-  for (const {at, holds} of stops) {
-    const x = xOf(track, width, at);
-    context.fillStyle = holds ? color.stop : color.back;
-    context.strokeStyle = color.stop;
-    context.fillRect(x - 2.5, kBelt - 12, 5, 11);
-    context.strokeRect(x - 2.5, kBelt - 12, 5, 11);
   }
 };

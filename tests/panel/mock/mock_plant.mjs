@@ -235,7 +235,7 @@ export class MockPlant {
     if (devices.size > 0) event.devices = [...devices].map((index) => [index, ...this.entry(index)]);
     if (symbols.size > 0) event.symbols = [...symbols].map((index) => [index, ...this.symbolEntry(index)]);
     if (tracks.size > 0) event.tracks = [...tracks].map((rank) => [rank, ...this.trackEntry(rank)]);
-    if (places.size > 0) event.places = [...places].map((rank) => [rank, ...this.places[rank]]);
+    if (places.size > 0) event.places = [...places].map((rank) => [rank, this.places[rank]]);
     if (requirements.size > 0) event.requirements = [...requirements].map((index) => [index, ...this.requirements[index]]);
     if (findings.length > 0) event.findings = findings;
     if (acts.length > 0) event.acts = acts;

@@ -103,6 +103,7 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
     if (!description.acts) return send(response, 403, {error: "the panel only shows"});
     if (request.headers["x-symplant-run"] !== description.run) return send(response, 409, {error: "the program was restarted; load the page again"});
     const {acts} = await body(request);
+    if (!Array.isArray(acts) || acts.length === 0) return send(response, 400, {error: "`acts` is an array of acts"});
     if (path === "check") return send(response, 200, {});
     try {
       for (const of of acts) act(plant, of);

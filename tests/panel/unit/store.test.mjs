@@ -26,7 +26,7 @@ test("Listeners get the indexes that changed", () => {
   const store = startedStore();
   let seen = null;
   store.listen((change) => { seen = change; });
-  store.changes({rev: 2, t: 1, devices: [[1, 0, 0, 0, 0, 1, 0, 0]], symbols: [[2, false, 0, 1]], tracks: [[0, 1, [], [true], [0]]], places: [[0]],
+  store.changes({rev: 2, t: 1, devices: [[1, 0, 0, 0, 0, 1, 0, 0]], symbols: [[2, false, 0, 1]], tracks: [[0, 1, [], [true], [0]]], places: [[0, []]],
     requirements: [[0, "violated", 1, 1]], clock: store.clock});
   assert.deepEqual([seen.all, seen.devices, seen.symbols, seen.tracks, seen.places, seen.requirements, [...seen.keys]],
     [false, [1], [2], [0], [0], [0], ["clock"]]);
