@@ -9,9 +9,20 @@ export class Router {
     this.changed = changed;
     this.route = {view: "line"};
     addEventListener("hashchange", () => this.read());
+    document.addEventListener("click", (event) => this.clicked(event));
   }
 
-  /// A link without `view` keeps the view and what is shown in it.
+  /// A link without `view` keeps the view and what is shown in it; one without a selection keeps the selection.
+  clicked(event) {
+    const link = event.target.closest?.('a[href^="#"]');
+    if (!link || event.defaultPrevented || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    const wanted = Object.fromEntries(new URLSearchParams(link.hash.slice(1)));
+    const selection = this.selection();
+    const keeps = selection && !kSelections.some((key) => key in wanted);
+    this.go({...(wanted.view ? {} : this.withoutSelection()), ...wanted, ...(keeps ? {[selection.kind]: selection.name} : {})});
+  }
+
   read() {
     const wanted = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
     const route = wanted.view ? wanted : {...this.withoutSelection(), ...wanted};

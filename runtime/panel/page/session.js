@@ -67,7 +67,10 @@ export class SessionView {
 
   showActs() {
     const {acts} = this.app.store;
-    const rows = acts.slice(-kMostActs).reverse().map(({t, by, act, text}) => [instant(t), by, act, make("span", {class: "name"}, text)]);
+    const rows = acts.slice(-kMostActs).reverse().map(({t, by, act}) => {
+      const [[name, of] = ["", ""]] = Object.entries(act);
+      return [instant(t), by, name, make("span", {class: "name"}, typeof of === "string" ? of : JSON.stringify(of))];
+    });
     this.acts.replaceChildren(rows.length > 0 ? table("Acts, the newest first", ["Plant time", "By", "Act", "What"], rows)
       : make("p", {class: "soft"}, "nothing yet"));
   }

@@ -181,7 +181,7 @@ export const act = (plant, of) => {
   const key = kKinds.find((kind) => kind in of);
   if (!key) throw new Error("`" + Object.keys(of)[0] + "` is not an act");
   acts[key](plant, of[key]);
-  const entry = {n: plant.acts.length, t: plant.t, by: "panel", act: key, text: JSON.stringify(of[key])};
+  const entry = {n: plant.acts.length, t: plant.t, by: "hand", act: of};
   plant.acts.push(entry);
   plant.changed.acts.push(entry);
 };

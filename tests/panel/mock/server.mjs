@@ -94,7 +94,7 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
     why: (query) => why(plant, query.get("name")),
     chart: (query) => chart(plant, query),
     at: (query) => pictures[Math.min(pictures.length - 1, Math.floor(Number(query.get("t")) / 1e8))],
-    "session/scenario": () => ({"symplant-scenario": 1, steps: plant.acts.map(({t, act: key, text}) => ({at: t / 1e9 + "s", [key]: JSON.parse(text)}))}),
+    "session/scenario": () => ({"symplant-scenario": 1, steps: plant.acts.map(({t, act: of}) => ({at: t / 1e9 + "s", ...of}))}),
     "session/session": () => ({acts: plant.acts, findings: plant.findings}),
     "session/junit": () => ({}),
   };
