@@ -33,9 +33,9 @@ export class ControlBar {
     const step = (kind, label) => actButton(app, result, label, () => ({step: kind}));
     this.speed = select("Speed", [...kSpeeds.map((speed) => [String(speed), speed + " x"]), ["max", "max"]],
       {onchange: () => perform(app, result, () => ({speed: this.speed.value === "max" ? "max" : Number(this.speed.value)}))});
-    if (app.plant.with_plc) {
+    if (app.plant.with_plc || app.plant.speed === false) {
       this.speed.disabled = true;
-      this.speed.title = "With a PLC, plant time is real time";
+      this.speed.title = "Plant time is real time in this run";
     }
     this.releaseAll = actButton(app, result, "Release all", () => ({release: "all"}), {class: "small"});
     this.backtrack = button("Backtrack", () => this.back(), {title: "Restore the last backtrack"});

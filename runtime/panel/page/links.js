@@ -47,10 +47,10 @@ export class LinksView {
     const classes = trimmed(histogram ?? []);
     const most = Math.max(1, ...classes.map(([, number]) => number));
     return [make("p", {}, cycle.cycles + " cycles, " + cycle.overruns + " overruns, " + cycle.slipped + " slipped"),
-      table("Times of the cycle", ["", "Half", "99 %", "99.9 %", "Most"], [times("Late by", late), times("Work", work)]),
+      table("Times of the cycle", ["Time", "Half", "99 %", "99.9 %", "Most"], [times("Late by", late), times("Work", work)]),
       make("h3", {}, "How late cycles begin"),
       classes.length === 0 ? make("p", {class: "soft"}, "no cycles yet")
-        : table("Histogram of lateness", ["Up to", "Cycles", ""], classes.map(([upper, number]) => [duration(upper), String(number), bar(number / most)]))];
+        : table("Histogram of lateness", ["Up to", "Cycles", "Share"], classes.map(([upper, number]) => [duration(upper), String(number), bar(number / most)]))];
   }
 
   change(change) {

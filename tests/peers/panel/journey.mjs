@@ -139,6 +139,7 @@ export const kSteps = [
     assert.match(readFileSync(scenario, "utf8"), /BODY_UNDER10_CLAMP1_O_CLOSE/);
     if (!plant.real) return;
     const replayed = await replay(symplant, scenario, folder);
+    await page.goto("about:blank");
     await plant.stop();
     const live = lastRun(join(folder, "live.jsonl"));
     assert.ok(replayed.length > 3);
