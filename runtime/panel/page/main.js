@@ -105,6 +105,7 @@ const makeReceiver = (app, parts) => {
   return (event, data) => {
     if (event === "picture") app.store.picture(data);
     if (event === "changes") app.store.changes(data);
+    if (document.body.dataset.ready !== "1") performance.mark("first picture");
     document.body.dataset.ready = "1";
   };
 };

@@ -159,7 +159,8 @@ export class MockPlant {
       const {operations} = devices[index];
       if (operations.length === 0 || this.moving.has(index)) continue;
       this.due -= 1;
-      const next = operations[Math.floor(Math.random() * operations.length)];
+      const others = operations.filter(({to}) => to !== this.devices[index].state);
+      const next = others[Math.floor(Math.random() * others.length)] ?? operations[0];
       for (const {symbol} of operations) {
         if (this.description.symbols[symbol].type !== "BOOL") continue;
         const on = symbol === next.symbol && !(operations.length === 1 && this.value(symbol));
