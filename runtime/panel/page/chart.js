@@ -171,7 +171,7 @@ export class ChartView {
   }
 
   change(change) {
-    if (change.restored) this.model.restart();
+    if (change.jumped) this.model.restart();
     if (change.keys.has("clock") || change.all) this.touch();
   }
 

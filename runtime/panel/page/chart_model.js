@@ -8,7 +8,7 @@ const kMostWithDevice = 8;
 
 export class ChartModel {
   constructor(app) {
-    Object.assign(this, {app, rows: [], next: null, from: 0, until: 0, restarts: [], wrong: "", busy: false, stale: true, last: 0});
+    Object.assign(this, {app, rows: [], next: null, from: 0, until: 0, wrong: "", busy: false, stale: true, last: 0});
     this.listeners = new Set();
     this.key = "symplant chart " + app.plant.plant;
     this.load();
@@ -103,7 +103,7 @@ export class ChartModel {
   query() {
     const of = (kind) => this.rows.filter((row) => row.kind === kind).map(({index}) => index).join(",");
     const from = Math.max(0, Math.round(this.app.store.t - kKept));
-    const range = this.stale || this.next === null ? "&from=" + (this.app.plant.mode === "recording" ? 0 : from) : "&after=" + this.next;
+    const range = this.stale || this.next === null ? "&from=" + (this.app.plant.mode === "recording" ? this.app.plant.begin : from) : "&after=" + this.next;
     return "chart?symbols=" + of("symbol") + "&devices=" + of("device") + range;
   }
 
@@ -139,7 +139,6 @@ export class ChartModel {
     fill("device", answer.devices ?? []);
     this.next = answer.next;
     this.until = answer.to;
-    this.restarts = answer.restarts ?? [];
     const oldest = answer.to - kKept;
     if (this.app.plant.mode === "recording" || oldest < this.from + 6e10) return;
     this.from = oldest;

@@ -6,20 +6,29 @@ const kMostWait = 4000;
 
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
-/// Reads one stream until it ends. `receive(event, data)` gets each event with its parsed data.
+/// Reads one stream until it ends. `receive(event, data)` gets each event with its parsed data. Returns whether it was given up
+/// because nothing came.
 const readStream = async (api, receive) => {
   const abort = new AbortController();
-  let watch = setTimeout(() => abort.abort(), kSilence);
+  let silent = false;
+  const giveUp = () => {
+    silent = true;
+    abort.abort();
+  };
+  let watch = setTimeout(giveUp, kSilence);
   const body = (await api.stream(abort.signal)).pipeThrough(new TextDecoderStream()).getReader();
   const reader = new EventReader();
   try {
     for (;;) {
       const {value, done} = await body.read();
-      if (done) return;
+      if (done) return false;
       clearTimeout(watch);
-      watch = setTimeout(() => abort.abort(), kSilence);
+      watch = setTimeout(giveUp, kSilence);
       for (const {event, data} of reader.read(value)) receive(event, JSON.parse(data));
     }
+  } catch (error) {
+    if (silent) return true;
+    throw error;
   } finally {
     clearTimeout(watch);
     abort.abort();
@@ -32,11 +41,12 @@ export const keepStream = async (api, receive, report) => {
   for (;;) {
     let wrong = "the connection to the plant is lost";
     try {
-      await readStream(api, (event, data) => {
+      const silent = await readStream(api, (event, data) => {
         wait = 250;
         report("open", "");
         receive(event, data);
       });
+      if (silent) continue;  // reported only if the plant does not answer again
     } catch (error) {
       if (error.status) wrong = error.message;
     }

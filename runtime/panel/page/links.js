@@ -1,6 +1,6 @@
 // The links view: links to PLCs, and how well the cycle keeps its time.
 import {make, table} from "./dom.js";
-import {duration, instant} from "./words.js";
+import {duration} from "./words.js";
 
 const kPause = 500;
 
@@ -33,7 +33,7 @@ export class LinksView {
     this.last = performance.now();
     const rows = store.links.map(({state, requests, rate, last, losses}, i) => [make("span", {class: "name"}, plant.links[i]?.name ?? "?"),
       plant.links[i]?.controller || "-", make("span", {class: "link-" + state}, state), String(requests), String(Math.round(rate)),
-      last === null || last === undefined ? "-" : instant(last), String(losses)]);
+      last === null || last === undefined ? "-" : last.toFixed(1) + " s ago", String(losses)]);
     this.links.replaceChildren(rows.length > 0
       ? table("Links", ["Link", "Controller", "State", "Requests", "A second", "Last request", "Losses"], rows)
       : make("p", {class: "soft"}, "The plant has no link to a PLC."));

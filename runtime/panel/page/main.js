@@ -36,7 +36,7 @@ const denied = (text) => notice.show("token", text, false, {label: "Enter the to
 
 /// What a description need not have.
 const kDefaults = {stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [], malfunctions: [], ordinary: {},
-  exercises: [], links: []};
+  exercises: [], links: [], begin: 0, end: 0};
 
 /// The description, as soon as the plant answers.
 const loadPlant = async (api) => {
@@ -93,10 +93,8 @@ const makeKeys = (app, bar, search, views) => new Shortcuts([
 
 /// What each event of the stream leads to.
 const makeReceiver = (app, parts) => {
-  let jump = true;
   app.store.listen((change) => {
-    app.clock.set(app.store.t, app.store.clock, jump);
-    jump = change.restored;
+    app.clock.set(app.store.t, app.store.clock, change.jumped);
     const statusChanged = app.statuses.update(change);
     for (const part of parts) part.change?.(change, statusChanged);
     parts[0].update();
@@ -126,8 +124,8 @@ const animate = (app, bar, details, views) => {
   });
 };
 
-const connect = (app) => {
-  if (app.player) return app.player.seek(0);
+const connect = (app, plant) => {
+  if (app.player) return app.player.seek(plant.begin);
   app.api.stale = () => Notice.reload(kRestarted);
   keepStream(app.api, app.receive, (state, text) => {
     document.body.dataset.connection = state;
@@ -162,7 +160,7 @@ const start = async () => {
   byId("skip").addEventListener("click", () => app.main.focus());
   app.router.read();
   animate(app, bar, details, views);
-  connect(app);
+  connect(app, plant);
   globalThis.symplant = app;  // for tests and the console
 };
 

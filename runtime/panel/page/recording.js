@@ -9,7 +9,7 @@ const kSteps = 10000;
 /// Asks for the pictures of a recording and gives them to the store, with a clock of the page.
 export class Player {
   constructor(app) {
-    Object.assign(this, {app, end: app.plant.end, playing: false, rate: 1, from: 0, since: 0, busy: false, wanted: null, last: 0, wrong: ""});
+    Object.assign(this, {app, begin: app.plant.begin, end: app.plant.end, playing: false, rate: 1, from: app.plant.begin, since: 0, busy: false, wanted: null, last: 0, wrong: ""});
   }
 
   /// The time that is shown.
@@ -18,7 +18,7 @@ export class Player {
   }
 
   seek(t) {
-    this.from = Math.max(0, Math.min(this.end, t));
+    this.from = Math.max(this.begin, Math.min(this.end, t));
     this.since = performance.now();
     this.load(this.from);
   }
@@ -31,7 +31,7 @@ export class Player {
   }
 
   play(on) {
-    this.from = on && this.now() >= this.end ? 0 : this.now();
+    this.from = on && this.now() >= this.end ? this.begin : this.now();
     this.since = performance.now();
     this.playing = on;
     this.load(this.from);
@@ -82,7 +82,7 @@ export class RecordingBar {
     this.speed = select("Speed", kSpeeds.map((speed) => [String(speed), speed + " x"]), {onchange: () => player.setRate(Number(this.speed.value))});
     this.speed.value = "1";
     this.slider = make("input", {type: "range", min: 0, max: kSteps, value: 0, step: 1, class: "grow", "aria-label": "Time",
-      oninput: () => player.seek(this.slider.value / kSteps * player.end)});
+      oninput: () => player.seek(player.begin + this.slider.value / kSteps * (player.end - player.begin))});
     this.wrong = make("output", {class: "result wrong"});
     this.marks = null;
     this.element = make("div", {class: "row bar"}, this.playButton, this.speed, this.time, this.end, this.slider,
@@ -97,10 +97,11 @@ export class RecordingBar {
 
   tick() {
     const now = this.player.now();
+    const {begin, end} = this.player;
     setText(this.time, clockText(now));
     setAttribute(this.slider, "aria-valuetext", clockText(now));
     if (document.activeElement !== this.slider || this.player.playing) {
-      this.slider.value = String(this.player.end > 0 ? Math.round(now / this.player.end * kSteps) : 0);
+      this.slider.value = String(Math.round((now - begin) / Math.max(1, end - begin) * kSteps));
     }
     this.update();
   }

@@ -60,7 +60,7 @@ export class SessionView {
       app.plant.files && !snapshot.file ? actButton(app, result, "Save", () => ({save: snapshot.name}), {class: "small", "aria-label": "Save " + snapshot.name}) : null,
       actButton(app, result, "Forget", () => ({forget: snapshot.name}), {class: "small", "aria-label": "Forget " + snapshot.name}));
     const heads = ["Name", "Plant time", "Kind", ...(app.canAct ? ["Acts"] : [])];
-    const rows = [...app.store.snapshots].reverse().map((snapshot) => [make("span", {class: "name"}, snapshot.name), instant(snapshot.t),
+    const rows = [...app.store.snapshots].reverse().map((snapshot) => [make("span", {class: "name"}, snapshot.name), snapshot.t === null ? "-" : instant(snapshot.t),
       snapshot.kind + (snapshot.file ? ", in a file" : ""), ...(app.canAct ? [buttons(snapshot)] : [])]);
     this.snapshots.replaceChildren(rows.length > 0 ? table("Snapshots and backtracks", heads, rows) : make("p", {class: "soft"}, "none yet"));
   }

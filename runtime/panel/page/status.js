@@ -85,10 +85,11 @@ export class Statuses {
   update(change) {
     const changed = new Set();
     const touched = new Set(change.devices);
-    if (change.all) {
+    if (change.all || change.jumped) {
+      for (const device of this.marked) touched.add(device);
       this.foundAt.fill(-Infinity);
       this.marked.clear();
-      this.lastFinding = -1;
+      if (change.all) this.lastFinding = -1;
     }
     if (change.all || change.keys.has("findings")) this.mark(this.store.findings, touched);
     for (const device of this.marked) {

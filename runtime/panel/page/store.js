@@ -9,8 +9,11 @@ const kMostFindings = 1000;
 const kMostActs = 1000;
 const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "exercise"];  // replaced if they change
 
-/// What an event changed. `all`: everything; else indexes, and `keys` names further keys of the event.
-const noChange = () => ({all: false, restored: false, devices: [], symbols: [], tracks: [], places: [], requirements: [], keys: new Set()});
+const kJumps = ["reset", "restore", "exercise"];  // acts after which plant time may be any
+
+/// What an event changed. `all`: everything; else indexes, and `keys` names further keys of the event. `jumped`: the plant was
+/// reset or restored.
+const noChange = () => ({all: false, jumped: false, devices: [], symbols: [], tracks: [], places: [], requirements: [], keys: new Set()});
 
 export class Store {
   constructor(plant) {
@@ -72,6 +75,7 @@ export class Store {
 
   /// The event `picture`: the state of everything.
   picture(event) {
+    const jumped = event.t < this.t;
     this.rev = event.rev;
     this.t = event.t;
     event.devices.forEach((entry, index) => this.setDevice(index, entry, 0, event.t));
@@ -83,12 +87,13 @@ export class Store {
     for (const key of kWhole) this[key] = event[key] ?? (Array.isArray(this[key]) ? [] : null);
     this.findings = event.findings ?? [];
     this.acts = event.acts ?? [];
-    this.publish({...noChange(), all: true, restored: Boolean(event.restored)});
+    this.publish({...noChange(), all: true, jumped});
   }
 
   /// The event `changes`: only what changed.
   changes(event) {
     const change = noChange();
+    change.jumped = event.t < this.t || (event.acts ?? []).some(({act}) => kJumps.some((key) => key in act));
     this.rev = event.rev;
     this.t = event.t;
     for (const entry of event.devices ?? []) if (this.setDevice(entry[0], entry, 1, event.t)) change.devices.push(entry[0]);
@@ -114,7 +119,6 @@ export class Store {
     }
     this.append("findings", event.findings, kMostFindings, change);
     this.append("acts", event.acts, kMostActs, change);
-    change.restored = Boolean(event.restored);
     this.publish(change);
   }
 

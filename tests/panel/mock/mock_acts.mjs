@@ -46,9 +46,10 @@ const restore = (plant, name) => {
 
 const jump = (plant) => {
   plant.log = [];
-  plant.restarts.push(plant.t);
-  plant.changed.keys.add("restored");
-  plant.whole = true;
+  plant.description.devices.forEach((_, index) => plant.changed.devices.add(index));
+  plant.description.symbols.forEach((_, index) => plant.changed.symbols.add(index));
+  for (const key of ["tracks", "places", "requirements"]) plant[key].forEach((_, index) => plant.changed[key].add(index));
+  for (const key of ["malfunctions", "clock", "exercise"]) plant.changed.keys.add(key);
 };
 
 const at = (plant, text) => {

@@ -7,7 +7,7 @@ const [kMoving, , kDisabled, , kBroken] = [1, 2, 4, 8, 16];
 export class MockPlant {
   /// `activity`: motions per second that it starts by itself. `blocked(plant, device)`: why a device with a command does not move.
   constructor(description, {activity = 0, move = kMove, partsPerTrack = 0, exercises = []} = {}) {
-    Object.assign(this, {description, activity, move, exercises, snapshots: [], listeners: new Set(), acts: [], findings: [], exercise: null, next: 0, log: [], restarts: []});
+    Object.assign(this, {description, activity, move, exercises, snapshots: [], listeners: new Set(), acts: [], findings: [], exercise: null, next: 0, log: []});
     this.clock = {state: "running", speed: 1, real_speed: 1, until: null};
     this.partsPerTrack = partsPerTrack;
     this.stations = description.stations.map(() => []);
@@ -32,7 +32,6 @@ export class MockPlant {
     this.places = locations.filter(({kind}) => kind === "place").map(({holds}, rank) => Array.from({length: Math.floor(holds / 2)}, (_, i) => [9000 + rank * 100 + i, i % this.description.part_kinds.length]));
     this.moving = new Set();
     this.clean();
-    this.whole = true;
   }
 
   clean() {
@@ -213,7 +212,7 @@ export class MockPlant {
     return [t, parts, stops, drives];
   }
   linkStates() {
-    return this.description.links.map(() => ({state: "connected", requests: Math.floor(this.t / 2e7), rate: 50, last: this.t, losses: 0}));
+    return this.description.links.map(() => ({state: "connected", requests: Math.floor(this.t / 2e7), rate: 50, last: 0.02, losses: 0}));
   }
   cycle() {
     if (this.description.links.length === 0) return null;
@@ -240,7 +239,6 @@ export class MockPlant {
     if (requirements.size > 0) event.requirements = [...requirements].map((index) => [index, ...this.requirements[index]]);
     if (findings.length > 0) event.findings = findings;
     if (acts.length > 0) event.acts = acts;
-    if (keys.has("restored")) event.restored = true;
     const all = {clock: this.clock, malfunctions: this.malfunctions, exercise: this.exercise?.view(this) ?? null,
       snapshots: this.snapshots.map(({name, t, kind, file}) => ({name, t, kind, file}))};
     for (const key of keys) if (key in all) event[key] = all[key];

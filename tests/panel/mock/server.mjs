@@ -24,7 +24,7 @@ const makePlant = (name, activity, exercises) => {
   if (name === "large") return of(descriptions.large(10000), {activity: activity ?? 10667, move: 300e6});
   if (name === "symbols") return of(descriptions.large(1000, 3000, 25), {activity: activity ?? 200, partsPerTrack: 8});
   if (name === "names") return of(descriptions.names(), {partsPerTrack: 2});
-  if (name === "recording") return of({...descriptions.bodyShop(project), mode: "recording", acts: false, files: false, end: 60e9}, {activity: 30, partsPerTrack: 5});
+  if (name === "recording") return of({...descriptions.bodyShop(project), mode: "recording", acts: false, files: false, begin: 0, end: 60e9}, {activity: 30, partsPerTrack: 5});
   throw new Error("there is no mock plant " + name);
 };
 
@@ -73,7 +73,7 @@ const chart = (plant, query) => {
     const before = found.filter(([t]) => t <= from).pop();
     return [before ? [from, ...before.slice(1)] : [from, ...now(index)], ...later];
   });
-  return {from, to: plant.t, next: plant.next, restarts: plant.restarts,
+  return {from, to: plant.t, next: plant.next,
     symbols: rows("s", list("symbols"), (index) => [plant.description.symbols[index].type === "BOOL" ? plant.description.symbols[index].initial === "TRUE" : 0]),
     devices: rows("d", list("devices"), () => [0, 0])};
 };
@@ -139,12 +139,9 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
       act(plant, {snapshot: "back " + Math.round(plant.t / 1e9)});
       plant.snapshots[plant.snapshots.length - 1].kind = "backtrack";
     }
-    const restored = plant.whole;
-    plant.whole = false;
     const changes = plant.changes(isSecond) ?? (isSecond ? {rev: plant.rev, t: plant.t} : null);
     if (!changes || streams.size === 0) return;
-    let text = "event: changes\ndata: " + JSON.stringify(changes) + "\n\n";
-    if (restored) text += "event: picture\ndata: " + JSON.stringify(plant.picture()) + "\n\n";
+    const text = "event: changes\ndata: " + JSON.stringify(changes) + "\n\n";
     for (const stream of streams) if (stream.writableLength < 1e7) stream.write(text);
   }, 40);
   await new Promise((done) => server.listen(port, "127.0.0.1", done));

@@ -63,6 +63,19 @@ test("Findings are appended, and those of a picture replace all", () => {
   assert.equal(store.findings.length, 0);
 });
 
+test("A jump of plant time is seen: back, or by an act that resets or restores", () => {
+  const store = startedStore();
+  const jumped = [];
+  store.listen((change) => jumped.push(change.jumped));
+  const deed = (act) => ({n: 0, t: 5, by: "hand", act});
+  store.changes({rev: 2, t: 10});
+  store.changes({rev: 3, t: 5});
+  store.changes({rev: 4, t: 90, acts: [deed({restore: "later"})]});
+  store.changes({rev: 5, t: 95, acts: [deed({force: {X: true}})]});
+  store.picture({...smallPicture(), t: 20});
+  assert.deepEqual(jumped, [false, true, true, false, true]);
+});
+
 test("A move progresses with plant time, and rests while it is stopped, disabled or frozen", () => {
   const store = startedStore();
   store.changes({rev: 2, t: 1e9, devices: [[0, 0, 1, 1, 0, 1e9, 6e8, 1e9]]});
