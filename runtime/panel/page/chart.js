@@ -15,7 +15,7 @@ const kFirstSpan = 20e9;
 export class ChartView {
   constructor(app) {
     Object.assign(this, {app, title: "Chart", model: app.chart, view: {from: 0, to: kFirstSpan}, cursors: {A: null, B: null}, active: "A",
-      following: app.plant.mode === "live", dirty: true, width: 0, labels: []});
+      following: app.plant.mode === "live", dirty: true, drawn: 0, width: 0, labels: []});
     this.axis = make("canvas", {"aria-hidden": "true"});
     this.canvas = make("canvas", {"aria-hidden": "true"});
     this.over = make("canvas", {class: "over", "aria-hidden": "true"});
@@ -184,17 +184,19 @@ export class ChartView {
       if (to !== this.view.to) this.dirty = true;
       this.view = {from: to - span, to};
     }
+    if (now !== this.drawn && now >= this.view.from && this.drawn <= this.view.to) this.dirty = true;
     if (this.dirty && this.width > 0) this.draw(now);
     return runs || this.model.stale && this.model.rows.length > 0;
   }
 
   draw(now) {
     this.dirty = false;
+    this.drawn = now;
     const height = this.height();
     const rows = this.rows();
     drawAxis(fitCanvas(this.axis, this.width, kAxisHeight), this.view, this.width);
     drawRows(fitCanvas(this.canvas, this.width, height - kAxisHeight), rows, this.view, {from: this.model.from, until: this.model.until}, this.width);
-    drawCursors(fitCanvas(this.over, this.width, height), this.cursors, this.view, this.width, height);
+    drawCursors(fitCanvas(this.over, this.width, height), this.cursors, now, this.view, this.width, height);
     setText(this.time, cursorText(this.cursors) || "Click: cursor A, Shift + click: cursor B. Wheel: zoom. Drag: earlier and later. At most " + kMostRows + " rows.");
     this.names.classList.toggle("one-cursor", this.cursors.B === null);
     setAttribute(this.followButton, "aria-pressed", String(this.following));

@@ -121,10 +121,18 @@ export const drawRows = (context, rows, view, known, width) => {
   });
 };
 
-/// Cursors A and B over the rows, with the time between them.
-export const drawCursors = (context, cursors, view, width, height) => {
+/// Cursors A and B over the rows, and the present time of the plant as a dotted line.
+export const drawCursors = (context, cursors, now, view, width, height) => {
   const color = theme();
   context.clearRect(0, 0, width, height);
+  const present = Math.round((now - view.from) / (view.to - view.from) * width) + .5;
+  context.strokeStyle = color.soft;
+  context.setLineDash([2, 3]);
+  context.beginPath();
+  context.moveTo(present, 0);
+  context.lineTo(present, height);
+  context.stroke();
+  context.setLineDash([]);
   context.font = "bold 12px " + kFont;
   for (const [name, t] of Object.entries(cursors)) {
     if (t === null) continue;

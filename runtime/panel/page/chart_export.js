@@ -34,7 +34,7 @@ export const exportPng = (app, chart) => {
   };
   add(0, kAxisHeight, (of) => drawAxis(of, chart.view, width));
   add(kAxisHeight, height - kAxisHeight, (of) => drawRows(of, rows, chart.view, {from: chart.model.from, until: chart.model.until}, width));
-  add(0, height, (of) => drawCursors(of, chart.cursors, chart.view, width, height));
+  add(0, height, (of) => drawCursors(of, chart.cursors, app.clock.now(), chart.view, width, height));
   context.font = "12px " + kFont;
   context.textBaseline = "middle";
   context.fillStyle = color.text;

@@ -3,7 +3,7 @@ import {make, setText} from "./dom.js";
 import {linkTo} from "./links_to.js";
 import {SYMBOL} from "./store.js";
 import {fitCanvas} from "./theme.js";
-import {drawBelt, drawMarks, drawParts, kTrackHeight, placeNames} from "./track_draw.js";
+import {drawBelt, drawMarks, drawParts, kTrackHeight, placeNames, sensorAt} from "./track_draw.js";
 import {count} from "./words.js";
 
 /// What a sensor is called on its track: without the levels that it shares with the others.
@@ -25,7 +25,7 @@ export class Track {
     this.transfers = plant.transfers.flatMap(({from, to}) => [
       ...(from.location === index ? [{at: from.at ?? this.location.length, into: false}] : []),
       ...(to.location === index ? [{at: to.at ?? 0, into: true}] : [])]);
-    this.canvas = make("canvas", {"aria-hidden": "true"});
+    this.canvas = make("canvas", {"aria-hidden": "true", onclick: (event) => this.clicked(event)});
     this.still = document.createElement("canvas");
     this.parts = make("span", {class: "soft"});
     this.element = make("section", {class: "track", "data-location": this.location.name},
@@ -63,6 +63,14 @@ export class Track {
   touchAll() { this.marksDirty = this.partsDirty = true; }
   touchSensors() { this.marksDirty = true; }
   touchParts() { this.partsDirty = true; }
+
+  /// A click on a sensor selects its symbol, another one the track.
+  clicked({offsetX, offsetY}) {
+    const {router, names} = this.app;
+    const sensor = sensorAt(this.location, this.width, this.sensors, offsetX, offsetY);
+    if (sensor) router.select("symbol", names.name("symbol", sensor.symbol));
+    else router.select("location", this.location.name);
+  }
 
   sensorState({symbol}) {
     const {values, symbolFlags} = this.app.store;

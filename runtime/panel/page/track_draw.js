@@ -44,6 +44,10 @@ export const placeNames = (context, track, width, sensors) => {
   });
 };
 
+/// The sensor at a point of the strip, or undefined.
+export const sensorAt = (track, width, sensors, x, y) => y > kBelt ? undefined
+  : sensors.find(({at}) => Math.abs(xOf(track, width, at) - x) < 8);
+
 /// The belt, its drives, ticks, transfers: what stays.
 export const drawBelt = (context, track, width, transfers) => {
   const color = theme();
