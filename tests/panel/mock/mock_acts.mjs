@@ -89,7 +89,7 @@ const setClock = (plant, change) => {
 };
 
 export class MockExercise {
-  /// `file` is a scenario with `exercise` and steps `state` or `wait`, as tests/peers/panel/exercise.json.
+  /// `file` is a scenario with `exercise` and steps `state` or `wait`, as examples/body-shop/no-air.json.
   constructor(name, file) {
     Object.assign(this, {name, file, step: 0, steps: file.steps.map(({text = ""}) => ({text, state: "pending", t: null})), points: [], state: "running", took: null});
   }
@@ -109,14 +109,17 @@ export class MockExercise {
       Object.assign(this.steps[this.step++], {state: "done", t: plant.t});
     }
     if (this.step < this.steps.length) this.steps[this.step].state = "active";
-    else if (this.state === "running") Object.assign(this, {state: "over", took: plant.t});
+    else if (this.state === "running") {
+      Object.assign(this, {state: "over", took: plant.t});
+      this.points.push({t: plant.t, points: this.file.exercise.score.within.points, text: "within the time"});
+    }
     if (before !== this.step) plant.changed.keys.add("exercise");
   }
 
   view() {
     const {title, text, score} = this.file.exercise;
     return {name: this.name, title, text, state: this.state, step: this.step, steps: this.steps, score: this.points.reduce((sum, {points}) => sum + points, 0),
-      most: score.expect * this.file.steps.filter(({wait}) => wait).length, points: this.points, since: 0, took: this.took};
+      most: score.expect * this.file.steps.filter(({wait}) => wait).length + score.within.points, points: this.points, since: 0, took: this.took};
   }
 }
 

@@ -79,7 +79,7 @@ const chart = (plant, query) => {
 };
 
 export const startServer = async ({name, port = 0, activity, viewOnly = false, exerciseFile = null, deny = null}) => {
-  const exercises = exerciseFile ? [{name: "exercise", file: JSON.parse(readFileSync(exerciseFile, "utf8"))}] : [];
+  const exercises = exerciseFile ? [{name: "no-air", file: JSON.parse(readFileSync(exerciseFile, "utf8").replace(/^ *\/\/.*$/gm, ""))}] : [];
   const plant = makePlant(name, activity, exercises);
   const {description} = plant;
   if (viewOnly) description.acts = false;

@@ -124,7 +124,7 @@ export const kSteps = [
     await find(page, kClamp, kClamp);
     await setSymbol(page, kClamp + "_O_CLOSE", "Set on");
     await page.getByText("The exercise is over.").waitFor();
-    assert.match(await textOf(page.getByRole("region", {name: "Exercise", exact: true})), /10 of 10 points/);
+    assert.match(await textOf(page.getByRole("region", {name: "Exercise", exact: true})), /20 of 20 points/);
   }],
   ["an act that is not possible shows the server's text", async ({page}) => {
     await open(page, "Session");

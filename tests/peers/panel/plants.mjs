@@ -5,7 +5,7 @@ import {dirname, join} from "node:path";
 import {fileURLToPath} from "node:url";
 
 export const kProject = join(dirname(fileURLToPath(import.meta.url)), "../../..");
-export const kExercise = join(kProject, "tests/peers/panel/exercise.json");
+export const kExercise = join(kProject, "examples/body-shop/no-air.json");
 
 /// Starts `symplant ARGUMENTS` and waits for the link of its panel. `stop()` ends it as Ctrl+C does.
 export const startProgram = async (symplant, args) => {
