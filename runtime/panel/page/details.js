@@ -1,4 +1,5 @@
 // The pane at the side: what is selected, with why it is as it is, and what can be done with it.
+import {resultOutput} from "./acts.js";
 import {button, make, setAttribute, setText} from "./dom.js";
 import {fillDevice} from "./device_details.js";
 import {fillLocation} from "./location_details.js";
@@ -15,6 +16,7 @@ export class Pane {
     this.app = app;
     this.updates = [];
     this.element = make("div", {class: "pane"});
+    this.result = resultOutput();  // of all acts of the pane; it stays in view at the top
     this.devices = new Set();
     this.symbols = new Set();
   }
@@ -67,7 +69,7 @@ export class Details {
     const index = kind === "why" ? null : app.names.index(kind, name);
     pane.element.append(make("div", {class: "row pane-head"},
       make("div", {class: "grow"}, make("div", {class: "soft"}, kWords[kind]), make("h2", {class: "name", tabindex: -1}, name)),
-      button("✕", () => app.router.deselect(), {class: "close", "aria-label": "Close the details", title: "Close (Esc)"})));
+      button("✕", () => app.router.deselect(), {class: "close", "aria-label": "Close the details", title: "Close (Esc)"}), pane.result));
     if (kind !== "why" && index === null) {
       pane.element.append(make("p", {class: "wrong"}, "The plant has no " + kWords[kind].toLowerCase() + " of this name."));
     } else {

@@ -1,5 +1,5 @@
 // The details of a device.
-import {malfunctionButton, resultOutput, stateControl, symbolControls} from "./acts.js";
+import {malfunctionButton, stateControl, symbolControls} from "./acts.js";
 import {button, make} from "./dom.js";
 import {stationAddress, symbolLink} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
@@ -57,7 +57,7 @@ export const fillDevice = (pane, index) => {
   const {app} = pane;
   const {plant, store, clock} = app;
   const device = plant.devices[index];
-  const result = resultOutput();
+  const {result} = pane;
   const station = device.station === null ? null : plant.stations[device.station].name;
   const isMove = () => store.target[index] !== store.state[index] && store.whole[index] > 0;
   pane.section("State",
@@ -81,6 +81,5 @@ export const fillDevice = (pane, index) => {
   }
   fillMalfunctions(pane, malfunctionNames(plant, index, device.name), result);
   pane.section("Last findings", lastFindings(pane, (of) => app.statuses.deviceOf(of) === index));
-  pane.element.append(result);
 };
 

@@ -61,8 +61,8 @@ export class ExerciseView {
       make("ol", {class: "steps"}, done.map((of) => this.stepItem(of))));
   }
 
-  stepItem({text, state, t}) {
-    return make("li", {class: "step-" + state}, make("span", {class: "letter", "aria-hidden": "true"}, kLetters[state] ?? "?"), " ", text || "(a step without text)", " ",
+  stepItem({text, does, state, t}) {
+    return make("li", {class: "step-" + state}, make("span", {class: "letter", "aria-hidden": "true"}, kLetters[state] ?? "?"), " ", text || does || "(a step without text)", " ",
       make("span", {class: "soft"}, state + (t === null || t === undefined ? "" : " at " + instant(t))));
   }
 

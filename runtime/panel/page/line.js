@@ -92,7 +92,7 @@ export class LineView {
 
   makeStation(group) {
     const locations = this.locationStations.flatMap((stations, index) => stations.includes(group.station) ? [index] : []);
-    return [...(locations.length > 0 ? [new Material(this.app, locations)] : []), this.makeFrame(group, false)];
+    return [...(locations.length > 0 ? [new Material(this.app, locations, false)] : []), this.makeFrame(group, false)];
   }
 
   /// A few tracks come before the stations, many after them.
@@ -100,7 +100,7 @@ export class LineView {
 
   makeAll() {
     const {plant} = this.app;
-    const material = plant.locations.length > 0 ? [new Material(this.app, [...plant.locations.keys()])] : [];
+    const material = plant.locations.length > 0 ? [new Material(this.app, [...plant.locations.keys()], this.isLarge())] : [];
     if (!this.isLarge()) return [...material, ...this.groups.map((group) => this.makeFrame(group, this.groups.length > 1))];
     const overview = new Overview(this.app, this.groups, (station) => this.nameOf({station}));
     overview.frame = overview.element;

@@ -5,11 +5,11 @@ import {onTheme} from "./theme.js";
 import {Track} from "./track.js";
 
 export class Material {
-  /// `locations` are indexes of the plant's locations.
-  constructor(app, locations) {
+  /// `locations` are indexes of the plant's locations. Compact tracks are low.
+  constructor(app, locations, compact) {
     const {plant} = app;
     this.app = app;
-    this.items = locations.map((index) => plant.locations[index].kind === "track" ? new Track(app, index) : new Place(app, index));
+    this.items = locations.map((index) => plant.locations[index].kind === "track" ? new Track(app, index, compact) : new Place(app, index));
     this.itemOf = new Map(this.items.map((item) => [item.element, item]));
     this.ofSensor = new Map();
     for (const item of this.items) for (const {symbol} of item.location.sensors) {

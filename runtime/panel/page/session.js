@@ -10,13 +10,14 @@ const kFiles = [["scenario", "Scenario", ".scenario.json"], ["session", "Session
 export class SessionView {
   constructor(app) {
     Object.assign(this, {app, title: "Session"});
-    this.result = resultOutput();
+    this.result = resultOutput();  // of snapshots
+    this.fileResult = resultOutput();
     this.snapshots = make("div", {});
     this.acts = make("div", {});
     this.element = make("div", {class: "view columns"},
-      make("section", {"aria-label": "Snapshots"}, make("h2", {}, "Snapshots and backtracks"), this.takeForm(),
+      make("section", {"aria-label": "Snapshots"}, make("h2", {}, "Snapshots and backtracks"), this.takeForm(), this.result,
         app.plant.with_plc ? make("p", {class: "note"}, "A PLC that is connected does not jump with a restore.") : null, this.snapshots),
-      make("section", {"aria-label": "Files"}, make("h2", {}, "Files of this session"), this.files(), this.result),
+      make("section", {"aria-label": "Files"}, make("h2", {}, "Files of this session"), this.files(), this.fileResult),
       make("section", {"aria-label": "Acts"}, make("h2", {}, "What was done"), this.acts));
   }
 
@@ -29,7 +30,7 @@ export class SessionView {
   }
 
   files() {
-    const {app, result} = this;
+    const {app, fileResult: result} = this;
     const fetchFile = async (kind, ending) => {
       result.className = "result";
       try {

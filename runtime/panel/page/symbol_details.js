@@ -1,5 +1,5 @@
 // The details of a symbol.
-import {resultOutput, symbolControls} from "./acts.js";
+import {symbolControls} from "./acts.js";
 import {button, make} from "./dom.js";
 import {fillMalfunctions} from "./device_details.js";
 import {deviceLink, locationLink} from "./links_to.js";
@@ -20,7 +20,7 @@ export const fillSymbol = (pane, index) => {
   const {app} = pane;
   const {plant, store} = app;
   const symbol = plant.symbols[index];
-  const result = resultOutput();
+  const {result} = pane;
   pane.section("Value",
     make("p", {class: "big"}, pane.live(() => value(store.values[index]))),
     make("p", {}, pane.live(() => "since " + instant(store.symbolSince[index]))),
@@ -43,5 +43,4 @@ export const fillSymbol = (pane, index) => {
   fillMalfunctions(pane, [...plant.malfunctions.filter(({symbols}) => symbols?.includes(index)).map(({name}) => [name, name]),
     ...ordinary.map((kind) => [symbol.name + " " + kind, kind])], result);
   pane.section("Last findings", lastFindings(pane, (of) => of === symbol.name));
-  pane.element.append(result);
 };

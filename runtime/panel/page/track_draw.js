@@ -3,11 +3,12 @@ import {ticks} from "./layout.js";
 import {kFont, theme} from "./theme.js";
 import {length as lengthText} from "./words.js";
 
-export const kTrackHeight = 86;
 const kSide = 14;
-const kBelt = 34;       // top of the belt
 const kBeltHeight = 22;
-const kNames = 11;      // the line of the sensors' names
+
+/// A strip with the names of sensors and a scale, and a low one without: its height, the top of its belt, the line of names.
+export const kFull = {height: 86, belt: 34, names: 11};
+export const kCompact = {height: 48, belt: 15, names: null};
 
 export const scaleOf = (track, width) => (width - 2 * kSide) / track.length;
 export const xOf = (track, width, position) => kSide + position * scaleOf(track, width);
@@ -45,37 +46,39 @@ export const placeNames = (context, track, width, sensors) => {
 };
 
 /// The sensor at a point of the strip, or undefined.
-export const sensorAt = (track, width, sensors, x, y) => y > kBelt ? undefined
+export const sensorAt = (track, width, form, sensors, x, y) => y > form.belt ? undefined
   : sensors.find(({at}) => Math.abs(xOf(track, width, at) - x) < 8);
 
 /// The belt, its drives, ticks, transfers: what stays.
-export const drawBelt = (context, track, width, transfers) => {
+export const drawBelt = (context, track, width, form, transfers) => {
   const color = theme();
-  context.clearRect(0, 0, width, kTrackHeight);
+  const {belt} = form;
+  context.clearRect(0, 0, width, form.height);
   context.fillStyle = color.belt;
-  context.fillRect(kSide, kBelt, width - 2 * kSide, kBeltHeight);
+  context.fillRect(kSide, belt, width - 2 * kSide, kBeltHeight);
   context.strokeStyle = color.ink;
-  context.strokeRect(kSide + .5, kBelt + .5, width - 2 * kSide - 1, kBeltHeight - 1);
+  context.strokeRect(kSide + .5, belt + .5, width - 2 * kSide - 1, kBeltHeight - 1);
   for (const {until} of track.drives.slice(0, -1)) {
     const x = Math.round(xOf(track, width, until)) + .5;
     context.setLineDash([3, 3]);
     context.beginPath();
-    context.moveTo(x, kBelt - 4);
-    context.lineTo(x, kBelt + kBeltHeight + 4);
+    context.moveTo(x, belt - 4);
+    context.lineTo(x, belt + kBeltHeight + 4);
     context.stroke();
     context.setLineDash([]);
   }
   for (const at of ticks(0, track.length, Math.max(2, width / 110))) {
     const x = xOf(track, width, at);
     context.fillStyle = color.line;
-    context.fillRect(Math.round(x), kBelt + kBeltHeight, 1, 5);
-    write(context, lengthText(at), Math.min(Math.max(x, kSide + 12), width - kSide - 18), kTrackHeight - 9, color.soft);
+    context.fillRect(Math.round(x), belt + kBeltHeight, 1, 5);
+    if (form.names === null) continue;
+    write(context, lengthText(at), Math.min(Math.max(x, kSide + 12), width - kSide - 18), form.height - 9, color.soft);
   }
   for (const {at, into} of transfers) {
     const x = xOf(track, width, at);
     context.fillStyle = color.transfer;
     context.beginPath();
-    const [tip, base] = into ? [kBelt + kBeltHeight + 1, kBelt + kBeltHeight + 9] : [kBelt + kBeltHeight + 9, kBelt + kBeltHeight + 1];
+    const [tip, base] = into ? [belt + kBeltHeight + 1, belt + kBeltHeight + 9] : [belt + kBeltHeight + 9, belt + kBeltHeight + 1];
     context.moveTo(x, tip);
     context.lineTo(x - 5, base);
     context.lineTo(x + 5, base);
@@ -84,7 +87,7 @@ export const drawBelt = (context, track, width, transfers) => {
 };
 
 /// Arrows on drives that run, so that an empty belt shows its direction.
-const drawDrives = (context, track, width, speeds, shift) => {
+const drawDrives = (context, track, width, {belt}, speeds, shift) => {
   context.strokeStyle = theme().soft;
   context.lineWidth = 1.5;
   track.drives.forEach(({from, until}, drive) => {
@@ -96,9 +99,9 @@ const drawDrives = (context, track, width, speeds, shift) => {
     context.beginPath();
     for (let x = begin + along; x < end - 6; x += 40) {
       if (x < begin + 6) continue;
-      context.moveTo(x - tip, kBelt + 5);
-      context.lineTo(x, kBelt + kBeltHeight / 2);
-      context.lineTo(x - tip, kBelt + kBeltHeight - 5);
+      context.moveTo(x - tip, belt + 5);
+      context.lineTo(x, belt + kBeltHeight / 2);
+      context.lineTo(x - tip, belt + kBeltHeight - 5);
     }
     context.stroke();
   });
@@ -106,58 +109,60 @@ const drawDrives = (context, track, width, speeds, shift) => {
 };
 
 /// Stops are bars across the belt, filled while they hold.
-const drawStops = (context, track, width, stops) => {
+const drawStops = (context, track, width, {belt}, stops) => {
   const color = theme();
   track.stops.forEach(({at}, i) => {
     const x = Math.round(xOf(track, width, at));
     context.fillStyle = stops[i] ? color.stop : color.back;
     context.strokeStyle = color.stop;
-    context.fillRect(x - 2, kBelt + 1, 5, kBeltHeight - 2);
-    context.strokeRect(x - 1.5, kBelt + .5, 4, kBeltHeight - 1);
+    context.fillRect(x - 2, belt + 1, 5, kBeltHeight - 2);
+    context.strokeRect(x - 1.5, belt + .5, 4, kBeltHeight - 1);
   });
 };
 
 /// The parts, each with its kind as far as it fits. `still` is the picture of drawBelt. `seconds` is plant time.
-export const drawParts = (context, still, track, width, {parts, kinds, speeds, stops, seconds}) => {
+export const drawParts = (context, still, track, width, form, {parts, kinds, speeds, stops, seconds}) => {
   const color = theme();
+  const {belt} = form;
   const ratio = still.width / width;
-  const top = kBelt - 1;
+  const top = belt - 1;
   context.clearRect(0, top, width, kBeltHeight + 2);
   context.drawImage(still, 0, top * ratio, still.width, (kBeltHeight + 2) * ratio, 0, top, width, kBeltHeight + 2);
-  drawDrives(context, track, width, speeds, seconds);
+  drawDrives(context, track, width, form, speeds, seconds);
   const scale = scaleOf(track, width);
   context.strokeStyle = color.ink;
   for (const [number, kind, x] of parts) {
     const long = Math.max(3, kinds[kind].length * scale);
     const left = kSide + x * scale - long;
     context.fillStyle = kindColor(kind);
-    context.fillRect(left, kBelt + 3, long, kBeltHeight - 6);
-    context.strokeRect(left + .5, kBelt + 3.5, long - 1, kBeltHeight - 7);
+    context.fillRect(left, belt + 3, long, kBeltHeight - 6);
+    context.strokeRect(left + .5, belt + 3.5, long - 1, kBeltHeight - 7);
     context.font = "11px " + kFont;
     const text = cut(context, kinds[kind].name, long - 4) || cut(context, String(number), long - 2);
-    if (text.length > 1 || long < 30) write(context, text, left + long / 2, kBelt + kBeltHeight / 2, "#1b1f24");
+    if (text.length > 1 || long < 30) write(context, text, left + long / 2, belt + kBeltHeight / 2, "#1b1f24");
   }
-  drawStops(context, track, width, stops);
+  drawStops(context, track, width, form, stops);
 };
 
 /// Sensors above the belt: a filled triangle is on, an empty one off.
-export const drawMarks = (context, still, track, width, sensors) => {
+export const drawMarks = (context, still, track, width, form, sensors) => {
   const color = theme();
+  const {belt} = form;
   const ratio = still.width / width;
-  context.clearRect(0, 0, width, kBelt - 1);
-  context.drawImage(still, 0, 0, still.width, (kBelt - 1) * ratio, 0, 0, width, kBelt - 1);
+  context.clearRect(0, 0, width, belt - 1);
+  context.drawImage(still, 0, 0, still.width, (belt - 1) * ratio, 0, 0, width, belt - 1);
   for (const {at, shown, on, forced} of sensors) {
     const x = xOf(track, width, at);
     context.beginPath();
-    context.moveTo(x, kBelt - 1);
-    context.lineTo(x - 6, kBelt - 12);
-    context.lineTo(x + 6, kBelt - 12);
+    context.moveTo(x, belt - 1);
+    context.lineTo(x - 6, belt - 12);
+    context.lineTo(x + 6, belt - 12);
     context.closePath();
     context.fillStyle = on ? color.on : color.back;
     context.strokeStyle = on ? color.on : color.soft;
     context.fill();
     context.stroke();
-    write(context, shown, x, kNames, on ? color.text : color.soft);
-    if (forced) write(context, "F", x + 12, kBelt - 7, color.blocked);
+    if (form.names !== null) write(context, shown, x, form.names, on ? color.text : color.soft);
+    if (forced) write(context, "F", x + 12, belt - 7, color.blocked);
   }
 };

@@ -75,7 +75,7 @@ const overlaps = () => {
       if (box.right - box.left > 2 && box.bottom - box.top > 2) boxes.push({...{left: box.left, right: box.right, top: box.top, bottom: box.bottom}, text: node.data.trim().slice(0, 40), element});
     }
   }
-  const stays = (element) => element.closest(".io-head, dialog, aside");  // drawn above what scrolls under it
+  const stays = (element) => element.closest(".io-head, dialog, .pane-head") ?? element.closest("aside");  // drawn above what scrolls under it
   boxes.forEach((a, i) => {
     if (a.right > innerWidth + 1) found.push("outside of the page: " + a.text);
     for (const b of boxes.slice(i + 1)) {
