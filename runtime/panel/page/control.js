@@ -61,6 +61,7 @@ export class ControlBar {
   }
 
   update() {
+    this.tick();
     const {clock, forced, malfunctions, snapshots} = this.app.store;
     const speed = clock.state === "running" ? ", " + factor(clock.real_speed) : "";
     setText(this.state, clock.state + speed);
