@@ -79,5 +79,6 @@ test("VCD has a variable for each row, and all changes in the order of time", ()
 test("Names and texts of VCD are printable ASCII", () => {
   assert.equal(vcdName("Tür 1"), "Tu00FCr_1");
   assert.equal(vcdText("zu früh"), "zu\\x20fr\\xC3\\xBCh");
+  assert.equal(vcdText("a\\b"), "a\\x5Cb");
   assert.deepEqual([0, 93, 94, 94 * 95].map(identifier), ["!", "~", "!!", "!!!"]);
 });

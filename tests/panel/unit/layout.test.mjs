@@ -78,5 +78,6 @@ test("Names are found by parts, and their kinds are known", () => {
   assert.equal(names.find("NOTHING"), null);
   assert.deepEqual(names.search("clamp", 9).map(({kind}) => kind), ["device", "symbol", "symbol"]);
   assert.deepEqual(names.search("x2", 9).map(({name}) => name), ["LINE_S1_PE_I_PART"]);
+  assert.deepEqual(names.search("clamp door", 9), []);
   assert.deepEqual(names.search("  ", 9), []);
 });

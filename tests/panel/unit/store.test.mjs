@@ -37,8 +37,11 @@ test("Listeners get the indexes that changed", () => {
 
 test("Indexes that the plant does not have are ignored", () => {
   const store = startedStore();
+  let seen = null;
+  store.listen((change) => { seen = change; });
   store.changes({rev: 2, t: 1, devices: [[9, 0, 0, 0, 0, 0, 0, 0]], symbols: [[99, true, 0, 0]]});
   assert.equal(store.values.length, 4);
+  assert.deepEqual([seen.devices, seen.symbols], [[], []]);
 });
 
 test("The count of forced symbols follows changes and pictures", () => {
@@ -113,8 +116,8 @@ test("A device shows its most urgent status, and its station counts them", () =>
   assert.equal(statuses.worst(statuses.stations[0]), rank.moving);
   changed({rev: 3, t: 2, devices: [[0, 0, 0, 4, 1, 1, 0, 0]]});
   assert.equal(statuses.of[0], rank.blocked);
-  changed({rev: 4, t: 3, findings: [{n: 0, t: 3, finding: "x", of: "LINE_S1_CLAMP_I_CLOSE", severity: "warning", text: "x"}]});
-  assert.equal(statuses.of[0], rank.finding);
-  assert.deepEqual(changed({rev: 5, t: 70e9}), [0]);
-  assert.equal(statuses.of[0], rank.blocked);
+  changed({rev: 4, t: 3, findings: [{n: 0, t: 3, finding: "x", of: "LINE_S1_DOOR_I_SHUT", severity: "warning", text: "x"}]});
+  assert.deepEqual([...statuses.of], [rank.blocked, rank.finding]);
+  assert.deepEqual(changed({rev: 5, t: 70e9}), [1]);
+  assert.deepEqual([...statuses.of], [rank.blocked, rank.contact]);
 });

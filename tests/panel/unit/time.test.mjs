@@ -14,7 +14,7 @@ test("A running plant's time goes on at its real speed, a frozen one's does not"
   clock.set(1e9, running(2));
   wall.ms = 100;
   assert.equal(clock.now(), 1.2e9);
-  clock.set(1.2e9, {state: "frozen", speed: 2, real_speed: 0});
+  clock.set(1.2e9, {state: "frozen", speed: 2, real_speed: 2});
   wall.ms = 500;
   assert.equal(clock.now(), 1.2e9);
   assert.equal(clock.runs, false);
