@@ -1,0 +1,157 @@
+// Draws the chart on a canvas: the axis of time, a row for each symbol or device, cursors.
+import {ticks} from "./layout.js";
+import {kFont, theme} from "./theme.js";
+import {duration, instant, value as valueText} from "./words.js";
+
+export const kRowHeight = 40;
+export const kAxisHeight = 26;
+const kPad = 8;
+
+const text = (context, words, x, y, color, align = "left") => {
+  context.fillStyle = color;
+  context.textAlign = align;
+  context.textBaseline = "middle";
+  context.fillText(words, x, y);
+};
+
+/// A tick of the axis, as exact as the distance of two ticks needs.
+const tickText = (t, step) => {
+  const digits = Math.max(0, Math.min(9, -Math.floor(Math.log10(step / 1e9) + 1e-9)));
+  return (t / 1e9).toFixed(digits) + " s";
+};
+
+export const drawAxis = (context, view, width) => {
+  const color = theme();
+  context.clearRect(0, 0, width, kAxisHeight);
+  context.font = "11px " + kFont;
+  const found = ticks(view.from, view.to, Math.max(2, width / 120));
+  const step = found.length > 1 ? found[1] - found[0] : view.to - view.from;
+  for (const t of found) {
+    const x = (t - view.from) / (view.to - view.from) * width;
+    context.fillStyle = color.line;
+    context.fillRect(Math.round(x), kAxisHeight - 7, 1, 7);
+    if (t >= 0 && x < width - 40) text(context, tickText(t, step), x + 3, 10, color.soft);
+  }
+};
+
+const drawBool = (context, pieces, color) => {
+  const [high, low] = [kPad, kRowHeight - kPad];
+  context.strokeStyle = color.accent;
+  context.fillStyle = color.accent;
+  context.globalAlpha = .18;
+  for (const [x, until, on, dense] of pieces) if (on || dense) context.fillRect(x, high, until - x, low - high);
+  context.globalAlpha = 1;
+  context.beginPath();
+  let before = null;
+  for (const [x, until, on, dense] of pieces) {
+    const y = on ? high : low;
+    if (before !== null && before !== y) context.lineTo(x, y);
+    else context.moveTo(x, y);
+    context.lineTo(until, y);
+    before = y;
+    if (!dense) continue;
+    context.moveTo(x, high);
+    context.lineTo(x, low);
+    context.lineTo(until, low);
+    context.lineTo(until, high);
+    before = null;
+  }
+  context.stroke();
+};
+
+const drawNumber = (context, pieces, color) => {
+  const numbers = pieces.map((piece) => Number(piece[2])).filter((number) => Number.isFinite(number));
+  const least = Math.min(...numbers);
+  const span = Math.max(...numbers) - least || 1;
+  context.strokeStyle = color.accent;
+  context.beginPath();
+  pieces.forEach(([x, until, number], i) => {
+    const y = kRowHeight - kPad - (Number(number) - least) / span * (kRowHeight - 2 * kPad);
+    if (!Number.isFinite(y)) return;
+    if (i === 0) context.moveTo(x, y);
+    else context.lineTo(x, y);
+    context.lineTo(until, y);
+  });
+  context.stroke();
+  for (const [x, until, number] of pieces) {
+    const words = String(number);
+    if (until - x > context.measureText(words).width + 8) text(context, words, x + 4, kRowHeight / 2, color.text);
+  }
+};
+
+export const stateWords = (device, {state, target}) => {
+  const name = device.states[state] ?? "?";
+  return target !== state && target >= 0 ? name + " → " + (device.states[target] ?? "?") : name;
+};
+
+const drawStates = (context, pieces, color, device) => {
+  const [high, low] = [kPad, kRowHeight - kPad];
+  for (const [x, until, value, dense] of pieces) {
+    const moving = !dense && value.target !== value.state;
+    context.fillStyle = dense ? color.soft : moving ? color.mark : color.belt;
+    context.fillRect(x, high, Math.max(.5, until - x), low - high);
+    context.strokeStyle = color.ink;
+    if (until - x > 2) context.strokeRect(x + .5, high + .5, until - x - 1, low - high - 1);
+    if (dense) continue;
+    const words = stateWords(device, value);
+    if (until - x > context.measureText(words).width + 8) text(context, words, (x + until) / 2, kRowHeight / 2, color.text, "center");
+  }
+};
+
+/// `rows`: { kind, type, device, data } each. `view`: { from, to } shown, `known` { from, until } of which there is data.
+export const drawRows = (context, rows, view, known, width) => {
+  const color = theme();
+  context.clearRect(0, 0, width, Math.max(1, rows.length) * kRowHeight);
+  context.font = "11px " + kFont;
+  const x = (t) => (t - view.from) / (view.to - view.from) * width;
+  context.fillStyle = color.side;
+  if (known.from > view.from) context.fillRect(0, 0, Math.min(width, x(known.from)), rows.length * kRowHeight);
+  if (known.until < view.to) context.fillRect(Math.max(0, x(known.until)), 0, width, rows.length * kRowHeight);
+  rows.forEach((row, rank) => {
+    context.save();
+    context.translate(0, rank * kRowHeight);
+    context.fillStyle = color.line;
+    context.fillRect(0, kRowHeight - 1, width, 1);
+    context.lineWidth = 1.25;
+    const pieces = row.data.pieces(view.from, view.to, known.until, width);
+    if (row.kind === "device") drawStates(context, pieces, color, row.device);
+    else if (row.type === "BOOL") drawBool(context, pieces, color);
+    else if (pieces.length > 0) drawNumber(context, pieces, color);
+    context.restore();
+  });
+};
+
+/// Cursors A and B over the rows, and the present time of the plant as a dotted line.
+export const drawCursors = (context, cursors, now, view, width, height) => {
+  const color = theme();
+  context.clearRect(0, 0, width, height);
+  const present = Math.round((now - view.from) / (view.to - view.from) * width) + .5;
+  context.strokeStyle = color.soft;
+  context.setLineDash([2, 3]);
+  context.beginPath();
+  context.moveTo(present, 0);
+  context.lineTo(present, height);
+  context.stroke();
+  context.setLineDash([]);
+  context.font = "bold 12px " + kFont;
+  for (const [name, t] of Object.entries(cursors)) {
+    if (t === null) continue;
+    const x = Math.round((t - view.from) / (view.to - view.from) * width);
+    if (x < 0 || x > width) continue;
+    context.fillStyle = name === "A" ? color.finding : color.transfer;
+    context.fillRect(x, 0, 1.5, height);
+    context.fillRect(x - 8, 0, 16, 15);
+    text(context, name, x, 8, color.back, "center");
+  }
+};
+
+/// The value of a row at a time, as text.
+export const valueAt = (row, t) => {
+  const found = row.data.at(t);
+  if (found === undefined) return "-";
+  return row.kind === "device" ? stateWords(row.device, found) : valueText(found);
+};
+
+/// "A 1.2 s, B 3.4 s, from A to B 2.2 s"
+export const cursorText = ({A, B}) => [A === null ? "" : "A " + instant(A), B === null ? "" : "B " + instant(B),
+  A === null || B === null ? "" : "from A to B " + duration(B - A)].filter((words) => words).join(", ");

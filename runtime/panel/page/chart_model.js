@@ -1,0 +1,147 @@
+// The chosen rows of the chart and their changes, which it asks of the plant.
+import {ChartRow} from "./chart_data.js";
+
+export const kMostRows = 32;
+const kKept = 600e9;   // plant time that the page keeps
+const kPause = 300;    // ms between two questions
+const kMostWithDevice = 8;
+
+export class ChartModel {
+  constructor(app) {
+    Object.assign(this, {app, rows: [], next: null, from: 0, until: 0, wrong: "", busy: false, stale: true, last: 0});
+    this.listeners = new Set();
+    this.key = "symplant chart " + app.plant.plant;
+    this.load();
+  }
+
+  listen(listener) { this.listeners.add(listener); }
+  publish(what) { for (const listener of this.listeners) listener(what); }
+
+  load() {
+    let kept = [];
+    try {
+      kept = JSON.parse(sessionStorage.getItem(this.key) ?? "[]");
+    } catch {
+      kept = [];
+    }
+    for (const [kind, name] of kept) {
+      const index = this.app.names.index(kind, name);
+      if (index !== null) this.rows.push({kind, index, data: new ChartRow()});
+    }
+  }
+
+  save() {
+    sessionStorage.setItem(this.key, JSON.stringify(this.rows.map(({kind, index}) => [kind, this.app.names.name(kind, index)])));
+  }
+
+  has(kind, index) { return this.rows.some((row) => row.kind === kind && row.index === index); }
+
+  add(kind, index) {
+    if (this.has(kind, index)) return true;
+    if (this.rows.length >= kMostRows) {
+      this.wrong = "the chart has " + kMostRows + " rows, the most; remove one first";
+      return false;
+    }
+    this.rows.push({kind, index, data: new ChartRow()});
+    this.stale = true;
+    this.wrong = "";
+    return true;
+  }
+
+  changed(t) {
+    this.save();
+    this.publish("rows");
+    if (t !== undefined) this.publish({show: t});
+  }
+
+  /// A device, and its symbols if they are few. Opens the chart, at the time `t` if it is given.
+  addDevice(index, t) {
+    const {operations, events} = this.app.plant.devices[index];
+    this.add("device", index);
+    const symbols = [...operations.map(({symbol}) => symbol), ...events];
+    if (symbols.length <= kMostWithDevice && this.rows.length + symbols.length <= kMostRows) {
+      for (const symbol of symbols) this.add("symbol", symbol);
+    }
+    this.app.router.view("chart");
+    this.changed(t);
+  }
+
+  addSymbol(index, t) {
+    this.add("symbol", index);
+    this.app.router.view("chart");
+    this.changed(t);
+  }
+
+  showTime(t) {
+    this.app.router.view("chart");
+    this.changed(t);
+  }
+
+  remove(row) {
+    this.rows = this.rows.filter((other) => other !== row);
+    this.wrong = "";
+    this.next = null;
+    this.stale = true;
+    this.changed();
+  }
+
+  moveUp(row) {
+    const at = this.rows.indexOf(row);
+    if (at < 1) return;
+    this.rows = this.rows.with(at, this.rows[at - 1]).with(at - 1, row);
+    this.next = null;  // answers come in the order of the rows
+    this.stale = true;
+    this.changed();
+  }
+
+  /// The plant was set back: what is known may be of a time that has not been yet.
+  restart() {
+    this.stale = true;
+    this.last = 0;
+  }
+
+  query() {
+    const of = (kind) => this.rows.filter((row) => row.kind === kind).map(({index}) => index).join(",");
+    const from = Math.max(0, Math.round(this.app.store.t - kKept));
+    const range = this.stale || this.next === null ? "&from=" + (this.app.plant.mode === "recording" ? this.app.plant.begin : from) : "&after=" + this.next;
+    return "chart?symbols=" + of("symbol") + "&devices=" + of("device") + range;
+  }
+
+  /// Asks for what is new, if it is time.
+  async poll(wall = performance.now()) {
+    if (this.busy || this.rows.length === 0 || wall - this.last < kPause) return;
+    const whole = this.stale || this.next === null;
+    if (!whole && (this.app.plant.mode === "recording" || this.until === this.app.store.t)) return;
+    this.busy = true;
+    this.last = wall;
+    const rows = this.rows;
+    try {
+      const asked = this.query();
+      this.stale = false;
+      const answer = await this.app.api.get(asked);
+      if (rows === this.rows && !(this.stale && !whole)) this.take(answer, whole, rows);
+      this.wrong = "";
+    } catch (error) {
+      this.wrong = error.message;
+      this.stale = this.stale || whole;
+    }
+    this.busy = false;
+    this.publish("data");
+  }
+
+  take(answer, whole, rows) {
+    if (whole) {
+      this.from = answer.from;
+      for (const {data} of rows) data.clear();
+    }
+    const fill = (kind, lists) => rows.filter((row) => row.kind === kind).forEach(({data}, i) => data.append(lists[i] ?? []));
+    fill("symbol", answer.symbols ?? []);
+    fill("device", answer.devices ?? []);
+    this.next = answer.next;
+    this.until = answer.to;
+    const oldest = answer.to - kKept;
+    if (this.app.plant.mode === "recording" || oldest < this.from + 6e10) return;
+    this.from = oldest;
+    for (const {data} of rows) data.prune(oldest);
+  }
+}

@@ -1,0 +1,135 @@
+// The I/O view: every symbol with its address, its value as the PLC sees it, what drives it, and force.
+import {actButton, resultOutput} from "./acts.js";
+import {make, select, setText} from "./dom.js";
+import {selecting} from "./router.js";
+import {filterSymbols} from "./io_filter.js";
+import {SYMBOL} from "./store.js";
+import {driverText, typeText} from "./symbol_details.js";
+import {VirtualList} from "./virtual_list.js";
+import {count, instant, value} from "./words.js";
+
+const kHeight = 32;
+const kPause = 300;  // ms between two applications of a filter that depends on the state
+const kColumns = ["Symbol", "Address", "Type", "Direction", "Value", "Since", "Driven by", "Link"];
+const kChecks = [["lately", "changed in the last 10 s"], ["forced", "forced"], ["unlinked", "on no link"], ["malfunction", "malfunction"],
+  ["undriven", "no device drives it"]];
+
+export class IoView {
+  constructor(app) {
+    Object.assign(this, {app, title: "I/O", last: 0, pending: false, indexes: [], rowOf: new Map()});
+    this.search = make("input", {type: "search", "aria-label": "Filter by name or address", placeholder: "Name or address", autocomplete: "off",
+      oninput: () => this.apply()});
+    this.direction = select("Direction", [["", "Events and operations"], ["event", "Events"], ["operation", "Operations"]],
+      {onchange: () => this.apply()});
+    this.checks = kChecks.map(([key, text]) => {
+      const input = make("input", {type: "checkbox", onchange: () => this.apply()});
+      return {key, input, element: make("label", {class: "check"}, input, text)};
+    });
+    this.found = make("span", {class: "soft", role: "status"});
+    this.result = resultOutput();
+    const heads = app.canAct ? [...kColumns, "Force"] : kColumns;
+    this.list = new VirtualList({height: kHeight, label: "Symbols",
+      head: make("div", {class: "io-row io-head", role: "row"}, heads.map((head) => make("span", {role: "columnheader"}, head))),
+      makeRow: () => this.makeRow(), fillRow: (row, at) => this.fillRow(row, at)});
+    this.list.element.classList.toggle("io-acts", app.canAct);
+    this.element = make("div", {class: "view io-view fills"},
+      make("div", {class: "row tools"}, this.search, this.direction, this.checks.map(({element}) => element), this.found, this.result), this.list.element);
+  }
+
+  /// `filter` of a route sets one of the checks: "forced", for example.
+  show({filter}) {
+    if (filter && filter !== this.routed) for (const {key, input} of this.checks) input.checked = key === filter;
+    this.routed = filter;
+    this.apply();
+  }
+
+  filter() {
+    return {text: this.search.value, direction: this.direction.value,
+      ...Object.fromEntries(this.checks.map(({key, input}) => [key, input.checked]))};
+  }
+
+  depends() { return this.checks.some(({key, input}) => input.checked && key !== "unlinked" && key !== "undriven"); }
+
+  apply() {
+    this.last = performance.now();
+    const indexes = filterSymbols(this.filter(), this.app.store);
+    const same = indexes.length === this.indexes.length && indexes.every((index, i) => index === this.indexes[i]);
+    if (!same || indexes.length === 0) {
+      this.indexes = indexes;
+      this.rowOf = new Map(indexes.map((index, row) => [index, row]));
+      this.list.setCount(indexes.length);
+    } else {
+      this.list.refreshAll();
+    }
+    setText(this.found, indexes.length === this.app.plant.symbols.length ? count(indexes.length, "symbol")
+      : indexes.length + " of " + count(this.app.plant.symbols.length, "symbol"));
+  }
+
+  makeRow() {
+    const {app} = this;
+    const cells = kColumns.slice(1).map(() => make("span", {role: "cell"}));
+    const link = make("a", {class: "name"});
+    const row = {first: link, cells};
+    const symbol = () => app.plant.symbols[this.indexes[row.index]];
+    const force = (label, to) => actButton(app, this.result, label, () => ({force: {[symbol().name]: to}}), {class: "small", tabindex: -1});
+    row.buttons = !app.canAct ? [] : [force("on", true), force("off", false),
+      actButton(app, this.result, "release", () => ({release: [symbol().name]}), {class: "small", tabindex: -1})];
+    row.more = make("a", {tabindex: -1}, "force ...");
+    row.acts = app.canAct ? make("span", {role: "cell", class: "row"}, row.buttons.slice(0, 2), row.more, row.buttons[2]) : null;
+    row.element = make("div", {class: "io-row", role: "row"}, make("span", {role: "cell"}, link), cells, row.acts);
+    return row;
+  }
+
+  fillRow(row, at) {
+    const {store, plant} = this.app;
+    const index = this.indexes[at];
+    const symbol = plant.symbols[index];
+    if (row.shown !== index) this.fillFixed(row, symbol);
+    row.shown = index;
+    const [, , , shown, since] = row.cells;
+    const flags = store.symbolFlags[index];
+    const isForced = (flags & SYMBOL.forced) !== 0;
+    setText(shown, value(store.values[index]) + (isForced ? ", forced" : "") + (flags & SYMBOL.malfunction ? ", malfunction" : ""));
+    shown.className = store.values[index] === true ? "is-on" : "";
+    setText(since, instant(store.symbolSince[index]));
+    row.element.classList.toggle("forced", isForced);
+    if (row.buttons.length > 0) row.buttons[2].disabled = !isForced;
+  }
+
+  fillFixed(row, symbol) {
+    const [address, type, direction, , , driver, link] = row.cells;
+    setText(row.first, symbol.name);
+    row.first.href = selecting("symbol", symbol.name);
+    row.element.title = symbol.name;
+    setText(address, symbol.address ?? "-");
+    setText(type, typeText(symbol));
+    setText(direction, symbol.direction);
+    setText(driver, driverText(symbol));
+    setText(link, symbol.link === null ? "-" : this.app.plant.links[symbol.link].controller || this.app.plant.links[symbol.link].name);
+    row.more.hidden = symbol.type === "BOOL";
+    row.more.href = selecting("symbol", symbol.name);
+    row.more.setAttribute("aria-label", "Force " + symbol.name + " in its details");
+    row.buttons.forEach((element, i) => {
+      element.hidden = i < 2 && symbol.type !== "BOOL";
+      element.setAttribute("aria-label", ["Force on: ", "Force off: ", "Release: "][i] + symbol.name);
+    });
+  }
+
+  change(change) {
+    if (change.all || (this.depends() && (change.symbols.length > 0 || performance.now() - this.last > 1000))) this.pending = true;
+    if (change.all) this.list.refreshAll();
+    for (const index of change.symbols) {
+      const row = this.rowOf.get(index);
+      if (row !== undefined) this.list.refresh(row);
+    }
+    if (this.pending) this.app.frames.request();
+  }
+
+  frame() {
+    if (!this.pending) return false;
+    if (performance.now() - this.last < kPause) return true;
+    this.pending = false;
+    this.apply();
+    return false;
+  }
+}

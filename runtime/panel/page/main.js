@@ -1,0 +1,167 @@
+// Starts the page: reads the description of the plant, makes the views, and keeps them up to date.
+import {Announcer} from "./announce.js";
+import {Api, keepToken, takeToken} from "./api.js";
+import {ChartModel} from "./chart_model.js";
+import {keepStream} from "./connection.js";
+import {ControlBar} from "./control.js";
+import {Details} from "./details.js";
+import {askToken} from "./dialog.js";
+import {make} from "./dom.js";
+import {Frames} from "./frames.js";
+import {Names} from "./names.js";
+import {Notice} from "./notice.js";
+import {Player, RecordingBar} from "./recording.js";
+import {Router} from "./router.js";
+import {makeSearch} from "./search.js";
+import {Shortcuts} from "./shortcuts.js";
+import {Statuses} from "./status.js";
+import {Store} from "./store.js";
+import {PlantClock} from "./time.js";
+import {makeViews, Views} from "./views.js";
+
+const kTick = 200;  // ms between two updates of texts that depend on plant time
+const kRestarted = "The plant was restarted. This page shows the new run.";
+const kDenied = "The token of this page is not valid: open the link that symplant printed, or enter its token.";
+
+const byId = (id) => document.getElementById(id);
+const notice = new Notice(byId("notice"));
+
+const enterToken = async () => {
+  const token = await askToken("symplant printed a link when it started. Enter that link, or its part after #token=.");
+  if (!token) return;
+  keepToken(token);
+  location.reload();
+};
+const denied = (text) => notice.show("token", text, false, {label: "Enter the token", run: enterToken});
+
+/// What a description need not have.
+const kDefaults = {stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [], malfunctions: [], ordinary: {},
+  exercises: [], links: [], begin: 0, end: 0};
+
+/// The description, as soon as the plant answers.
+const loadPlant = async (api) => {
+  for (;;) {
+    try {
+      const plant = await api.plant();
+      notice.show("lost", "");
+      return {...kDefaults, ...plant};
+    } catch (error) {
+      if (error.status === 401) {
+        denied("This panel needs a token to be seen: open the link that symplant printed.");
+        await new Promise(() => {});
+      }
+      notice.show("lost", error.message + "; the page tries again");
+      await new Promise((done) => setTimeout(done, 1000));
+    }
+  }
+};
+
+/// Whether the token may act.
+const mayAct = async (api, plant) => {
+  if (!plant.acts || plant.mode !== "live" || !api.token) return false;
+  try {
+    await api.check({run: true});
+  } catch (error) {
+    return error.status !== 401 && error.status !== 403;
+  }
+  return true;
+};
+
+const makeApp = (api, plant, canAct) => {
+  const app = {api, plant, canAct, store: new Store(plant), names: new Names(plant), clock: new PlantClock(), frames: new Frames(),
+    main: byId("main"), deniedText: kDenied, deniedNote: () => "Only shows: there is no valid token."};
+  app.statuses = new Statuses(app.store, app.names);
+  app.router = new Router((route) => app.routed(route));
+  app.selectedDevice = () => {
+    const selection = app.router.selection();
+    return selection?.kind === "device" ? selection.name : null;
+  };
+  app.chart = new ChartModel(app);
+  return app;
+};
+
+/// Where a found station, device, symbol ... is shown.
+const choose = (app, {kind, name}) => kind === "station" ? app.router.view("line", {station: name}) : app.router.select(kind, name);
+
+const makeKeys = (app, bar, search, views) => new Shortcuts([
+  ["/", "search", () => search.input.focus()],
+  ["Escape", "close the details", () => app.router.deselect()],
+  ...views.keys.map((key, i) => [String(i + 1), "view " + views.title(key), () => app.router.view(key)]),
+  ...(app.canAct || app.player ? [["p", app.player ? "play and pause" : "run and freeze", () => bar.toggle()]] : []),
+  ...(app.canAct ? [["s", "one cycle", () => app.api.acts({step: "cycle"}).catch(() => {})],
+    ["n", "to the next change", () => app.api.acts({step: "change"}).catch(() => {})]] : [])]);
+
+/// What each event of the stream leads to.
+const makeReceiver = (app, parts) => {
+  app.store.listen((change) => {
+    app.clock.set(app.store.t, app.store.clock, change.jumped);
+    const statusChanged = app.statuses.update(change);
+    for (const part of parts) part.change?.(change, statusChanged);
+    parts[0].update();
+    app.frames.request();
+  });
+  return (event, data) => {
+    if (event === "picture") app.store.picture(data);
+    if (event === "changes") app.store.changes(data);
+    if (document.body.dataset.ready !== "1") performance.mark("first picture");
+    document.body.dataset.ready = "1";
+  };
+};
+
+const animate = (app, bar, details, views) => {
+  let last = 0;
+  app.frames.add(() => {
+    const now = app.clock.now();
+    const wall = performance.now();
+    bar.tick();
+    if (wall - last > kTick) {
+      last = wall;
+      details.tick();
+      views.tick();
+    }
+    const plays = app.player?.frame(wall) ?? false;
+    return views.frame(now) || plays || app.clock.runs;
+  });
+};
+
+const connect = (app, plant) => {
+  if (app.player) return app.player.seek(plant.begin);
+  app.api.stale = () => Notice.reload(kRestarted);
+  keepStream(app.api, app.receive, (state, text) => {
+    document.body.dataset.connection = state;
+    if (state === "restarted") return Notice.reload(kRestarted);
+    notice.show("lost", state === "open" ? "" : text + "; the page shows the state of then and tries again");
+  });
+};
+
+const start = async () => {
+  const api = new Api(takeToken());
+  const plant = await loadPlant(api);
+  api.run = plant.run;
+  document.title = plant.plant + " - symplant";
+  const app = makeApp(api, plant, false);
+  app.canAct = await mayAct(api, plant);
+  if (plant.acts && plant.mode === "live" && !app.canAct) denied(kDenied);
+  if (plant.mode === "recording") app.player = new Player(app);
+  const bar = app.player ? new RecordingBar(app, app.player) : new ControlBar(app);
+  const search = makeSearch(app, {label: "Search", choose: (found) => choose(app, found)});
+  const details = new Details(app, byId("details"));
+  const views = new Views(app, makeViews(app), byId("views"));
+  byId("title").append(make("h1", {class: "name", title: plant.plant}, plant.plant), search, make("span", {class: "grow"}), ...[bar.marks].filter(Boolean));
+  byId("bar").append(bar.element);
+  const announcer = new Announcer(app, byId("footer"), byId("live"));
+  app.receive = makeReceiver(app, [bar, views, details, announcer]);
+  app.routed = (route) => {
+    views.show(route);
+    details.show(app.router.selection());
+  };
+  const keys = makeKeys(app, bar, search, views);
+  byId("help").addEventListener("click", () => keys.help());
+  byId("skip").addEventListener("click", () => app.main.focus());
+  app.router.read();
+  animate(app, bar, details, views);
+  connect(app, plant);
+  globalThis.symplant = app;  // for tests and the console
+};
+
+start();

@@ -1,0 +1,45 @@
+// Finds what a name or a part of it means.
+
+const kKinds = ["device", "symbol", "location", "requirement"];
+
+export class Names {
+  constructor(plant) {
+    this.plant = plant;
+    this.lists = {device: plant.devices, symbol: plant.symbols, location: plant.locations, requirement: plant.requirements};
+    this.indexes = Object.fromEntries(kKinds.map((kind) =>
+      [kind, new Map(this.lists[kind].map(({name}, index) => [name, index]))]));
+    this.stationIndexes = new Map(plant.stations.map(({name}, index) => [name, index]));
+  }
+
+  /// null if there is none.
+  index(kind, name) { return this.indexes[kind]?.get(name) ?? null; }
+  station(name) { return this.stationIndexes.get(name) ?? null; }
+  name(kind, index) { return this.lists[kind][index]?.name ?? "?"; }
+
+  /// { kind, index } of a name that may be of any kind, or null.
+  find(name) {
+    for (const kind of kKinds) {
+      const index = this.index(kind, name);
+      if (index !== null) return {kind, index};
+    }
+    return null;
+  }
+
+  /// At most `most` of what contains all words of the text, whole levels of names first, as { kind, name, more }.
+  search(text, most) {
+    const words = text.toLowerCase().split(/\s+/).filter((word) => word !== "");
+    if (words.length === 0) return [];
+    const found = [];
+    const add = (kind, name, more) => {
+      const all = (name + " " + more).toLowerCase();
+      if (words.every((word) => all.includes(word))) found.push({kind, name, more});
+    };
+    for (const {name} of this.plant.stations) add("station", name, "");
+    for (const {name} of this.plant.devices) add("device", name, "");
+    for (const {name, kind} of this.plant.locations) add("location", name, kind);
+    for (const {name, address} of this.plant.symbols) add("symbol", name, address ?? "");
+    for (const {name} of this.plant.requirements) add("requirement", name, "");
+    const begins = ({name}) => name.toLowerCase().split(/[_. ]/).includes(words[0]) ? 0 : 1;
+    return found.sort((a, b) => begins(a) - begins(b)).slice(0, most);
+  }
+}

@@ -1,0 +1,62 @@
+// A field that finds stations, devices, symbols, tracks and requirements by parts of their names, or by address.
+import {make, setAttribute} from "./dom.js";
+
+const kMost = 40;
+const kWords = {station: "station", device: "device", symbol: "symbol", location: "track or place", requirement: "requirement"};
+
+let fields = 0;
+
+/// `choose(found)` gets { kind, name }. `kinds`: what may be found, all without it. The element has `input`.
+export const makeSearch = (app, {label, kinds = Object.keys(kWords), choose}) => {
+  const id = "search" + ++fields;
+  let found = [];
+  let active = -1;
+  const list = make("ul", {id, class: "found", role: "listbox", "aria-label": label + ": found", hidden: true});
+  const input = make("input", {type: "search", role: "combobox", "aria-expanded": "false", "aria-controls": id, "aria-autocomplete": "list",
+    "aria-label": label, placeholder: label, autocomplete: "off", spellcheck: "false"});
+  const close = () => {
+    list.hidden = true;
+    setAttribute(input, "aria-expanded", "false");
+    setAttribute(input, "aria-activedescendant", null);
+    active = -1;
+  };
+  const mark = (index) => {
+    active = index;
+    [...list.children].forEach((item, i) => setAttribute(item, "aria-selected", String(i === index)));
+    setAttribute(input, "aria-activedescendant", index >= 0 ? id + "-" + index : null);
+    list.children[index]?.scrollIntoView({block: "nearest"});
+  };
+  const take = (index) => {
+    if (!found[index]) return;
+    input.value = "";
+    close();
+    choose(found[index]);
+  };
+  const show = () => {
+    found = app.names.search(input.value, kMost * 3).filter(({kind}) => kinds.includes(kind)).slice(0, kMost);
+    list.replaceChildren(...found.map(({kind, name, more}, i) => make("li", {id: id + "-" + i, role: "option", "aria-selected": "false",
+      onpointerdown: (event) => event.preventDefault(), onclick: () => take(i)}, make("span", {class: "name"}, name), " ",
+      make("span", {class: "soft"}, kWords[kind] + (kind === "symbol" && more ? ", " + more : "")))));
+    if (found.length === 0 && input.value.trim() !== "") list.replaceChildren(make("li", {class: "soft", role: "option", "aria-disabled": "true"}, "nothing found"));
+    list.hidden = input.value.trim() === "";
+    setAttribute(input, "aria-expanded", String(!list.hidden));
+    active = -1;
+  };
+  input.addEventListener("input", show);
+  input.addEventListener("focus", () => { if (input.value) show(); });
+  input.addEventListener("blur", close);
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "ArrowDown" || event.key === "ArrowUp") {
+      event.preventDefault();
+      if (found.length > 0) mark((active + (event.key === "ArrowDown" ? 1 : found.length - 1) + (active < 0 && event.key === "ArrowUp" ? 1 : 0)) % found.length);
+    } else if (event.key === "Enter") {
+      take(Math.max(0, active));
+    } else if (event.key === "Escape" && !list.hidden) {
+      event.stopPropagation();
+      close();
+    }
+  });
+  const element = make("div", {class: "search"}, input, list);
+  element.input = input;
+  return element;
+};

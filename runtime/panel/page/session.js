@@ -1,0 +1,84 @@
+// The session view: snapshots and backtracks, files of the session, and what was done.
+import {actButton, resultOutput} from "./acts.js";
+import {restore} from "./control.js";
+import {button, download, make, table} from "./dom.js";
+import {instant} from "./words.js";
+
+const kMostActs = 200;
+const kFiles = [["scenario", "Scenario", ".scenario.json"], ["session", "Session as JSON", ".session.json"], ["junit", "JUnit", ".junit.xml"]];
+
+export class SessionView {
+  constructor(app) {
+    Object.assign(this, {app, title: "Session"});
+    this.result = resultOutput();  // of snapshots
+    this.fileResult = resultOutput();
+    this.snapshots = make("div", {});
+    this.acts = make("div", {});
+    this.element = make("div", {class: "view columns"},
+      make("section", {"aria-label": "Snapshots"}, make("h2", {}, "Snapshots and backtracks"), this.takeForm(), this.result,
+        app.plant.with_plc ? make("p", {class: "note"}, "A PLC that is connected does not jump with a restore.") : null, this.snapshots),
+      make("section", {"aria-label": "Files"}, make("h2", {}, "Files of this session"), this.files(), this.fileResult),
+      make("section", {"aria-label": "Acts"}, make("h2", {}, "What was done"), this.acts));
+  }
+
+  takeForm() {
+    const {app, result} = this;
+    if (!app.canAct) return null;
+    const name = make("input", {type: "text", "aria-label": "Name of the snapshot", placeholder: "Name", maxlength: 64, size: 20});
+    return make("div", {class: "row controls"}, name, actButton(app, result, "Take snapshot",
+      () => ({snapshot: name.value.trim() || "at " + (app.store.t / 1e9).toFixed(3) + " s"})));
+  }
+
+  files() {
+    const {app, fileResult: result} = this;
+    const fetchFile = async (kind, ending) => {
+      result.className = "result";
+      try {
+        download(await app.api.session(kind), app.plant.plant.replace(/[^\p{L}\p{N}_-]+/gu, "-") + ending);
+        result.textContent = "";
+      } catch (error) {
+        result.className = "result wrong";
+        result.textContent = error.message;
+      }
+    };
+    const name = make("input", {type: "text", "aria-label": "Name of the session", placeholder: "Name", maxlength: 64, size: 20});
+    return [make("p", {class: "soft"}, "A scenario that replays the session, its acts, findings and score as JSON, and JUnit."),
+      make("div", {class: "row controls"}, kFiles.map(([kind, text, ending]) => button("Download " + text, () => fetchFile(kind, ending)))),
+      app.canAct && app.plant.files ? make("div", {class: "row controls"}, name,
+        actButton(app, result, "Save on the plant's computer", () => ({session: name.value.trim()}))) : null,
+      app.plant.files ? null : make("p", {class: "soft"}, "Start symplant with --panel-files FOLDER to save snapshots and sessions there.")];
+  }
+
+  show() {
+    this.showSnapshots();
+    this.showActs();
+  }
+
+  showSnapshots() {
+    const {app, result} = this;
+    const buttons = (snapshot) => make("span", {class: "row"},
+      button("Restore", () => restore(app, result, snapshot), {class: "small", "aria-label": "Restore " + snapshot.name}),
+      app.plant.files && !snapshot.file ? actButton(app, result, "Save", () => ({save: snapshot.name}), {class: "small", "aria-label": "Save " + snapshot.name}) : null,
+      actButton(app, result, "Forget", () => ({forget: snapshot.name}), {class: "small", "aria-label": "Forget " + snapshot.name}));
+    const heads = ["Name", "Plant time", "Kind", ...(app.canAct ? ["Acts"] : [])];
+    const rows = [...app.store.snapshots].reverse().map((snapshot) => [make("span", {class: "name"}, snapshot.name), snapshot.t === null ? "-" : instant(snapshot.t),
+      snapshot.kind + (snapshot.file ? ", in a file" : ""), ...(app.canAct ? [buttons(snapshot)] : [])]);
+    this.snapshots.replaceChildren(rows.length > 0 ? table("Snapshots and backtracks", heads, rows) : make("p", {class: "soft"}, "none yet"));
+  }
+
+  showActs() {
+    const {acts} = this.app.store;
+    const rows = acts.slice(-kMostActs).reverse().map(({t, by, act}) => {
+      const [[name, of] = ["", ""]] = Object.entries(act);
+      return [instant(t), by, name, make("span", {class: "name"}, typeof of === "string" ? of : JSON.stringify(of))];
+    });
+    this.acts.replaceChildren(rows.length > 0 ? table("Acts, the newest first", ["Plant time", "By", "Act", "What"], rows)
+      : make("p", {class: "soft"}, "nothing yet"));
+  }
+
+  change(change) {
+    if (change.all || change.keys.has("snapshots")) this.showSnapshots();
+    if (change.all || change.keys.has("acts")) this.showActs();
+  }
+}
+

@@ -1,0 +1,45 @@
+// Colors of the style sheet, for what is drawn on a canvas.
+
+const kNames = ["back", "side", "text", "soft", "line", "accent", "belt", "part", "ink", "on", "stop", "moving", "finding", "blocked",
+  "hatch", "mark", "transfer"];
+
+let colors = null;
+const listeners = new Set();
+
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  colors = null;
+  for (const listener of listeners) listener();
+});
+
+/// theme().text is the color of texts, and so on.
+export const theme = () => {
+  if (colors === null) {
+    const style = getComputedStyle(document.documentElement);
+    colors = Object.fromEntries(kNames.map((name) => [name, style.getPropertyValue("--" + name).trim()]));
+  }
+  return colors;
+};
+
+/// Called when light changes to dark or back. Returns what ends it.
+export const onTheme = (listener) => {
+  listeners.add(listener);
+  return () => listeners.delete(listener);
+};
+
+export const kFont = 'system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif';
+
+/// Fits a canvas to a size in CSS pixels, and returns its context, scaled for the screen. Setting a size clears it.
+export const fitCanvas = (canvas, width, height) => {
+  const ratio = window.devicePixelRatio || 1;
+  const wide = Math.round(width * ratio);
+  const high = Math.round(height * ratio);
+  if (canvas.width !== wide || canvas.height !== high) {
+    canvas.width = wide;
+    canvas.height = high;
+    canvas.style.width = width + "px";
+    canvas.style.height = height + "px";
+  }
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return context;
+};

@@ -1,0 +1,94 @@
+// A device as a tile: its state, the progress of its move, its commands and events, and what hinders it.
+import {make, setText, setAttribute} from "./dom.js";
+import {selecting} from "./router.js";
+import {STATUSES} from "./status.js";
+import {SYMBOL} from "./store.js";
+
+const kMostEvents = 10;
+
+/// "CLOSE" for an operation that commands the state CLOSE, else the last level of its symbol.
+export const operationLabel = (plant, device, {symbol, to}) =>
+  to !== null ? device.states[to] : plant.symbols[symbol].name.split(/[_.]/).pop();
+
+/// "P1", or "P1 → P2" during a move.
+export const stateText = (store, index) => {
+  const {states} = store.plant.devices[index];
+  if (states.length === 0) return "";
+  const state = states[store.state[index]] ?? "?";
+  const isMove = store.target[index] !== store.state[index] && store.target[index] >= 0;
+  return isMove ? state + " → " + (states[store.target[index]] ?? "?") : state;
+};
+
+const commandsText = (store, device) => {
+  const {plant, values} = store;
+  const texts = [];
+  for (const operation of device.operations) {
+    const value = values[operation.symbol];
+    if (value === false || value === 0) continue;
+    const label = operationLabel(plant, device, operation);
+    texts.push(value === true ? "▸" + label : label + "=" + value);
+  }
+  return texts.join(" ");
+};
+
+const eventsText = (store, device) => {
+  let text = "";
+  for (const symbol of device.events.slice(0, kMostEvents)) {
+    if (store.plant.symbols[symbol].type === "BOOL") text += store.values[symbol] === true ? "■" : "□";
+  }
+  return text;
+};
+
+const isForced = (store, device) => device.events.some((symbol) => store.symbolFlags[symbol] & SYMBOL.forced)
+  || device.operations.some(({symbol}) => store.symbolFlags[symbol] & SYMBOL.forced);
+
+export class Tile {
+  constructor(app, index) {
+    Object.assign(this, {app, index, device: app.plant.devices[index], status: -1});
+    this.letter = make("span", {class: "letter", "aria-hidden": "true"});
+    this.word = make("span", {class: "hidden-text"});
+    this.state = make("span", {class: "state"});
+    this.forced = make("span", {class: "forced-mark", hidden: true, title: "a symbol is forced"}, "F");
+    this.fill = make("span", {class: "fill"});
+    this.bar = make("span", {class: "bar", "aria-hidden": "true"}, this.fill);
+    this.commands = make("span", {class: "commands"});
+    this.events = make("span", {class: "events", "aria-hidden": "true"});
+    this.element = make("a", {class: "tile", href: selecting("device", this.device.name), title: this.device.name, tabindex: -1,
+      "data-device": this.device.name},
+      make("span", {class: "top"}, make("span", {class: "label"}, this.device.label), this.forced, this.letter, this.word),
+      this.state, this.bar, make("span", {class: "low"}, this.commands, this.events));
+    this.update();
+  }
+
+  /// After a change of the device or one of its symbols.
+  update() {
+    const {store, statuses} = this.app;
+    const status = statuses.of[this.index];
+    if (status !== this.status) {
+      this.status = status;
+      const {key, letter, text} = STATUSES[status];
+      this.element.className = "tile s-" + key;
+      setText(this.letter, letter);
+      setText(this.word, ", " + text + ", ");
+      this.letter.title = text;
+    }
+    setText(this.state, stateText(store, this.index));
+    setText(this.commands, commandsText(store, this.device));
+    setText(this.events, eventsText(store, this.device));
+    this.forced.hidden = !isForced(store, this.device);
+    this.moving = store.moves(this.index);
+    const isMove = store.target[this.index] !== store.state[this.index];
+    this.bar.classList.toggle("shown", isMove && store.whole[this.index] > 0);
+    this.draw(this.app.clock.now());
+  }
+
+  select(selected) { setAttribute(this.element, "aria-current", selected ? "true" : null); }
+
+  /// Draws the progress at plant time `now`; returns whether it goes on.
+  draw(now) {
+    const {done, left} = this.app.store.progress(this.index, now);
+    if (done !== this.done) this.fill.style.transform = "scaleX(" + done.toFixed(4) + ")";
+    this.done = done;
+    return this.moving && left > 0;
+  }
+}

@@ -1,0 +1,122 @@
+// The tiles of a station. Only tiles that can be seen are in the document, so that a station may have thousands.
+import {make} from "./dom.js";
+import {neighbor, placeTiles} from "./layout.js";
+import {Tile} from "./tile.js";
+
+const kWidth = 184;   // of a cell, with the gap; as in panel.css
+const kHeight = 92;
+const kMargin = 200;  // pixels around what can be seen
+
+export class TileGrid {
+  /// `scroller` is the element whose scrolling shows and hides tiles.
+  constructor(app, devices, label, scroller) {
+    Object.assign(this, {app, devices, scroller, tiles: new Map(), dirty: new Set(), current: 0, width: 0});
+    this.element = make("div", {class: "tiles", role: "group", "aria-label": label, onkeydown: (event) => this.key(event),
+      onfocusin: (event) => this.focused(event)});
+    this.rankOf = new Map(devices.map((device, rank) => [device, rank]));
+    this.views = devices.map((device) => app.plant.devices[device].view);
+    this.size = new ResizeObserver(() => this.resize());
+    this.size.observe(this.element);
+    this.scrolled = () => this.mount();
+    scroller.addEventListener("scroll", this.scrolled, {passive: true});
+  }
+
+  close() {
+    this.size.disconnect();
+    this.scroller.removeEventListener("scroll", this.scrolled);
+  }
+
+  resize() {
+    const width = this.element.clientWidth;
+    if (width === this.width) return this.mount();
+    this.width = width;
+    this.layout = placeTiles(this.views, Math.max(1, Math.floor((width + 8) / kWidth)));
+    this.element.style.height = this.layout.rows * kHeight + "px";
+    this.element.style.minWidth = this.layout.columns * kWidth - 8 + "px";
+    for (const [rank, tile] of this.tiles) this.move(rank, tile);
+    this.mount();
+  }
+
+  move(rank, tile) {
+    const [x, y] = this.layout.cells[rank];
+    tile.element.style.left = x * kWidth + "px";
+    tile.element.style.top = y * kHeight + "px";
+  }
+
+  /// Brings tiles that can be seen into the document, and removes others; the one with the focus stays.
+  mount() {
+    if (!this.layout) return;
+    const top = this.scroller.getBoundingClientRect().top - this.element.getBoundingClientRect().top;
+    const from = top - kMargin - kHeight;
+    const until = top + this.scroller.clientHeight + kMargin;
+    const added = [];
+    this.layout.cells.forEach(([, y], rank) => {
+      const isSeen = y * kHeight > from && y * kHeight < until;
+      const tile = this.tiles.get(rank);
+      if (isSeen && !tile) added.push(this.make(rank).element);
+      else if (!isSeen && tile && tile.element !== document.activeElement && rank !== this.current) this.remove(rank, tile);
+    });
+    this.element.append(...added);
+    if (added.length > 0) this.app.frames.request();
+  }
+
+  make(rank) {
+    const tile = new Tile(this.app, this.devices[rank]);
+    this.tiles.set(rank, tile);
+    this.move(rank, tile);
+    tile.element.tabIndex = rank === this.current ? 0 : -1;
+    tile.select(tile.device.name === this.app.selectedDevice());
+    return tile;
+  }
+
+  remove(rank, tile) {
+    tile.element.remove();
+    this.tiles.delete(rank);
+  }
+
+  key(event) {
+    if (!event.key.startsWith("Arrow") || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    this.focus(neighbor(this.layout.cells, this.current, event.key));
+  }
+
+  focused(event) {
+    for (const [rank, tile] of this.tiles) if (tile.element === event.target) this.setCurrent(rank);
+  }
+
+  setCurrent(rank) {
+    const before = this.tiles.get(this.current);
+    if (before) before.element.tabIndex = -1;
+    this.current = rank;
+    const tile = this.tiles.get(rank);
+    if (tile) tile.element.tabIndex = 0;
+  }
+
+  focus(rank) {
+    if (!this.tiles.has(rank)) this.element.append(this.make(rank).element);
+    this.setCurrent(rank);
+    this.tiles.get(rank).element.focus();
+  }
+
+  /// Marks devices whose tiles must be drawn again.
+  touch(device) {
+    const rank = this.rankOf.get(device);
+    if (rank !== undefined && this.tiles.has(rank)) this.dirty.add(rank);
+  }
+
+  touchAll() { for (const rank of this.tiles.keys()) this.dirty.add(rank); }
+
+  selected() {
+    const name = this.app.selectedDevice();
+    for (const tile of this.tiles.values()) tile.select(tile.device.name === name);
+  }
+
+  /// Returns whether something moves.
+  draw(now) {
+    for (const rank of this.dirty) this.tiles.get(rank)?.update();
+    this.dirty.clear();
+    let again = false;
+    for (const tile of this.tiles.values()) if (tile.moving) again = tile.draw(now) || again;
+    return again;
+  }
+}

@@ -1,0 +1,106 @@
+// A track in the line view: a strip to scale, on which parts move.
+import {make, setText} from "./dom.js";
+import {linkTo} from "./links_to.js";
+import {SYMBOL} from "./store.js";
+import {fitCanvas} from "./theme.js";
+import {drawBelt, drawMarks, drawParts, kCompact, kFull, placeNames, sensorAt} from "./track_draw.js";
+import {count} from "./words.js";
+
+/// What a sensor is called on its track: without the levels that it shares with the others.
+const shortNames = (names) => {
+  const parts = names.map((name) => name.split("_"));
+  let common = 0;
+  while (parts.every((levels) => levels.length > common + 2 && levels[common] === parts[0][common])) ++common;
+  return parts.map((levels) => levels.slice(common).filter((level) => level !== "I").join(" "));
+};
+
+export class Track {
+  /// `index` is that of the location. A compact strip is lower, without the names of sensors.
+  constructor(app, index, compact) {
+    const {plant, store} = app;
+    Object.assign(this, {app, index, rank: store.rankOfLocation[index], location: plant.locations[index], width: 0,
+      form: compact ? kCompact : kFull, marksDirty: true, partsDirty: true});
+    const names = shortNames(this.location.sensors.map(({symbol}) => plant.symbols[symbol].name));
+    this.sensors = this.location.sensors.map(({symbol, at}, i) => ({symbol, at, text: names[i]}));
+    this.transfers = plant.transfers.flatMap(({from, to}) => [
+      ...(from.location === index ? [{at: from.at ?? this.location.length, into: false}] : []),
+      ...(to.location === index ? [{at: to.at ?? 0, into: true}] : [])]);
+    this.canvas = make("canvas", {"aria-hidden": "true", onclick: (event) => this.clicked(event)});
+    this.strip = make("div", {class: "strip"}, this.canvas);
+    this.still = document.createElement("canvas");
+    this.parts = make("span", {class: "soft"});
+    this.element = make("section", {class: compact ? "track compact" : "track", "data-location": this.location.name},
+      make("div", {class: "row track-head"}, linkTo("location", this.location.name), this.parts, this.ends()), this.strip);
+    this.size = new ResizeObserver(() => this.resize());
+    this.size.observe(this.strip);
+  }
+
+  ends() {
+    const to = this.location.ends.map(({to}) => to === null ? "out" : linkTo("location", this.app.names.name("location", to)));
+    return make("span", {class: "soft"}, to.length === 0 ? "hard end" : "→ ", to.map((end, i) => [i > 0 ? ", " : "", end]));
+  }
+
+  close() { this.size.disconnect(); }
+
+  resize() {
+    const width = this.strip.clientWidth;
+    if (width === this.width || width === 0) return;
+    this.width = width;
+    this.context = fitCanvas(this.canvas, width, this.form.height);
+    this.redraw();
+  }
+
+  /// After a change of size or colors.
+  redraw() {
+    if (this.width === 0) return;
+    const {height} = this.form;
+    drawBelt(fitCanvas(this.still, this.width, height), this.location, this.width, this.form, this.transfers);
+    this.context.clearRect(0, 0, this.width, height);
+    this.context.drawImage(this.still, 0, 0, this.still.width, this.still.height, 0, 0, this.width, height);
+    placeNames(this.context, this.location, this.width, this.sensors);
+    this.touchAll();
+    this.app.frames.request();
+  }
+
+  touchAll() { this.marksDirty = this.partsDirty = true; }
+  touchSensors() { this.marksDirty = true; }
+  touchParts() { this.partsDirty = true; }
+
+  /// A click on a sensor selects its symbol, another one the track.
+  clicked({offsetX, offsetY}) {
+    const {router, names} = this.app;
+    const sensor = sensorAt(this.location, this.width, this.form, this.sensors, offsetX, offsetY);
+    if (sensor) router.select("symbol", names.name("symbol", sensor.symbol));
+    else router.select("location", this.location.name);
+  }
+
+  sensorState({symbol}) {
+    const {values, symbolFlags} = this.app.store;
+    return {on: values[symbol] !== false && values[symbol] !== 0, forced: (symbolFlags[symbol] & SYMBOL.forced) !== 0};
+  }
+
+  isMoving() {
+    const track = this.app.store.tracks[this.rank];
+    return Boolean(track) && (track.parts.some((part) => part[3] !== 0) || track.drives.some((speed) => speed !== 0));
+  }
+
+  /// Returns whether parts move on.
+  draw(now) {
+    if (this.width === 0) return false;
+    const {store, plant} = this.app;
+    const track = store.tracks[this.rank];
+    const moving = this.isMoving();
+    if (this.marksDirty) {
+      this.marksDirty = false;
+      drawMarks(this.context, this.still, this.location, this.width, this.form,
+        this.sensors.map((sensor) => ({...sensor, ...this.sensorState(sensor)})));
+    }
+    if (moving || this.partsDirty) {
+      this.partsDirty = false;
+      setText(this.parts, count(track?.parts.length ?? 0, "part"));
+      drawParts(this.context, this.still, this.location, this.width, this.form, {parts: store.partsOn(this.rank, now), kinds: plant.part_kinds,
+        speeds: track?.drives ?? [], stops: track?.stops ?? [], seconds: now / 1e9});
+    }
+    return moving;
+  }
+}

@@ -1,0 +1,168 @@
+// Draws a track on a canvas: the belt to scale, its parts, sensors, stops and transfers.
+import {ticks} from "./layout.js";
+import {kFont, theme} from "./theme.js";
+import {length as lengthText} from "./words.js";
+
+const kSide = 14;
+const kBeltHeight = 22;
+
+/// A strip with the names of sensors and a scale, and a low one without: its height, the top of its belt, the line of names.
+export const kFull = {height: 86, belt: 34, names: 11};
+export const kCompact = {height: 48, belt: 15, names: null};
+
+export const scaleOf = (track, width) => (width - 2 * kSide) / track.length;
+export const xOf = (track, width, position) => kSide + position * scaleOf(track, width);
+
+/// Colors of kinds of parts; the text on a part says its kind, too.
+const kindColor = (kind) => "hsl(" + (kind * 67 + 32) % 360 + " 60% 72%)";
+
+const write = (context, text, x, y, color, align = "center", size = 11) => {
+  context.font = size + "px " + kFont;
+  context.fillStyle = color;
+  context.textAlign = align;
+  context.textBaseline = "middle";
+  context.fillText(text, x, y);
+};
+
+/// A text cut to a width, with "…".
+const cut = (context, text, width) => {
+  if (context.measureText(text).width <= width) return text;
+  let length = text.length;
+  while (length > 0 && context.measureText(text.slice(0, length) + "…").width > width) --length;
+  return length === 0 ? "" : text.slice(0, length) + "…";
+};
+
+/// Cuts the names of sensors, { at, text }, so that they do not overlap: sets `shown`.
+export const placeNames = (context, track, width, sensors) => {
+  context.font = "11px " + kFont;
+  const sorted = [...sensors].sort((a, b) => a.at - b.at);
+  const x = (rank) => xOf(track, width, sorted[rank].at);
+  sorted.forEach((sensor, rank) => {
+    const left = rank > 0 ? (x(rank - 1) + x(rank)) / 2 : 0;
+    const right = rank + 1 < sorted.length ? (x(rank) + x(rank + 1)) / 2 : width;
+    const shown = cut(context, sensor.text, 2 * Math.min(x(rank) - left, right - x(rank)) - 6);
+    sensor.shown = shown.length < 4 && shown !== sensor.text ? "" : shown;
+  });
+};
+
+/// The sensor at a point of the strip, or undefined.
+export const sensorAt = (track, width, form, sensors, x, y) => y > form.belt ? undefined
+  : sensors.find(({at}) => Math.abs(xOf(track, width, at) - x) < 8);
+
+/// The belt, its drives, ticks, transfers: what stays.
+export const drawBelt = (context, track, width, form, transfers) => {
+  const color = theme();
+  const {belt} = form;
+  context.clearRect(0, 0, width, form.height);
+  context.fillStyle = color.belt;
+  context.fillRect(kSide, belt, width - 2 * kSide, kBeltHeight);
+  context.strokeStyle = color.ink;
+  context.strokeRect(kSide + .5, belt + .5, width - 2 * kSide - 1, kBeltHeight - 1);
+  for (const {until} of track.drives.slice(0, -1)) {
+    const x = Math.round(xOf(track, width, until)) + .5;
+    context.setLineDash([3, 3]);
+    context.beginPath();
+    context.moveTo(x, belt - 4);
+    context.lineTo(x, belt + kBeltHeight + 4);
+    context.stroke();
+    context.setLineDash([]);
+  }
+  for (const at of ticks(0, track.length, Math.max(2, width / 110))) {
+    const x = xOf(track, width, at);
+    context.fillStyle = color.line;
+    context.fillRect(Math.round(x), belt + kBeltHeight, 1, 5);
+    if (form.names === null) continue;
+    write(context, lengthText(at), Math.min(Math.max(x, kSide + 12), width - kSide - 18), form.height - 9, color.soft);
+  }
+  for (const {at, into} of transfers) {
+    const x = xOf(track, width, at);
+    context.fillStyle = color.transfer;
+    context.beginPath();
+    const [tip, base] = into ? [belt + kBeltHeight + 1, belt + kBeltHeight + 9] : [belt + kBeltHeight + 9, belt + kBeltHeight + 1];
+    context.moveTo(x, tip);
+    context.lineTo(x - 5, base);
+    context.lineTo(x + 5, base);
+    context.fill();
+  }
+};
+
+/// Arrows on drives that run, so that an empty belt shows its direction.
+const drawDrives = (context, track, width, {belt}, speeds, shift) => {
+  context.strokeStyle = theme().soft;
+  context.lineWidth = 1.5;
+  track.drives.forEach(({from, until}, drive) => {
+    const speed = speeds[drive] ?? 0;
+    if (speed === 0) return;
+    const [begin, end] = [xOf(track, width, from), xOf(track, width, until ?? track.length)];
+    const along = ((shift * speed * scaleOf(track, width)) % 40 + 40) % 40;
+    const tip = speed > 0 ? 4 : -4;
+    context.beginPath();
+    for (let x = begin + along; x < end - 6; x += 40) {
+      if (x < begin + 6) continue;
+      context.moveTo(x - tip, belt + 5);
+      context.lineTo(x, belt + kBeltHeight / 2);
+      context.lineTo(x - tip, belt + kBeltHeight - 5);
+    }
+    context.stroke();
+  });
+  context.lineWidth = 1;
+};
+
+/// Stops are bars across the belt, filled while they hold.
+const drawStops = (context, track, width, {belt}, stops) => {
+  const color = theme();
+  track.stops.forEach(({at}, i) => {
+    const x = Math.round(xOf(track, width, at));
+    context.fillStyle = stops[i] ? color.stop : color.back;
+    context.strokeStyle = color.stop;
+    context.fillRect(x - 2, belt + 1, 5, kBeltHeight - 2);
+    context.strokeRect(x - 1.5, belt + .5, 4, kBeltHeight - 1);
+  });
+};
+
+/// The parts, each with its kind as far as it fits. `still` is the picture of drawBelt. `seconds` is plant time.
+export const drawParts = (context, still, track, width, form, {parts, kinds, speeds, stops, seconds}) => {
+  const color = theme();
+  const {belt} = form;
+  const ratio = still.width / width;
+  const top = belt - 1;
+  context.clearRect(0, top, width, kBeltHeight + 2);
+  context.drawImage(still, 0, top * ratio, still.width, (kBeltHeight + 2) * ratio, 0, top, width, kBeltHeight + 2);
+  drawDrives(context, track, width, form, speeds, seconds);
+  const scale = scaleOf(track, width);
+  context.strokeStyle = color.ink;
+  for (const [number, kind, x] of parts) {
+    const long = Math.max(3, kinds[kind].length * scale);
+    const left = kSide + x * scale - long;
+    context.fillStyle = kindColor(kind);
+    context.fillRect(left, belt + 3, long, kBeltHeight - 6);
+    context.strokeRect(left + .5, belt + 3.5, long - 1, kBeltHeight - 7);
+    context.font = "11px " + kFont;
+    const text = cut(context, kinds[kind].name, long - 4) || cut(context, String(number), long - 2);
+    if (text.length > 1 || long < 30) write(context, text, left + long / 2, belt + kBeltHeight / 2, "#1b1f24");
+  }
+  drawStops(context, track, width, form, stops);
+};
+
+/// Sensors above the belt: a filled triangle is on, an empty one off.
+export const drawMarks = (context, still, track, width, form, sensors) => {
+  const color = theme();
+  const {belt} = form;
+  const ratio = still.width / width;
+  context.clearRect(0, 0, width, belt - 1);
+  context.drawImage(still, 0, 0, still.width, (belt - 1) * ratio, 0, 0, width, belt - 1);
+  for (const {at, shown, on, forced} of sensors) {
+    const x = xOf(track, width, at);
+    context.beginPath();
+    context.moveTo(x, belt - 1);
+    context.lineTo(x - 6, belt - 12);
+    context.lineTo(x + 6, belt - 12);
+    context.closePath();
+    context.fillStyle = on ? color.on : color.back;
+    context.strokeStyle = on ? color.on : color.soft;
+    context.fill();
+    context.stroke();
+    if (form.names !== null) write(context, shown, x, form.names, on ? color.text : color.soft);
+    if (forced) write(context, "F", x + 12, belt - 7, color.blocked);
+  }
+};

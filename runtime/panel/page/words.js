@@ -1,0 +1,58 @@
+// Numbers and values as texts.
+
+const trimmed = (number, digits) => String(Number(number.toFixed(digits)));
+
+/// A duration in nanoseconds: "850 ms", "12.3 s", "3 min 5 s".
+export const duration = (ns) => {
+  const size = Math.abs(ns);
+  if (size < 1e3) return ns + " ns";
+  if (size < 1e6) return trimmed(ns / 1e3, 1) + " us";
+  if (size < 1e9) return trimmed(ns / 1e6, size < 1e7 ? 2 : 1) + " ms";
+  if (size < 6e10) return trimmed(ns / 1e9, 3) + " s";
+  const seconds = Math.round(size / 1e9);
+  const sign = ns < 0 ? "-" : "";
+  if (seconds < 3600) return sign + Math.floor(seconds / 60) + " min " + seconds % 60 + " s";
+  return sign + Math.floor(seconds / 3600) + " h " + Math.floor(seconds % 3600 / 60) + " min";
+};
+
+/// A plant time for a display that runs: "0:00:12.3".
+export const clockText = (ns) => {
+  const tenths = Math.floor(ns / 1e8);
+  const two = (number) => String(number).padStart(2, "0");
+  return Math.floor(tenths / 36000) + ":" + two(Math.floor(tenths / 600) % 60) + ":" + two(Math.floor(tenths / 10) % 60)
+    + "." + tenths % 10;
+};
+
+/// A plant time, exact to the microsecond: "12.34 s".
+export const instant = (ns) => trimmed(ns / 1e9, 6) + " s";
+
+/// A length in micrometers: "300 mm", "1.5 m".
+export const length = (um) => um === 0 ? "0" : Math.abs(um) < 1e6 ? trimmed(um / 1e3, 1) + " mm" : trimmed(um / 1e6, 3) + " m";
+
+/// A speed in micrometers per second.
+export const speed = (um) => trimmed(um / 1e6, 3) + " m/s";
+
+/// The value of a symbol.
+export const value = (of) => of === true ? "on" : of === false ? "off" : String(of);
+
+/// A count with its noun: "1 device", "2 devices".
+export const count = (number, noun) => number + " " + noun + (number === 1 ? "" : "s");
+
+export const factor = (number) => number === "max" ? "as fast as possible" : trimmed(number, 2) + " x";
+
+/// The value of an input field for a symbol: `{ value }` or `{ error }`. Integers beyond 2^53 stay texts.
+export const readValue = (text, type) => {
+  const trimmedText = text.trim();
+  if (type === "BOOL") {
+    if (/^(on|true|1)$/i.test(trimmedText)) return {value: true};
+    if (/^(off|false|0)$/i.test(trimmedText)) return {value: false};
+    return {error: "write on or off"};
+  }
+  if (/^-?\d+$/.test(trimmedText)) {
+    const number = Number(trimmedText);
+    return {value: Number.isSafeInteger(number) ? number : trimmedText};
+  }
+  if (/^16#[0-9a-f_]+$/i.test(trimmedText) || /^(nan|-?inf)$/i.test(trimmedText)) return {value: trimmedText};
+  if (trimmedText !== "" && Number.isFinite(Number(trimmedText))) return {value: Number(trimmedText)};
+  return {error: "`" + trimmedText + "` is not a number"};
+};

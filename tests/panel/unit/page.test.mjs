@@ -1,0 +1,55 @@
+// The files of the page keep its rules: no script or style in HTML, no HTML from strings, small modules, all of them used.
+import assert from "node:assert/strict";
+import {readdirSync, readFileSync} from "node:fs";
+import {dirname, join} from "node:path";
+import {test} from "node:test";
+import {fileURLToPath} from "node:url";
+
+const kFolder = join(dirname(fileURLToPath(import.meta.url)), "../../../runtime/panel/page");
+const files = readdirSync(kFolder);
+const text = (name) => readFileSync(join(kFolder, name), "utf8");
+const modules = files.filter((name) => name.endsWith(".js"));
+
+test("The page has no inline script, style or handler, and nothing from elsewhere", () => {
+  const html = text("index.html");
+  assert.doesNotMatch(html, /<style|style=|\son[a-z]+=|javascript:|https?:/i);
+  for (const [, inside] of html.matchAll(/<script[^>]*>([^]*?)<\/script>/g)) assert.equal(inside, "");
+  assert.doesNotMatch(text("panel.css"), /@import|https?:|expression\(/);
+});
+
+test("No module makes elements from strings, evaluates text, or fetches from elsewhere", () => {
+  const banned = /innerHTML|outerHTML|insertAdjacentHTML|document\.write|eval\(|new Function|DOMParser|https?:\/\/(?!www\.w3\.org)|setAttribute\("style"|style: "/;
+  for (const name of modules) assert.doesNotMatch(text(name), banned, name);
+});
+
+test("Every module states its purpose, is short, and is reached from main.js", () => {
+  const reached = new Set();
+  const follow = (name) => {
+    if (reached.has(name)) return;
+    reached.add(name);
+    for (const [, next] of text(name).matchAll(/from "\.\/([a-z_]+\.js)"/g)) follow(next);
+  };
+  follow("main.js");
+  assert.deepEqual([...reached].sort(), [...modules].sort());
+  for (const name of modules) {
+    assert.match(text(name), /^\/\/ .{15,}/, name);
+    assert.ok(text(name).split("\n").length <= 300, name + " is long");
+  }
+});
+
+test("Every imported name is exported by its module and used", () => {
+  for (const name of modules) {
+    for (const [, names, from] of text(name).matchAll(/import \{([^}]*)\} from "\.\/([a-z_]+\.js)"/g)) {
+      for (const [imported, local = imported] of names.split(",").map((part) => part.trim().split(" as "))) {
+        assert.match(text(from), new RegExp("export (const|class) " + imported + "\\b"), name + " imports " + imported);
+        const uses = text(name).match(new RegExp("(?<![-.])\\b" + local + "\\b", "g")).length;
+        assert.ok(uses > 1, name + " does not use " + local);
+      }
+    }
+  }
+});
+
+test("The page asks for every module at once", () => {
+  const html = text("index.html");
+  for (const name of modules) if (name !== "main.js") assert.ok(html.includes('<link rel="modulepreload" href="' + name + '">'), name);
+});

@@ -1,0 +1,101 @@
+// A headless Chromium for tests of the panel's page, by npm's playwright-core, and axe-core.
+import {existsSync, mkdtempSync, readFileSync, rmSync} from "node:fs";
+import {createRequire} from "node:module";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+
+const kChromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find((path) => existsSync(path));
+const kArguments = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+  "--disable-sync"];
+export const kSkipped = 77;
+
+/// `playwright` and `axe` are folders with node_modules, as npm_package.sh makes them.
+export class Browser {
+  static async open({playwright, axe}) {
+    if (!kChromium) {
+      console.log("chromium is not installed");
+      process.exit(kSkipped);
+    }
+    const {chromium} = createRequire(join(playwright, "x.js"))("playwright-core");
+    const browser = new Browser();
+    browser.axe = readFileSync(createRequire(join(axe, "x.js")).resolve("axe-core/axe.min.js"), "utf8");
+    browser.folder = mkdtempSync(join(tmpdir(), "panel-browser-"));
+    browser.context = await chromium.launchPersistentContext(browser.folder, {executablePath: kChromium, headless: true, args: kArguments,
+      viewport: {width: 1280, height: 800}, acceptDownloads: true});
+    browser.problems = [];
+    return browser;
+  }
+
+  /// A page whose errors are kept in `problems`. `expected` matches messages that are no problem.
+  async page(expected = null) {
+    const page = await this.context.newPage();
+    const add = (text) => { if (!expected?.test(text)) this.problems.push(text); };
+    page.on("console", (message) => { if (["error", "warning"].includes(message.type())) add(message.text() + " " + message.location().url); });
+    page.on("pageerror", (error) => add(error.stack));
+    page.on("dialog", (dialog) => { add("a dialog of the browser: " + dialog.message()); dialog.dismiss(); });
+    return page;
+  }
+
+  async close() {
+    await this.context.close();
+    rmSync(this.folder, {recursive: true, force: true});
+  }
+
+  /// What axe-core finds against WCAG 2.1 AA, and texts that overlap.
+  async faults(page) {
+    // The page's policy forbids scripts from elsewhere; evaluate() is of the debugger and is not subject to it.
+    if (!await page.evaluate(() => "axe" in window)) await page.evaluate(this.axe);
+    const {violations} = await page.evaluate(() => axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]}));
+    return [...violations.map(({id, help, nodes}) => id + ": " + help + "\n    " + nodes.slice(0, 3).map(({html, failureSummary}) =>
+      html.slice(0, 200) + " " + failureSummary.replace(/\s+/g, " ")).join("\n    ")), ...await page.evaluate(overlaps)];
+  }
+}
+
+/// In the page: pairs of texts that are drawn over each other, and texts that are drawn outside of the page.
+const overlaps = () => {
+  const found = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const cut = (box, element) => {
+    // A text is seen only within those of its ancestors that clip.
+    for (let of = element; of; of = of.parentElement) {
+      if (getComputedStyle(of).overflow === "visible") continue;
+      const {left, right, top, bottom} = of.getBoundingClientRect();
+      box = {left: Math.max(box.left, left), right: Math.min(box.right, right), top: Math.max(box.top, top), bottom: Math.min(box.bottom, bottom)};
+    }
+    return box;
+  };
+  const boxes = [];
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    const element = node.parentElement;
+    if (node.data.trim() === "" || element.closest(".hidden-text, .skip, [hidden], option, .found") || !element.checkVisibility({visibilityProperty: true})) continue;
+    const range = document.createRange();
+    range.selectNodeContents(node);
+    for (const rect of range.getClientRects()) {
+      const box = cut(rect, element);
+      if (box.right - box.left > 2 && box.bottom - box.top > 2) boxes.push({...{left: box.left, right: box.right, top: box.top, bottom: box.bottom}, text: node.data.trim().slice(0, 40), element});
+    }
+  }
+  const stays = (element) => element.closest(".io-head, dialog, .pane-head") ?? element.closest("aside");  // drawn above what scrolls under it
+  boxes.forEach((a, i) => {
+    if (a.right > innerWidth + 1) found.push("outside of the page: " + a.text);
+    for (const b of boxes.slice(i + 1)) {
+      if (a.element === b.element || stays(a.element) !== stays(b.element)) continue;
+      const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+      const high = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+      if (wide > 2 && high > 4) found.push("overlap: " + a.text + " / " + b.text);
+    }
+  });
+  return found.slice(0, 10);
+};
+
+/// Waits until `probe()` is true; fails with `what` and the last value after 10 s.
+export const until = async (what, probe, limit = 10000) => {
+  const begin = Date.now();
+  let last;
+  while (Date.now() - begin < limit) {
+    last = await probe();
+    if (last === true) return;
+    await new Promise((done) => setTimeout(done, 40));
+  }
+  throw new Error(what + " did not come; the last value: " + JSON.stringify(last));
+};

@@ -1,0 +1,149 @@
+// What a commissioner and a trainer do at the panel of the body-shop line, step by step, by roles and names as a user sees them.
+import assert from "node:assert/strict";
+import {readFileSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
+import {until} from "./browser.mjs";
+import {lastRun, replay} from "./plants.mjs";
+
+const kClamp = "BODY_UNDER10_CLAMP1";
+
+const open = async (page, view) => page.getByRole("navigation", {name: "Views"}).getByRole("link", {name: view, exact: true}).click();
+const details = (page) => page.getByRole("complementary", {name: "Details"});
+const textOf = (locator) => locator.innerText();
+
+/// Selects a device or symbol by the search field.
+const find = async (page, text, name) => {
+  await page.getByRole("combobox", {name: "Search"}).fill(text);
+  await page.getByRole("option").filter({hasText: name}).first().click();
+  await details(page).getByRole("heading", {name, exact: true}).waitFor();
+};
+
+const setState = async (page, device, state) => {
+  await find(page, device, device);
+  await details(page).getByRole("combobox", {name: "State for " + device}).selectOption(state);
+  await details(page).getByRole("button", {name: "Set state"}).click();
+  await until(device + " in " + state, async () => (await textOf(details(page))).includes(state + "\n"));
+};
+
+const setSymbol = async (page, name, label) => {
+  const item = details(page).getByRole("listitem").filter({hasText: name});
+  await item.getByRole("button", {name: label}).click();
+  await until("the result", async () => /done at/.test(await textOf(details(page))));
+};
+
+/// [what, step] in order; each gets { page, link, plant, folder, symplant }.
+export const kSteps = [
+  ["the overview shows the stations of the line", async ({page, link}) => {
+    await page.goto(link);
+    await page.getByRole("region", {name: "Stations"}).waitFor();
+    assert.ok(await page.getByRole("region", {name: "Stations"}).getByRole("link").count() >= 40);
+    assert.ok(!page.url().includes("token"), "the token is still in the address bar");
+  }],
+  ["air fails, a clamp is commanded and waits", async ({page}) => {
+    await setState(page, "BODY_UNDER10_AIR", "NOT_GOOD");
+    await page.getByRole("region", {name: "Stations"}).getByRole("link", {name: /^BODY UNDER10 /}).click();
+    await page.getByRole("region", {name: "Station BODY UNDER10"}).getByRole("link", {name: /^CLAMP1/}).click();
+    await setSymbol(page, kClamp + "_O_CLOSE", "Set on");
+    await until("blocked", async () => /has a command and does not move/.test(await textOf(details(page))));
+  }],
+  ["why says that the air disables it, and leads there", async ({page}) => {
+    const why = details(page).getByRole("region", {name: "Why"});
+    await until("why", async () => /BODY_UNDER10_AIR/.test(await textOf(why)));
+    await why.getByRole("link", {name: "BODY_UNDER10_AIR", exact: true}).first().click();
+    await setState(page, "BODY_UNDER10_AIR", "GOOD");
+    await find(page, kClamp, kClamp);
+    await until("the clamp closed", async () => /\nCLOSE\n/.test(await textOf(details(page))));
+  }],
+  ["a sensor is forced in the I/O view", async ({page}) => {
+    await open(page, "I/O");
+    await page.getByRole("searchbox", {name: "Filter by name or address"}).fill(kClamp + "_I_CLOSE");
+    const row = page.getByRole("row").filter({hasText: kClamp + "_I_CLOSE"});
+    await row.getByRole("button", {name: "Force off"}).click();
+    await until("forced", async () => /off, forced/.test(await textOf(row)));
+    await page.getByRole("link", {name: "1 forced"}).waitFor();
+  }],
+  ["the plant is frozen, stepped and a snapshot is taken", async ({page}) => {
+    await page.getByRole("button", {name: "Freeze"}).click();
+    await page.getByRole("button", {name: "Run", exact: true}).waitFor();
+    const time = page.getByRole("timer", {name: "Plant time"});
+    const before = await textOf(time);
+    await page.waitForTimeout(400);
+    assert.equal(await textOf(time), before);
+    await page.getByRole("button", {name: "Step cycle"}).click();
+    await until("the result of the step", async () => /done at/.test(await textOf(page.getByRole("banner"))));
+    await open(page, "Session");
+    await page.getByRole("textbox", {name: "Name of the snapshot"}).fill("clamp forced");
+    await page.getByRole("button", {name: "Take snapshot"}).click();
+    await page.getByRole("button", {name: "Restore clamp forced"}).waitFor();
+  }],
+  ["the snapshot is restored with its force", async ({page}) => {
+    await page.getByRole("button", {name: "Run", exact: true}).click();
+    await page.getByRole("button", {name: "Release all"}).click();
+    await page.getByRole("link", {name: "0 forced"}).waitFor();
+    await page.getByRole("button", {name: "Restore clamp forced"}).click();
+    await page.getByRole("link", {name: "1 forced"}).waitFor();
+    await page.getByRole("button", {name: "Release all"}).click();
+    const run = page.getByRole("button", {name: "Run", exact: true});
+    if (await run.count() > 0) await run.click();
+    await page.getByRole("button", {name: "Freeze"}).waitFor();
+  }],
+  ["a malfunction sticks a clamp and is stopped", async ({page}) => {
+    await find(page, "UNDER10 CLAMP2", "BODY_UNDER10_CLAMP2");
+    await details(page).getByRole("button", {name: "stuck", exact: true}).click();
+    await page.getByRole("link", {name: "1 malfunction"}).click();
+    const active = page.getByRole("region", {name: "Active malfunctions"});
+    await active.getByRole("rowheader", {name: "BODY_UNDER10_CLAMP2 stuck"}).waitFor();
+    await setSymbol(page, "BODY_UNDER10_CLAMP2_O_CLOSE", "Set on");
+    await until("stuck", async () => /has a command and does not move/.test(await textOf(details(page))));
+    await active.getByRole("button", {name: "Stop BODY_UNDER10_CLAMP2 stuck"}).click();
+    await page.getByRole("link", {name: "0 malfunctions"}).waitFor();
+  }],
+  ["the chart shows the clamp", async ({page}) => {
+    await find(page, kClamp, kClamp);
+    await details(page).getByRole("button", {name: "Show in chart"}).click();
+    await until("data", async () => page.evaluate((name) => {
+      const row = symplant.chart.rows.find(({kind, index}) => kind === "device" && symplant.names.name(kind, index) === name);
+      return row.data.times.length > 1;
+    }, kClamp));
+    const plot = page.getByRole("application", {name: /^Chart/});
+    await plot.click({position: {x: 100, y: 60}});
+    await plot.press("Shift+ArrowLeft");
+    await plot.click({position: {x: 300, y: 60}, modifiers: ["Shift"]});
+    await until("the time between the cursors", async () => /from A to B/.test(await textOf(page.getByRole("main"))));
+    const [vcd] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: "Export VCD"}).click()]);
+    assert.match(readFileSync(await vcd.path(), "utf8"), /\$var string 1 ! BODY_UNDER10_CLAMP1 \$end/);
+    const [png] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: "Export PNG"}).click()]);
+    assert.equal(readFileSync(await png.path()).subarray(1, 4).toString(), "PNG");
+  }],
+  ["an exercise is done to its score", async ({page}) => {
+    await open(page, "Exercises");
+    await page.getByRole("button", {name: "Start Clamps without air"}).click();
+    await page.getByRole("status").filter({hasText: "Bring the air back"}).waitFor();
+    await setState(page, "BODY_UNDER10_AIR", "GOOD");
+    await page.getByRole("status").filter({hasText: "Close clamp 1"}).waitFor();
+    await find(page, kClamp, kClamp);
+    await setSymbol(page, kClamp + "_O_CLOSE", "Set on");
+    await page.getByText("The exercise is over.").waitFor();
+    assert.match(await textOf(page.getByRole("region", {name: "Exercise", exact: true})), /20 of 20 points/);
+  }],
+  ["an act that is not possible shows the server's text", async ({page}) => {
+    await open(page, "Session");
+    await page.getByRole("textbox", {name: "Name of the snapshot"}).fill("../climbs");
+    await page.getByRole("button", {name: "Take snapshot"}).click();
+    await until("the error", async () => await page.locator(".result.wrong").count() === 1);
+  }],
+  ["the session is a scenario that replays to the same trace", async ({page, plant, folder, symplant}) => {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: "Download Scenario"}).click()]);
+    const scenario = join(folder, "session.scenario.json");
+    writeFileSync(scenario, readFileSync(await file.path()));
+    assert.match(readFileSync(scenario, "utf8"), /BODY_UNDER10_CLAMP1_O_CLOSE/);
+    if (!plant.real) return;
+    const replayed = await replay(symplant, scenario, folder);
+    await page.goto("about:blank");
+    await plant.stop();
+    const live = lastRun(join(folder, "live.jsonl"));
+    assert.ok(replayed.length > 3);
+    assert.deepEqual(live.slice(0, replayed.length), replayed);
+    assert.ok(live.slice(replayed.length).every(({t}) => t > replayed[replayed.length - 1].t));
+  }],
+];
