@@ -99,7 +99,9 @@ const ExerciseFile* Desk::exercise_file(std::string_view name) const {
 std::string Desk::refusal(const Act& act) {
   switch (act.kind) {
     case Kind::speed:
-      return setup_.paced ? "" : "with a PLC, plant time is real time: the speed cannot be changed";
+      if (setup_.paced) return "";
+      return setup_.with_plc ? "with a PLC, plant time is real time: the speed cannot be changed"
+                             : "in the real-time cycle the speed cannot be changed; leave out `--clock real`";
     case Kind::save:
     case Kind::session:
       return snapshots_.has_folder() ? "" : kNoFolder;

@@ -18,6 +18,9 @@ unsigned flags_of(const plant::UnitView& view) {
          (view.frozen ? kIsFrozen : 0U);
 }
 
+/// Whether the time of a move runs.
+bool runs(const plant::UnitView& view) { return view.moving && !view.stopped_midway && !view.disabled && !view.frozen; }
+
 /// Appends an array of `count` arrays, whose content `put_one` appends by their number.
 template <class PutOne>
 void put_array(std::string& json, std::string_view key, std::size_t count, PutOne put_one) {
@@ -63,13 +66,7 @@ void Picture::apply(const Record& record) {
       break;
     case Record::Kind::unit:
       devices_.mark(record.of);
-      motions_[record.of] = {record.time, 0, 0};
-      break;
-    case Record::Kind::remaining:
-      motions_[record.of].remaining = static_cast<tables::Time>(record.value);
-      break;
-    case Record::Kind::whole:
-      motions_[record.of].whole = static_cast<tables::Time>(record.value);
+      set_motion(record);
       break;
     case Record::Kind::part_move: {
       const std::uint32_t from = static_cast<std::uint32_t>(record.value >> 32);
@@ -100,10 +97,29 @@ void Picture::apply(const Record& record) {
   }
 }
 
+/// A record has what is left of a move. Its whole time is the same at its begin; a move that stopped and goes on keeps
+/// it; one that turned round has come as far in the time left as the other one had.
+void Picture::set_motion(const Record& record) {
+  Motion& motion = motions_[record.of];
+  const Motion before = motion;
+  const plant::UnitView view = trace::unpack_unit(record.value);
+  motion = {record.time, trace::remaining_of(record.value), 0, view.state, view.target, runs(view)};
+  if (!view.moving) return;
+  const tables::Time left = before.remaining - (before.runs ? std::min(record.time - before.at, before.remaining) : 0);
+  motion.whole = motion.remaining;
+  if (before.whole == 0) return;
+  if (before.from == view.state && before.to == view.target) motion.whole = std::max(before.whole, motion.remaining);
+  if (before.from == view.target && before.to == view.state && left < before.whole) {
+    const double travelled = static_cast<double>(before.whole - left) / static_cast<double>(before.whole);
+    motion.whole =
+        std::max(motion.remaining, static_cast<tables::Time>(static_cast<double>(motion.remaining) / travelled));
+  }
+}
+
 void Picture::load(const plant::Plant& plant) {
   for (std::uint32_t unit = 0; unit < motions_.size(); ++unit) {
     const plant::UnitView view = plant.unit(unit);
-    motions_[unit] = {plant.now(), view.remaining, view.whole};
+    motions_[unit] = {plant.now(), view.remaining, view.whole, view.state, view.target, runs(view)};
     devices_.mark(unit);
   }
   for (std::uint32_t track = 0; track < tracks_.size(); ++track) {
@@ -120,7 +136,7 @@ void Picture::load(const plant::Plant& plant) {
 
 /// Whether an operation is on that leads elsewhere, and the unit does not move.
 bool Picture::is_blocked(std::uint32_t unit, const plant::UnitView& view) const {
-  if (view.moving && !view.stopped_midway && !view.disabled && !view.frozen) return false;
+  if (runs(view)) return false;
   const tables::TypeRow& type = names_.tables().types[names_.tables().units[unit].type];
   std::size_t operation = 0;
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {
@@ -134,8 +150,7 @@ bool Picture::is_blocked(std::uint32_t unit, const plant::UnitView& view) const 
 void Picture::put_device(std::string& json, std::uint32_t unit, tables::Time now) const {
   const plant::UnitView view = history_.unit(unit);
   const Motion& motion = motions_[unit];
-  const bool runs = view.moving && !view.stopped_midway && !view.disabled && !view.frozen;
-  const tables::Time passed = runs ? std::min(now - motion.at, motion.remaining) : 0;
+  const tables::Time passed = runs(view) ? std::min(now - motion.at, motion.remaining) : 0;
   put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state, flags_of(view),
       is_blocked(unit, view) ? 1 : 0, history_.unit_since(unit), view.moving ? motion.remaining - passed : 0,
       view.moving ? motion.whole : 0);

@@ -51,7 +51,10 @@ class Picture {
   struct Motion {
     tables::Time at = 0;  ///< when `remaining` was read
     tables::Time remaining = 0;
-    tables::Time whole = 0;
+    tables::Time whole = 0;  ///< 0: it does not move
+    std::uint8_t from = 0;
+    std::uint8_t to = 0;
+    bool runs = false;  ///< not stopped midway, disabled or frozen
   };
   struct PartSpot {
     std::uint64_t number;
@@ -64,6 +67,7 @@ class Picture {
     std::vector<PartSpot> parts;
   };
 
+  void set_motion(const trace::Record& record);
   void put_device(std::string& json, std::uint32_t unit, tables::Time now) const;
   void put_symbol(std::string& json, std::uint32_t symbol) const;
   void put_track(std::string& json, std::uint32_t track) const;

@@ -145,15 +145,16 @@ class Stays {
 
 /// Sets the times of moves: from a record of a device that moves to its next one.
 void set_times(std::vector<Record>& records) {
-  std::map<std::uint32_t, std::size_t> moves;  ///< a device -> its record Kind::remaining
+  std::map<std::uint32_t, std::size_t> moves;  ///< a device -> its record
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (records[i].kind != Record::Kind::unit) continue;
     if (const auto open = moves.find(records[i].of); open != moves.end()) {
-      const auto whole = static_cast<std::uint64_t>(records[i].time - records[open->second].time);
-      records[open->second].value = records[open->second + 1].value = whole;
+      plant::UnitView view = trace::unpack_unit(records[open->second].value);
+      view.remaining = records[i].time - records[open->second].time;
+      records[open->second].value = trace::pack_motion(view);
       moves.erase(open);
     }
-    if (trace::unpack_unit(records[i].value).moving) moves[records[i].of] = i + 1;
+    if (trace::unpack_unit(records[i].value).moving) moves[records[i].of] = i;
   }
 }
 
@@ -179,9 +180,6 @@ std::vector<Record> reconstruct(std::vector<Record> records, const trace::PlantN
     if (i + 1 < records.size() && records[i + 1].time == record.time) continue;
     states.end_instant([&](std::uint32_t unit, std::uint64_t word) {
       all.push_back({record.time, word, unit, Record::Kind::unit});
-      if (!trace::unpack_unit(word).moving) return;
-      all.push_back({record.time, 0, unit, Record::Kind::remaining});
-      all.push_back({record.time, 0, unit, Record::Kind::whole});
     });
     for (const std::uint32_t track : tracks) stays.append(track, record.time, all);
     tracks.clear();

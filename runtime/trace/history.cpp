@@ -68,7 +68,7 @@ void History::apply(const Record& record) {
     }
     if (changed_[record.of] != record.time) changed_[record.of] = record.time;
   } else if (record.kind == Record::Kind::unit) {
-    units_[record.of] = static_cast<std::uint32_t>(record.value);
+    units_[record.of] = static_cast<std::uint32_t>(record.value & ((1U << kUnitBits) - 1));
     unit_changed_[record.of] = record.time;
   } else if (record.kind == Record::Kind::part) {
     part_ = record;

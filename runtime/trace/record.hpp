@@ -12,14 +12,12 @@ namespace symplant::trace {
 struct Record {
   enum class Kind : std::uint8_t {
     change,     ///< net change of symbol `of` to `value`: 0 or 1; for a number as in its value slot
-    unit,       ///< unit `of` now has the state `value` (pack_unit)
+    unit,       ///< unit `of` now has the state `value` (pack_unit), and that much of its move is left (remaining_of)
     finding,    ///< as in tables::Finding
     note,       ///< of the program that drives the plant, which defines `of` and `value`
     part,       ///< part `value` is of kind `of`; `more`: by hand. The next record is its part_move
     part_move,  ///< of the part before: from and to in `value` (pack_move), its front in um in `of`
     // Only of a recorder of motions:
-    remaining,   ///< unit `of`, which moves since its record before, has the travel time `value` left, ns
-    whole,       ///< of that move: its whole travel time `value`, ns
     track,       ///< the parts of track `of` moved: `value` parts follow from the front, two records each
     part_at,     ///< part `value` is of kind `of`
     part_speed,  ///< of the part before: its front at `value` um, its speed `of` in um/s, both in two's complement
@@ -73,6 +71,19 @@ constexpr std::uint64_t pack_unit(const plant::UnitView& unit) noexcept {
          std::uint64_t{unit.stopped_midway} << 17 | std::uint64_t{unit.disabled} << 18 |
          std::uint64_t{unit.frozen} << 19;
 }
+inline constexpr int kUnitBits = 20;  ///< of pack_unit()
+
+/// The value of a record of a unit: its state, and above it the remaining travel time in us, rounded down.
+constexpr std::uint64_t pack_motion(const plant::UnitView& unit) noexcept {
+  constexpr std::uint64_t kMost = (std::uint64_t{1} << (64 - kUnitBits)) - 1;  // half a year
+  const auto left = static_cast<std::uint64_t>(unit.remaining / tables::kMicrosecond);
+  return pack_unit(unit) | (left < kMost ? left : kMost) << kUnitBits;
+}
+/// What is left of a move according to such a value, ns.
+constexpr tables::Time remaining_of(std::uint64_t word) noexcept {
+  return static_cast<tables::Time>(word >> kUnitBits) * tables::kMicrosecond;
+}
+
 /// The view that was packed; its times are 0.
 constexpr plant::UnitView unpack_unit(std::uint64_t word) noexcept {
   const auto flag = [word](int bit) { return (word >> bit & 1) != 0; };

@@ -30,8 +30,7 @@ std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables, D
   const tables::MaterialTables& material = tables.material;
   // Twice as many as there can be, and four for each element that moves them.
   const std::size_t parts = 2 * parts_in(material) + 4 * movers_in(material);
-  const std::size_t motions =
-      detail == Detail::motions ? 2 * tables.units.size() + material.tracks.size() + 2 * parts : 0;
+  const std::size_t motions = detail == Detail::motions ? material.tracks.size() + 2 * parts : 0;
   return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts + motions +
          material.transfers.size() + (material.empty() ? 0 : std::size_t{2} * engine::kMostByHand) + 64;
 }
@@ -140,20 +139,10 @@ void Recorder::record_units(const engine::Instant& instant) noexcept {
     const auto word = static_cast<std::uint32_t>(pack_unit(view));
     if (units_[unit] == word) continue;
     units_[unit] = word;
-    record_unit(instant.time, unit, view);
+    if (!put({instant.time, pack_motion(view), unit, Record::Kind::unit})) {
+      lost_changes_.fetch_add(1, std::memory_order_relaxed);
+    }
   }
-}
-
-void Recorder::record_unit(tables::Time time, std::uint32_t unit, const plant::UnitView& view) noexcept {
-  const bool times = view.moving && detail_ == Detail::motions;
-  if (!has_room(times ? 3 : 1)) {
-    lost_changes_.fetch_add(1, std::memory_order_relaxed);
-    return;
-  }
-  put({time, units_[unit], unit, Record::Kind::unit});
-  if (!times) return;
-  put({time, static_cast<std::uint64_t>(view.remaining), unit, Record::Kind::remaining});
-  put({time, static_cast<std::uint64_t>(view.whole), unit, Record::Kind::whole});
 }
 
 void Recorder::record_tracks(const engine::Instant& instant) noexcept {

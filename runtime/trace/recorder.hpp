@@ -19,10 +19,10 @@ namespace symplant::trace {
 /// that it has held at once.
 class Recorder final : public engine::Observer {
  public:
-  /// What is recorded of units and parts that move.
+  /// What is recorded of parts that move.
   enum class Detail : std::uint8_t {
     changes,  ///< where they come and go
-    motions,  ///< also their times and speeds, for a picture that moves
+    motions,  ///< also the speeds of parts on tracks, for a picture that moves
   };
 
   /// Allocates `capacity` records, rounded up to a power of two. Records that do not fit are counted as lost.
@@ -73,7 +73,6 @@ class Recorder final : public engine::Observer {
   void note_bits(const engine::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept;
   void record_symbols(const engine::Instant& instant) noexcept;
   void record_units(const engine::Instant& instant) noexcept;
-  void record_unit(tables::Time time, std::uint32_t unit, const plant::UnitView& view) noexcept;
   void record_tracks(const engine::Instant& instant) noexcept;
   void record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept;
   bool put(const Record& record) noexcept;

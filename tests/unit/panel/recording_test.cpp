@@ -47,16 +47,16 @@ TEST_CASE("The state of a device follows from its events, and the time of its mo
   const Belt belt;
   panel::Recording recording = belt.recording(kHead +
                                               R"({"t":0,"symbol":"L_P_AGV_I_P1","value":true}
-{"t":1000,"symbol":"L_P_AGV_O_P2","value":true}
-{"t":1000,"symbol":"L_P_AGV_I_P1","value":false}
-{"t":5000,"symbol":"L_P_AGV_I_P2","value":true}
+{"t":1000000,"symbol":"L_P_AGV_O_P2","value":true}
+{"t":1000000,"symbol":"L_P_AGV_I_P1","value":false}
+{"t":5000000,"symbol":"L_P_AGV_I_P2","value":true}
 )");
   const auto device = [&](tables::Time time) { return Json::parse(recording.picture_at(time)).at("devices").at(0); };
   CHECK(device(0) == Json::parse("[0,0,0,0,0,0,0]"));
-  CHECK(device(2000) == Json::parse("[0,1,1,0,1000,3000,4000]"));
-  CHECK(device(5000) == Json::parse("[1,1,0,0,5000,0,0]"));
+  CHECK(device(2'000'000) == Json::parse("[0,1,1,0,1000000,3000000,4000000]"));
+  CHECK(device(5'000'000) == Json::parse("[1,1,0,0,5000000,0,0]"));
   CHECK(device(500) == Json::parse("[0,0,0,0,0,0,0]"));  // back again
-  CHECK(device(4000) == Json::parse("[0,1,1,0,1000,1000,4000]"));
+  CHECK(device(4'000'000) == Json::parse("[0,1,1,0,1000000,1000000,4000000]"));
 }
 
 TEST_CASE("A part moves evenly from where it came to the end of its track") {

@@ -175,6 +175,37 @@ TEST_CASE("Parts on a track are shown with their speed, and where they stop") {
   CHECK(bench.picture().at("tracks").at(0).at(0) == begun + 1300 * kMs);
 }
 
+TEST_CASE("A move that stops midway, goes on, and turns round keeps its progress") {
+  PanelPlan plan;
+  plan.reported.device("AGV").actuation = tables::Actuation::held;
+  plan.reported.on_command("AGV", "P2", "P1", fixed(2000 * kMs));
+  const PanelBench bench(plan);
+  bench.act(R"({"freeze":true},{"set":{"L_P_AGV_O_P2":true}})");
+  const auto cycles = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      const tables::Time at = bench.picture().at("t");
+      bench.act(R"({"step":"cycle"})");
+      bench.wait_for([&] { return bench.picture().at("t") > at; });
+    }
+  };
+  cycles(25);
+  Json agv = bench.device("AGV");
+  CHECK(agv.at(5) == 975 * kMs);
+  CHECK(agv.at(6) == 1000 * kMs);
+  bench.act(R"({"set":{"L_P_AGV_O_P2":false}})");
+  cycles(3);
+  agv = bench.device("AGV");
+  CHECK(agv.at(2) == 3);  // moving, stopped midway
+  CHECK(agv.at(5) == 975 * kMs);
+  CHECK(agv.at(6) == 1000 * kMs);
+  bench.act(R"({"set":{"L_P_AGV_O_P1":true}})");
+  agv = bench.device("AGV");
+  CHECK(agv.at(0) == 1);
+  CHECK(agv.at(1) == 0);
+  CHECK(agv.at(5) == 50 * kMs);  // a fortieth of 2 s
+  CHECK(std::abs(agv.at(6).get<tables::Time>() - 2000 * kMs) < kMs);
+}
+
 TEST_CASE("The description has what the page draws") {
   const PanelBench bench;
   const Json plant = bench.get("/api/v1/plant");
