@@ -22,6 +22,7 @@ void add_doctor(CLI::App& app, Context& context);
 void add_convert(CLI::App& app, Context& context);
 void add_diff(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
+void add_show(CLI::App& app, Context& context);
 void add_schema(CLI::App& app, Context& context);
 void add_completion(CLI::App& app, Context& context);
 

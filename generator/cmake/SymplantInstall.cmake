@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/symplant)
-set(targets symplant_tables symplant_engine symplant_plant symplant_condition symplant_json symplant_share symplant_exec symplant_link symplant_trace symplant_scenario symplant_host symplant_runtime)
+set(targets symplant_tables symplant_engine symplant_plant symplant_condition symplant_json symplant_share symplant_exec symplant_link symplant_trace symplant_why symplant_scenario symplant_panel symplant_host symplant_runtime)
 if(SYMPLANT_BUILD_GENERATOR)
   list(APPEND targets symplant)
 endif()
@@ -13,7 +13,7 @@ install(
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT symplantTargets NAMESPACE symplant:: DESTINATION ${package_dir})
-foreach(floor tables engine plant condition json share exec link trace scenario host)
+foreach(floor tables engine plant condition json share exec link trace why scenario panel host)
   install(
     DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/${floor}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant

@@ -138,6 +138,14 @@ struct GivenFollow {
   std::string condition;
 };
 
+/// Where the panel shows a device.
+struct GivenView {
+  std::string device;   ///< its path
+  std::int32_t x = -1;  ///< in its station, in grid units from 0; -1: the page chooses
+  std::int32_t y = -1;
+  std::string group = {};  ///< the frame in which it is shown, instead of its station; empty: its station
+};
+
 struct Defaults {
   tables::Time travel = tables::kSecond;
   tables::Time dwell = tables::kSecond;
@@ -169,6 +177,7 @@ struct Description {
   std::vector<GivenRequirement> requirements;
   std::vector<LinkDescription> links;
   GivenCheck check;
+  std::vector<GivenView> view;
 };
 
 /// The kind of a fault; each has a rule (description_rules.hpp).

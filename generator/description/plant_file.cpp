@@ -90,6 +90,7 @@ class PlantFileReader {
     read_requirements();
     read_links();
     read_check();
+    read_view();
     return std::move(file_);
   }
 
@@ -205,6 +206,24 @@ class PlantFileReader {
     if (follow == nullptr || !follow->is_object()) return;
     for (const auto& [symbol, condition] : follow->items()) {
       if (condition.is_string()) file_.description.follow.push_back({symbol, condition.get<std::string>()});
+    }
+  }
+
+  void read_view() {
+    const Json* view = member(root_, "view");
+    if (view == nullptr || !view->is_object()) return;
+    for (const auto& [device, entry] : view->items()) {
+      GivenView given{device};
+      const Json* const x = member(entry, "x");
+      const Json* const y = member(entry, "y");
+      if (x != nullptr && x->is_number_unsigned()) given.x = x->get<std::int32_t>();
+      if (y != nullptr && y->is_number_unsigned()) given.y = y->get<std::int32_t>();
+      if ((x == nullptr) != (y == nullptr)) {
+        faults_.add(Pointer("/view") / std::string_view(device), "a place has `x` and `y`; add the other one");
+      }
+      given.group = text_or_empty(entry, "group");
+      check_text(given.group, Pointer("/view") / std::string_view(device), faults_);
+      file_.description.view.push_back(std::move(given));
     }
   }
 

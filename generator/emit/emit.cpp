@@ -72,6 +72,14 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["link_rows"] = link_rows(*plant.description);
   texts["ignored_count"] = std::to_string(ignored_findings(*plant.description).size());
   texts["ignored_rows"] = ignored_rows(*plant.description);
+  view.lists["view"];
+  if (const model::Layout layout = model::has_layout(plant) ? model::layout_of(plant) : model::Layout();
+      !layout.devices.empty()) {
+    view.lists["view"].push_back({{{"device_view_count", std::to_string(layout.devices.size())},
+                                   {"device_view_rows", device_view_rows(layout)},
+                                   {"station_rows", station_rows(layout)}},
+                                  {}});
+  }
   texts["controller_count"] = std::to_string(plant.links.size());
   texts["place_arrays"] = place_arrays(plant);
   texts["link_settings_rows"] = link_settings_rows(plant);

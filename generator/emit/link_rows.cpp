@@ -105,6 +105,22 @@ std::string ignored_rows(const description::Description& description) {
   return rows.take();
 }
 
+std::string device_view_rows(const model::Layout& layout) {
+  RowWriter rows;
+  for (const model::DevicePlace& place : layout.devices) {
+    rows.text("    {").numbers(place.station, place.x, place.y).text("},\n");
+  }
+  return rows.take();
+}
+
+std::string station_rows(const model::Layout& layout) {
+  RowWriter rows;
+  for (const model::Station& station : layout.stations) {
+    rows.text("    \"").literal(station.line).text("\\0\" \"").literal(station.process).text("\\0\"\n");
+  }
+  return rows.take();
+}
+
 std::string place_arrays(const model::PlantModel& plant) {
   RowWriter rows;
   for (std::size_t c = 0; c < plant.links.size(); ++c) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/layout.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::emit {
@@ -14,6 +15,10 @@ std::string link_rows(const description::Description& description);
 /// The entries of `ignore` for findings of a run, and their rows: name, pattern, last day.
 std::vector<const description::GivenCheck::Ignore*> ignored_findings(const description::Description& description);
 std::string ignored_rows(const description::Description& description);
+
+/// The layout of the panel: station and place of each device, and the names of the stations.
+std::string device_view_rows(const model::Layout& layout);
+std::string station_rows(const model::Layout& layout);
 
 /// The arrays that the settings point to: links::kLinkRows0 and links::kKeep0 for controller 0.
 std::string place_arrays(const model::PlantModel& plant);

@@ -7,6 +7,7 @@
 #include "base/large_memory.hpp"
 #include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
+#include "model/layout.hpp"
 #include "model/links.hpp"
 #include "model/made_transitions.hpp"
 #include "model/match_entries.hpp"
@@ -211,6 +212,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   report_lacks(plant, faults);
   evidence.driven_twice = find_shared_addresses(plant);
   resolve_links(plant, links, faults);
+  check_view(plant, faults);
   return derived;
 }
 

@@ -78,6 +78,7 @@ class Engine {
   }
   /// Total travel time of a moving unit, ns; 0 if it is settled.
   tables::Time whole(std::uint32_t unit) const noexcept;
+  tables::Time after_left(std::uint32_t unit, std::uint16_t transition) const noexcept;
 
  private:
   // position() sets all other members.

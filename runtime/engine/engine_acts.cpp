@@ -206,7 +206,9 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   if (block.size() != block_size_) return false;
   std::memcpy(&other, block.data(), sizeof other);
   if (other.magic != head_->magic || other.model != head_->model || other.size != block_size_) return false;
+  const tables::Time cycle = head_->cycle;  // of this run, not of the one that was saved
   std::memmove(reinterpret_cast<std::byte*>(head_), block.data(), block.size());
+  head_->cycle = cycle;
   for (const tables::BehaviourUnit& behaviour : tables_.behaviour_units) {  // custom behaviors are not in the block
     std::uint16_t& flags = units_[behaviour.unit].flags;
     flags &= static_cast<std::uint16_t>(~kBehaves);

@@ -51,6 +51,17 @@ tables::Time Engine::whole(std::uint32_t unit) const noexcept {
                      transition);  // neither random nor replaced
 }
 
+tables::Time Engine::after_left(std::uint32_t unit, std::uint16_t transition) const noexcept {
+  const UnitState& state = units_[unit];
+  const tables::UnitRow& row = tables_.units[unit];
+  const std::uint16_t record_of = index_.types[row.type].record_of[transition];
+  const bool counts = row.general != 0 && record_of != kNoRecord && state.holding != 0 && (state.flags & kMoving) == 0;
+  if (!counts) return tables::kNever;
+  const Record& record = records_[general_row(unit).first_record + record_of];
+  if (record.holds == 0 || record.ready == tables::kNever) return tables::kNever;
+  return (state.flags & kHalted) != 0 ? record.ready : std::max<tables::Time>(0, record.ready - head_->now);
+}
+
 /// Replaces all times of a unit by the time left.
 void Engine::halt_times(std::uint32_t unit) noexcept {
   UnitState& state = units_[unit];

@@ -38,7 +38,8 @@ struct Instant {
   std::span<const WordChange> events;
   std::span<const std::uint32_t> operation_slots;  ///< slots whose values changed
   std::span<const std::uint32_t> event_slots;
-  std::span<const PartChange> parts;  ///< in the order in which they happened
+  std::span<const PartChange> parts;      ///< in the order in which they happened
+  std::span<const std::uint32_t> tracks;  ///< those whose parts came, left or changed their speeds, in no order
 };
 
 /// Receives every instant with a change, and every finding. It is called during advance_to() and advance_before(): its

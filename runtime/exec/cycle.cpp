@@ -42,6 +42,7 @@ class Run {
     const Guard guard;
     const CycleStatus first = status();
     first.frozen ? plant_.show(observer_) : begin();
+    time_ = plant_.now();
     write_events(first);
     note_plc_clock();
     deadline_ = clock_.now();
@@ -83,11 +84,12 @@ class Run {
     if (reported.frozen) {
       meter_.frozen.add(static_cast<std::uint64_t>(length));
       if (plc_time_ != nullptr) plc_time_->hold(plant_);
+      if (stepper_ != nullptr) stepper_->hold();
     } else {
       begin();
-      time_ = plc_time_ == nullptr ? time_ + length : std::min(plc_time_->next(plant_, excess + 1), options_.until);
-      advance_to(time_);
+      advance_to(plc_time_ == nullptr ? time_ + length : std::min(plc_time_->next(plant_, excess + 1), options_.until));
     }
+    time_ = plant_.now();
     note_plc_clock();
     write_events(reported);
     meter_.cycles.add(1);
@@ -117,7 +119,9 @@ class Run {
 
   /// The status for the links, from their states after reading.
   CycleStatus status() noexcept {
-    CycleStatus status{.cycles = meter_.cycles.value(), .overruns = meter_.overruns.value()};
+    CycleStatus status{.cycles = meter_.cycles.value(),
+                       .overruns = meter_.overruns.value(),
+                       .frozen = stepper_ != nullptr && stepper_->frozen()};
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const LinkState state = links_[i]->state();
       meter_.note(i, state);
@@ -141,7 +145,7 @@ class Run {
   tables::Time spin_;
   std::int64_t most_;
   bool begun_ = false;                        ///< the first instant has run
-  tables::Time time_;                         ///< plant time of the last cycle
+  tables::Time time_;                         ///< plant time after the last cycle
   tables::Time deadline_ = 0;                 ///< of the last cycle that was due
   tables::Time link_time_ = 0;                ///< the time by which links measure the silence of their PLC
   tables::Time last_start_ = tables::kNever;  ///< start of the last cycle

@@ -29,4 +29,16 @@ Durations Histogram::durations() const noexcept {
   return result;
 }
 
+std::vector<Histogram::Octave> Histogram::by_octave() const {
+  std::vector<Octave> octaves;
+  for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
+    const std::uint64_t count = buckets_[bucket].value();
+    if (count == 0) continue;
+    const std::uint64_t upper = std::bit_ceil(last_of(bucket) + 1);
+    if (octaves.empty() || octaves.back().upper != upper) octaves.push_back({upper, 0});
+    octaves.back().count += count;
+  }
+  return octaves;
+}
+
 }  // namespace symplant::exec

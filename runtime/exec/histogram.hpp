@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "symplant/tables/time.hpp"
 
@@ -45,6 +46,14 @@ class Histogram {
 
   /// Any thread may call it, also while another one counts. O(buckets).
   Durations durations() const noexcept;
+
+  /// How many durations are below a power of two, in ns, and not below the one before.
+  struct Octave {
+    std::uint64_t upper;
+    std::uint64_t count;
+  };
+  /// Those with durations, in ascending order. Any thread may call it. O(buckets).
+  std::vector<Octave> by_octave() const;
 
  private:
   static constexpr int kFineBits = 6;

@@ -1,4 +1,4 @@
-// An interface to advance the plant to a cycle's time, for example with a scenario.
+// An interface to advance the plant to a cycle's time, for example with a scenario, or by an operator.
 #pragma once
 
 #include "symplant/tables/time.hpp"
@@ -8,8 +8,14 @@ namespace symplant::exec {
 /// The cycle's thread calls it after the links' reads and before their writes. The calls must be bounded.
 class Stepper {
  public:
-  /// Advances the plant to `time`, including the instant at `time`.
+  /// Advances the plant to `time`, including the instant at `time`. It may set the plant back to an earlier time
+  /// instead: the next cycle goes on from there.
   virtual void advance_to(tables::Time time) noexcept = 0;
+  /// Whether plant time does not run, apart from what links ask for.
+  virtual bool frozen() const noexcept { return false; }
+  /// Instead of advance_to() in a cycle in which plant time does not run: what acts from outside may run further
+  /// instants of the plant's time.
+  virtual void hold() noexcept {}
   /// Whether it has nothing left to do, so that the run may end.
   virtual bool over() const noexcept = 0;
 

@@ -24,11 +24,8 @@ bool is_device(const std::string& path) {
 }
 
 std::vector<Output> outputs_of(const RunOptions& options) {
-  std::vector<Output> outputs{{"--trace", options.trace},
-                              {"--vcd", options.vcd},
-                              {"--findings", options.findings},
-                              {"--junit", options.junit},
-                              {"--stats", options.stats}};
+  std::vector<Output> outputs{{"--trace", options.trace}, {"--vcd", options.vcd},     {"--findings", options.findings},
+                              {"--junit", options.junit}, {"--stats", options.stats}, {"--save", options.save}};
   outputs.erase(
       std::remove_if(outputs.begin(), outputs.end(), [](const Output& output) { return output.path.empty(); }),
       outputs.end());
@@ -62,6 +59,7 @@ bool uses_standard_output(const RunOptions& options) {
 bool files_are_apart(const RunOptions& options, std::span<const std::string_view> inputs, std::ostream& err) {
   std::vector<std::string> read(inputs.begin(), inputs.end());
   if (!options.scenario.empty()) read.push_back(options.scenario);
+  if (!options.resume.empty()) read.push_back(options.resume);
   const std::vector<Output> outputs = outputs_of(options);
   bool apart = true;
   for (std::size_t i = 0; i < outputs.size(); ++i) {

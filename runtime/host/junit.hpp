@@ -14,8 +14,4 @@ namespace symplant::host {
 std::string junit_text(const plant::Plant& plant, const trace::PlantNames& names, const scenario::Scenario* scenario,
                        std::span<const scenario::Outcome> outcomes, const Report& report, bool fail_on_findings);
 
-/// A text escaped for XML attributes and content. Characters that XML does not allow (control characters, bytes that
-/// are not UTF-8) become U+FFFD.
-std::string xml_text(std::string_view text);
-
 }  // namespace symplant::host

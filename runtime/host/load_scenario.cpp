@@ -67,6 +67,8 @@ std::optional<scenario::Scenario> load_scenario(const std::string& path, const t
   if (read.scenario) {
     std::vector<std::string>& files = read.scenario->files;
     std::transform(files.begin() + 1, files.end(), files.begin() + 1, in_folder);
+    std::string& restore = read.scenario->restore;
+    if (!restore.empty()) restore = in_folder(restore);
   }
   return std::move(read.scenario);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <mutex>
 #include <stop_token>
 #include <utility>
 
@@ -60,38 +61,40 @@ void Outputs::take(const trace::Record& record) {
 }
 
 void Outputs::write(const trace::Record& record) {
+  using Kind = trace::Record::Kind;
+  if (record.kind == Kind::note) return take_note(record);
+  if (panel_ != nullptr) panel_->before(record);
   history_.apply(record);
-  switch (record.kind) {
-    case trace::Record::Kind::change:
-      ++changes_;
-      break;
-    case trace::Record::Kind::unit:
-    case trace::Record::Kind::part:
-    case trace::Record::Kind::part_move:
-      break;
-    case trace::Record::Kind::finding:
-      if (loop_goes_on_) {
-        found_.back().of.push_back(record.of);
-      } else {
-        found_.push_back({record.time, record.finding, {record.of}, record.value});
-      }
-      loop_goes_on_ = record.more;
-      break;
-    case trace::Record::Kind::note:
-      if (record.of == scenario::kTurnNote) {
-        turn_ = record.value;
-      } else if (record.of == scenario::kForceNote) {
-        history_.force(static_cast<std::uint32_t>(record.value / 2), record.value % 2 != 0, record.time);
-      } else if (record.of == scenario::kHandNote) {
-        hands_.push_back(record.value);
-      } else {
-        report_.failed(record.of, std::exchange(turn_, 0), static_cast<tables::Time>(record.value), hands_);
-        hands_.clear();
-      }
-      return;
+  if (panel_ != nullptr) panel_->after(record);
+  if (record.kind == Kind::change) ++changes_;
+  if (record.kind == Kind::finding) {
+    if (loop_goes_on_) {
+      found_.back().of.push_back(record.of);
+    } else {
+      found_.push_back({record.time, record.finding, {record.of}, record.value});
+    }
+    loop_goes_on_ = record.more;
   }
   if (trace_) trace_->write(record);
-  if (vcd_) vcd_->write(record);
+  if (vcd_ && vcd_end_ < 0) vcd_->write(record);
+}
+
+void Outputs::take_note(const trace::Record& record) {
+  if (record.of == scenario::kTurnNote) {
+    turn_ = record.value;
+  } else if (record.of == scenario::kForceNote) {
+    history_.force(static_cast<std::uint32_t>(record.value / 2), record.value % 2 != 0, record.time);
+  } else if (record.of == scenario::kHandNote) {
+    hands_.push_back(record.value);
+  } else if (record.of < scenario::kLeastNote) {
+    report_.failed(record.of, std::exchange(turn_, 0), static_cast<tables::Time>(record.value), hands_);
+    hands_.clear();
+  }
+  if (panel_ == nullptr) return;
+  if (const auto jump = panel_->note(record)) set_back(jump->what, jump->name, jump->time);
+  if (trace_) {
+    for (const std::string& act : panel_->take_acts()) trace_->act(record.time, act);
+  }
 }
 
 void Outputs::end_instant(tables::Time time) {
@@ -100,17 +103,26 @@ void Outputs::end_instant(tables::Time time) {
     const bool too_short = found.kind == tables::FindingKind::event_too_short;
     if (too_short && !carried_.empty() && !carried_[found.of.front()]) continue;
     const std::string words = report_.found(found);
+    if (panel_ != nullptr) panel_->finding(found, words);
     if (findings_) findings_->write(found, words, history_);
   }
   found_.clear();
-  if (vcd_) {
+  last_time_ = time;
+  if (vcd_ && vcd_end_ < 0) {
     vcd_->begin(time, history_);
     vcd_->part(time, history_);
   }
   if (trace_) trace_->part(time, history_);
 }
 
+void Outputs::set_back(std::string_view what, std::string_view name, tables::Time time) {
+  if (trace_) trace_->set_back(what, name, time, history_);
+  if (vcd_ && vcd_->has_begun() && vcd_end_ < 0) vcd_end_ = last_time_;
+  last_time_ = time;
+}
+
 void Outputs::drain() {
+  const auto lock = panel_ != nullptr ? panel_->lock() : std::unique_lock<std::mutex>();
   recorder_.drain([this](const trace::Record& record) { take(record); });
 }
 
@@ -140,7 +152,11 @@ void Outputs::finish(tables::Time end, std::ostream& err) {
   drain();
   if (vcd_) {
     vcd_->begin(0, history_);
-    vcd_->end(end);
+    vcd_->end(vcd_end_ < 0 ? end : vcd_end_);
+  }
+  if (vcd_end_ >= 0) {
+    err << fmt::format("warning: the VCD file ends at {}, when the plant was set back: its time cannot go back\n",
+                       trace::seconds(vcd_end_));
   }
   flush();
   is_well(trace_, "warning", err);

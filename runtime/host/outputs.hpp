@@ -5,11 +5,13 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
 #include "symplant/host/report.hpp"
 #include "symplant/host/run_options.hpp"
+#include "symplant/panel/panel.hpp"
 #include "symplant/trace/finding_file.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/recorder.hpp"
@@ -31,9 +33,15 @@ class Outputs {
 
   /// No PLC can miss an event that is on no link: `event too short` is reported of those symbols only.
   void report_short_events_of(std::vector<bool> symbols) { carried_ = std::move(symbols); }
+  /// A panel that gets every record, too. It must outlive the last drain().
+  void show_on(panel::Panel& panel) { panel_ = &panel; }
+  void hide() { panel_ = nullptr; }
   /// Opens the files; they also get earlier records. False, with a message on `err`, if one cannot be opened.
   bool open(std::uint64_t model_hash, std::ostream& err);
 
+  /// The plant was set to another state, which the history has: a line of the trace; the VCD file, whose time cannot go
+  /// back, ends. `what` and `name` as for TraceFile::set_back().
+  void set_back(std::string_view what, std::string_view name, tables::Time time);
   void drain();
   void start_thread();
   void stop_thread();
@@ -46,6 +54,7 @@ class Outputs {
  private:
   trace::OutputFile file(const char* what, const std::string& path, std::uint64_t limit) const;
   void take(const trace::Record& record);
+  void take_note(const trace::Record& record);
   void write(const trace::Record& record);
   void end_instant(tables::Time time);
   void flush();
@@ -56,6 +65,7 @@ class Outputs {
   trace::History& history_;
   Report& report_;
   std::ostream& out_;
+  panel::Panel* panel_ = nullptr;
   std::optional<trace::TraceFile> trace_;
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;
@@ -65,6 +75,8 @@ class Outputs {
   std::vector<bool> carried_;             ///< by symbol; empty: all
   std::uint64_t turn_ = 0;                ///< of the failed step that the next note is about
   bool loop_goes_on_ = false;
+  tables::Time last_time_ = 0;  ///< of the last instant
+  tables::Time vcd_end_ = -1;   ///< when the plant was set back, and the VCD file ended; -1: it goes on
   std::uint64_t changes_ = 0;
   std::uint64_t instants_ = 0;
   std::jthread thread_;

@@ -6,6 +6,7 @@
 
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/link/link_settings.hpp"
+#include "symplant/panel/view.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::host {
@@ -33,6 +34,7 @@ struct PlantProgram {
   std::string_view default_link = {};           ///< as for --link, used without both of these; empty: no link
   std::span<const std::string_view> more = {};  ///< further lines of the summary at the start
   std::span<const IgnoredFinding> ignored = {};
+  panel::View view = {};                          ///< where the panel shows the devices
   std::span<const std::string_view> inputs = {};  ///< files that the plant was read from: no output may overwrite them
 };
 

@@ -11,6 +11,7 @@
 
 #include "symplant/host/words.hpp"
 #include "symplant/tables/pattern.hpp"
+#include "symplant/why/recorded_view.hpp"
 
 namespace symplant::host {
 namespace {
@@ -34,14 +35,17 @@ std::string today() {
 
 }  // namespace
 
-Report::Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
-               std::string file, std::span<const IgnoredFinding> ignored, Console& console)
-    : names_(names),
+Report::Report(const why::Explainer& explainer, const trace::History& history, const plant::Plant* plant,
+               const scenario::Scenario* scenario, std::string file, std::span<const IgnoredFinding> ignored,
+               Console& console)
+    : names_(explainer.names()),
+      explainer_(explainer),
       history_(history),
+      plant_(plant),
       scenario_(scenario),
       file_(std::move(file)),
       console_(console),
-      violations_(names.tables().requirements.size()),
+      violations_(names_.tables().requirements.size()),
       failures_(scenario == nullptr ? 0 : scenario->steps.size()) {
   const std::string date = ignored.empty() ? std::string() : today();
   std::copy_if(ignored.begin(), ignored.end(), std::back_inserter(ignored_entries_),
@@ -53,15 +57,19 @@ std::string Report::location(std::size_t step) const {
   return fmt::format("{}:{}", shown(its.file == 0 ? file_ : scenario_->files[its.file]), its.line);
 }
 
-void Report::report(std::string head, std::span<const std::string> parts) {
-  head += shown(parts.front()) + "\n";
-  for (const std::string& part : parts.subspan(1)) head += "    " + shown(part) + "\n";
+void Report::report(std::string head, const why::Explanation& explanation) {
+  for (const std::string& line : why::lines_of(explanation)) head += shown(line) + "\n";
   console_.message(head);
 }
 
+why::Explanation Report::words_of(const trace::FoundThing& found) const {
+  if (found.kind != FindingKind::requirement_violated) return {trace::finding_words(found, names_, history_)};
+  return explainer_.violation(found.of.front(), why::RecordedView(history_, found.time, plant_));
+}
+
 std::string Report::found(const trace::FoundThing& found) {
-  const std::vector<std::string> parts = trace::finding_parts(found, names_, history_);
-  std::string words = fmt::format("{}", fmt::join(parts, "; "));
+  const why::Explanation explanation = words_of(found);
+  std::string words = why::in_one_line(explanation);
   if (is_ignored(found)) {
     ++ignored_;
     return words;
@@ -76,7 +84,7 @@ std::string Report::found(const trace::FoundThing& found) {
   }
   std::string note;
   if (is_shown(found, note)) {
-    report(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), parts);
+    report(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), explanation);
     if (!note.empty()) console_.message(note);
   }
   return words;
@@ -114,9 +122,10 @@ bool Report::is_shown(const trace::FoundThing& found, std::string& note) {
 
 void Report::failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands) {
   if (!failures_[step].empty()) return;
-  const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, turn, time, hands, names_, history_);
-  failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
-  report(location(step) + ": error: ", parts);
+  const why::Explanation explanation =
+      scenario::failure_words(*scenario_, {step, turn, time, hands}, explainer_, history_, plant_);
+  failures_[step] = why::in_one_line(explanation);
+  report(location(step) + ": error: ", explanation);
 }
 
 std::uint64_t Report::findings() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }

@@ -18,6 +18,7 @@
 #include "symplant/scenario/player.hpp"
 #include "symplant/scenario/verdict.hpp"
 #include "symplant/trace/finding_words.hpp"
+#include "symplant/why/explainer.hpp"
 
 namespace symplant::host {
 
@@ -32,9 +33,10 @@ struct Violation {
 class Report {
  public:
   /// `scenario` may be null; `file` is its path, for messages. Findings that an entry of `ignored` matches today are
-  /// only counted; a violated requirement never is.
-  Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
-         std::string file, std::span<const IgnoredFinding> ignored, Console& console);
+  /// only counted; a violated requirement never is. `plant` is null if another thread runs it.
+  Report(const why::Explainer& explainer, const trace::History& history, const plant::Plant* plant,
+         const scenario::Scenario* scenario, std::string file, std::span<const IgnoredFinding> ignored,
+         Console& console);
 
   /// Counts a finding, and reports the first of each kind and subject. Returns its text.
   std::string found(const trace::FoundThing& found);
@@ -64,11 +66,14 @@ class Report {
   std::string location(std::size_t step) const;
   bool is_ignored(const trace::FoundThing& found) const;
   bool is_shown(const trace::FoundThing& found, std::string& note);
-  /// Writes each part as a line: the first after `head`, the others indented.
-  void report(std::string head, std::span<const std::string> parts);
+  why::Explanation words_of(const trace::FoundThing& found) const;
+  /// Writes each sentence as a line: the first after `head`, the others indented.
+  void report(std::string head, const why::Explanation& explanation);
 
   const trace::PlantNames& names_;
+  const why::Explainer& explainer_;
   const trace::History& history_;
+  const plant::Plant* plant_;
   const scenario::Scenario* scenario_;
   std::string file_;
   std::vector<IgnoredFinding> ignored_entries_;  ///< those that count today

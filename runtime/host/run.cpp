@@ -2,6 +2,7 @@
 #include "symplant/host/run.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -14,14 +15,17 @@
 #include "symplant/host/last_resort.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/load_scenario.hpp"
+#include "symplant/host/panel_run.hpp"
 #include "symplant/host/plc_clock.hpp"
 #include "symplant/host/rt_check.hpp"
+#include "symplant/host/run_paced.hpp"
 #include "symplant/host/run_real.hpp"
 #include "symplant/host/run_virtual.hpp"
 #include "symplant/host/signals.hpp"
 #include "symplant/host/stage.hpp"
 #include "symplant/host/stats.hpp"
 #include "symplant/host/summary.hpp"
+#include "symplant/host/why.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -121,6 +125,10 @@ bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostr
         << "`: use `--clock real`\n";
     return false;
   }
+  if (options.rt_check && options.panel && options.clock != RunOptions::Clock::real_time) {
+    err << "error: `--rt-check` with `--panel` needs the real-time cycle: add `--clock real`\n";
+    return false;
+  }
   if (options.rt_check && options.until) {
     err << "error: `--rt-check` already sets the length of the run, in cycles: remove `--until`\n";
     return false;
@@ -133,6 +141,41 @@ bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostr
   return true;
 }
 
+/// The state from which a run starts.
+struct Resumed {
+  std::string name;
+  trace::Snapshot snapshot;
+};
+
+/// Reads the snapshot of `--resume` or of the scenario, if there is one. Returns false with a message on `err` on
+/// error.
+bool read_resumed(const Stage& stage, const RunOptions& options, const scenario::Scenario* scenario,
+                  std::optional<Resumed>& resumed, std::ostream& err) {
+  const std::string by_scenario = scenario != nullptr ? scenario->restore : std::string();
+  if (!by_scenario.empty() && !options.resume.empty()) {
+    err << "error: the scenario starts from the snapshot `" << by_scenario << "`: remove `--resume`\n";
+    return false;
+  }
+  const std::string& path = by_scenario.empty() ? options.resume : by_scenario;
+  if (path.empty()) return true;
+  trace::ReadSnapshot read = trace::read_snapshot(path, stage.plant.model_hash(), stage.plant.save().size());
+  if (!read.error.empty()) {
+    err << "error: " << read.error << "\n";
+    return false;
+  }
+  resumed.emplace(std::filesystem::path(path).stem().string(), std::move(read.snapshot));
+  return true;
+}
+
+/// Writes the state at the end, if that is asked for. False, with a message on `err`, on error.
+bool save_end(const Stage& stage, const RunOptions& options, std::ostream& err) {
+  if (options.save.empty()) return true;
+  const std::string error =
+      trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));
+  if (!error.empty()) err << "error: " << error << "\n";
+  return error.empty();
+}
+
 /// What a run plays.
 struct Played {
   const PlantProgram& program;
@@ -140,15 +183,19 @@ struct Played {
   trace::PlantNames& names;
   const scenario::Scenario* scenario;  ///< null: none
   const LinkChoices& links;
+  const std::vector<bool>& carried;  ///< by symbol: whether one of the links carries it
+  const std::vector<Question>& questions;
   bool real;                    ///< in real time
   const PlcClockChoice* clock;  ///< null: the wall clock
+  const Resumed* resumed;       ///< null: from the initial state
 };
 
 /// Runs the plant from time 0 to the end. Returns the exit code.
 int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
   const PlantProgram& program = played.program;
   const RunOptions& options = played.options;
-  stage.advance_to(0);  // so that links answer from the plant's initial state
+  // So that links answer from the plant's initial state, or what was written to a saved one takes effect.
+  stage.advance_to(stage.plant.now());
   Links links;
   const int opened = open_links(played.links, program.tables, stage.plant, links, streams.err);
   if (opened != kGood) return opened;
@@ -157,6 +204,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   played.names.name_links(std::move(named));
   LastFiles last(options, streams.out);
   if (!stage.outputs.open(stage.plant.model_hash(), streams.err) || !last.are_well(streams.err)) return kEnvironment;
+  if (played.resumed != nullptr) stage.outputs.set_back("restored", played.resumed->name, stage.plant.now());
   resort.begun();
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << behaviour_lines(program.tables, program.behaviours);
@@ -166,23 +214,37 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
     streams.report << "links of the plant are not opened in virtual time; to open them, use --clock real\n";
   }
 
+  std::unique_ptr<panel::Panel> panel;
+  const int served = open_panel(
+      {program, options, played.names, played.carried, played.scenario, links, has_real_link(played.links),
+       played.clock != nullptr, played.real, played.resumed != nullptr ? played.resumed->name : std::string()},
+      stage, streams.report, streams.err, panel);
+  if (served != kGood) return served;
+
   const auto begin = std::chrono::steady_clock::now();
   std::optional<RealRun> real_run;
   bool clean = true;
   if (played.real) {
-    real_run = run_real(stage, options, links, played.clock, streams);
+    real_run = run_real(stage, options, links, played.clock, panel.get(), streams);
     clean = !report_missing_cycles(real_run->cycles.cycles, options, streams.report) && real_run->clean;
   } else if (options.rt_check) {
     clean = run_rt_check(stage, options, links, streams.report);
+  } else if (panel != nullptr) {
+    run_paced(stage, options, *panel, streams.report);
   } else {
     run_virtual(stage, options, streams.report);
   }
   const std::chrono::nanoseconds wall = std::chrono::steady_clock::now() - begin;
+  stage.outputs.drain();
+  stage.outputs.hide();
+  panel.reset();
 
   if (stage.player) stage.player->end();
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   stage.outputs.finish(stage.plant.now(), streams.err);
   stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), streams.report);
+  const std::vector<Answer> answers = answers_to(played.questions, stage, {links, played.carried, played.scenario});
+  streams.report << answers_text(answers);
   std::optional<scenario::Verdict> verdict;
   if (played.scenario != nullptr) verdict = scenario::verdict_of(*played.scenario, outcomes);
   last.junit([&] {
@@ -190,9 +252,9 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   });
   last.stats([&] {
     return stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, played.clock, links,
-                       tables::Time{wall.count()}});
+                       answers, played.names, tables::Time{wall.count()}});
   });
-  if (!last.are_well(streams.err)) return kEnvironment;
+  if (!last.are_well(streams.err) || !save_end(stage, options, streams.err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;
 }
 
@@ -220,6 +282,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
   trace::PlantNames names(program.tables);
   const std::vector<bool> carried = carried_symbols(chosen, program.tables);
+  const auto questions = questions_of(options.why, names, err);
+  if (!questions) return kBadInput;
   std::optional<scenario::Scenario> scenario;
   if (!options.scenario.empty()) {
     scenario = load_scenario(options.scenario, names, carried, err);
@@ -228,6 +292,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   catch_signals();
   LastResort resort;
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
+  // A panel without a PLC sets the speed of plant time, unless the guard or the user asks for the real-time cycle.
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   if (!times_fit(options, clock, err)) return kBadInput;
   report_without_effect(options, real, linked, clock != nullptr, err);
@@ -242,7 +307,15 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
   if (linked) stage.outputs.report_short_events_of(carried);
-  const int code = play(stage, {program, options, names, played, chosen, real, clock}, resort, streams);
+  std::optional<Resumed> resumed;
+  if (!read_resumed(stage, options, played, resumed, err)) return kBadInput;
+  if (resumed && !stage.resume(resumed->snapshot)) {
+    err << "error: the snapshot `" << resumed->name << "` is damaged: make it again\n";
+    return kBadInput;
+  }
+  const Resumed* const from = resumed ? &*resumed : nullptr;
+  const int code =
+      play(stage, {program, options, names, played, chosen, carried, *questions, real, clock, from}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

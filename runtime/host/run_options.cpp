@@ -87,6 +87,32 @@ void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--junit", options.junit, "report expectations and requirements to this file, as JUnit XML")
       ->type_name("FILE");
   app.add_option("--stats", options.stats, "write statistics of the run to this file, as JSON")->type_name("FILE");
+  app.add_option("--save", options.save, "write the state of the plant at the end to this file, for --resume")
+      ->type_name("FILE");
+  app.add_option("--resume", options.resume, "start from a state that --save or the panel wrote")->type_name("FILE");
+}
+
+/// The options of the panel; given at all, there is one.
+panel::PanelOptions& panel_of(RunOptions& options) {
+  if (!options.panel) options.panel.emplace();
+  return *options.panel;
+}
+
+void add_panel(CLI::App& app, RunOptions& options) {
+  add_address_options(app, options);
+  app.add_flag_callback(
+      "--panel-view", [&options] { panel_of(options).view_only = true; }, "the panel only shows: no acts");
+  app.add_option_function<std::string>(
+         "--panel-files", [&options](const std::string& folder) { panel_of(options).files = folder; },
+         "the panel saves snapshots and sessions in this folder")
+      ->type_name("DIR");
+  app.add_option_function<std::string>(
+         "--backtrack",
+         [&options](const std::string& text) { panel_of(options).backtrack = duration(text, "--backtrack"); },
+         "the panel keeps a state of the plant each time so much plant time has passed; 0s: none (default: 60s)")
+      ->type_name("T");
+  app.add_option("--exercise", options.exercises, "a scenario that the panel offers as an exercise; may be repeated")
+      ->type_name("FILE");
 }
 
 void add_real_time(CLI::App& app, RunOptions& options) {
@@ -152,6 +178,28 @@ void add_real_time(CLI::App& app, RunOptions& options) {
 
 }  // namespace
 
+void add_address_options(CLI::App& app, RunOptions& options) {
+  app.add_option_function<std::vector<std::string>>(
+         "--panel",
+         [&options](const std::vector<std::string>& texts) {
+           panel::PanelOptions& panel = panel_of(options);
+           if (texts.empty() || texts.front().empty()) return;
+           const std::string& text = texts.front();
+           if (text.find_first_not_of("0123456789") != std::string::npos && text.find(':') == std::string::npos) {
+             throw CLI::ValidationError("--panel",
+                                        "`" + text + "` is not HOST:PORT or PORT; write the plant before `--panel`");
+           }
+           panel.address = text;
+         },
+         "show and operate the plant in a browser, at this address (default: 127.0.0.1:8137); prints the link")
+      ->type_name("[[HOST:]PORT]")
+      ->expected(0, 1);
+  app.add_option_function<std::string>(
+         "--panel-token", [&options](const std::string& file) { panel_of(options).token_file = file; },
+         "the panel's token is the first word of this file (default: another one for each start)")
+      ->type_name("FILE");
+}
+
 void add_run_options(CLI::App& app, RunOptions& options) {
   app.add_option_function<std::string>(
          "--clock", [&options](const std::string& text) { read_clock(text, options); },
@@ -188,6 +236,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
                  "loop:; with several controllers name one: PLC1=URL. Replaces the plant's own links")
       ->type_name("[CONTROLLER=]URL");
   add_files(app, options);
+  add_panel(app, options);
   app.add_option_function<std::string>(
          "--seed", [&options](const std::string& text) { options.seed = whole_number(text, 0, "--seed"); },
          "seed of random times (default: 0)")
@@ -197,6 +246,12 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          "run N cycles under a guard that finds heap, locks, system calls and page faults in them, then end; exit "
          "code 1 if any")
       ->type_name("N");
+  app.add_option(
+         "--why", options.why,
+         "at the end explain why this device, symbol, requirement, track, place, transfer, work or source is as "
+         "it is, and what it waits for; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   app.add_flag("--fail-on-findings", options.fail_on_findings,
                "any finding gives exit code 1, not only failed expectations and violated requirements");
 }

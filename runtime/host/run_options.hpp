@@ -8,6 +8,7 @@
 
 #include "symplant/exec/real_time.hpp"
 #include "symplant/link/link_settings.hpp"
+#include "symplant/panel/options.hpp"
 #include "symplant/tables/time.hpp"
 #include "symplant/trace/output_file.hpp"
 
@@ -40,6 +41,11 @@ struct RunOptions {
   std::string findings;
   std::string junit;
   std::string stats;
+  std::string save;                             ///< the state at the end
+  std::string resume;                           ///< the state at the start
+  std::optional<panel::PanelOptions> panel;     ///< nothing: no panel
+  std::vector<std::string> exercises;           ///< scenarios that the panel offers
+  std::vector<std::string> why;                 ///< names to explain at the end
   std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
   bool fail_on_findings = false;
@@ -48,6 +54,9 @@ struct RunOptions {
 
 /// Adds the options to a command; `options` must outlive the parsing.
 void add_run_options(CLI::App& app, RunOptions& options);
+
+/// Adds only the options of where the panel serves: --panel, --panel-token.
+void add_address_options(CLI::App& app, RunOptions& options);
 
 /// Parses `catch-up:N`, `catch-up` (10) or `slip` (0): the most cycles to catch up. Nothing for any other text.
 std::optional<std::int64_t> parse_late(const std::string& text);

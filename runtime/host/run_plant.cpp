@@ -24,6 +24,7 @@ int run_plant(int argc, char** argv, const PlantProgram& program) {
       "  keep time:             --cycle 1ms --priority 50 --cpu 1 --lock-memory --stay-awake --stats stats.json\n"
       "  record what happens:   --until 10s --trace trace.jsonl\n"
       "  play a scenario:       --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
+      "  find out why:          --until 10s --why LINE_P1_CLAMP1\n"
       "Exit codes: 0 good, 1 a failed expectation or requirement, 2 bad input or usage, 3 the environment (a port in\n"
       "use, no permission).");
   RunOptions options;

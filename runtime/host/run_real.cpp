@@ -10,6 +10,7 @@
 #include "symplant/exec/cycle.hpp"
 #include "symplant/host/attendant.hpp"
 #include "symplant/host/cycle_thread.hpp"
+#include "symplant/host/panel_run.hpp"
 #include "symplant/host/rt_check.hpp"
 #include "symplant/host/signals.hpp"
 #include "symplant/host/watched_link.hpp"
@@ -139,7 +140,7 @@ void let_end_be_read(const Links& links) {
 }  // namespace
 
 RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, const PlcClockChoice* clock,
-                 const RunStreams& streams) {
+                 panel::Panel* panel, const RunStreams& streams) {
   std::ostream& out = streams.report;
   std::ostream& err = streams.err;
   const WatchedLinks watched(links, stage.plant, stage.recorder);
@@ -157,13 +158,16 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
   ReportedStandstill standstill(stage.plant, stage.recorder);
   exec::MonotonicClock wall;
   exec::CycleMeter meter;
+  PanelStatus status(links, &meter);
+  if (panel != nullptr) panel->set_status([&status] { return status.text(); });
+  exec::Stepper* const player = stage.player ? &*stage.player : nullptr;
   const auto cycles = [&] {
     exec::run_cycles(stage.plant, watched.exchanges(), cycle,
                      {.clock = wall,
                       .meter = meter,
                       .stop = stop_requested(),
                       .observer = &stage.recorder,
-                      .stepper = stage.player ? &*stage.player : nullptr,
+                      .stepper = panel != nullptr ? &panel->stepper() : player,
                       .plc_time = plc_time ? &*plc_time : nullptr,
                       .standstill = &standstill});
   };
@@ -184,6 +188,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
     }
     stage.outputs.stop_thread();
   }
+  if (panel != nullptr) panel->set_status(nullptr);
 
   run.cycles = meter.statistics();
   run.faults = thread.faults();

@@ -24,9 +24,9 @@ struct RealRun {
 
 /// Runs from the current plant time to `--until`, else to the last step of the scenario, or to a signal; with
 /// `--rt-check` for that many cycles under the guard (the plant must be made of exec::WatchedBehaviours). Plant time
-/// follows `clock`, or the wall clock if it is null. Reports on `streams.report` the links, the end, and statistics of
-/// the cycle and the links; on `streams.err` the settings that the system refused.
+/// follows `clock`, or the wall clock if it is null. `panel` may be null. Reports on `streams.report` the links, the
+/// end, and statistics of the cycle and the links; on `streams.err` the settings that the system refused.
 RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, const PlcClockChoice* clock,
-                 const RunStreams& streams);
+                 panel::Panel* panel, const RunStreams& streams);
 
 }  // namespace symplant::host

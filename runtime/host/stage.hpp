@@ -15,6 +15,7 @@
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/recorder.hpp"
+#include "symplant/trace/snapshot_file.hpp"
 
 namespace symplant::host {
 
@@ -36,6 +37,8 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
+  /// Sets the plant to a saved state of its model; false if it does not fit. To be called before the first instant.
+  bool resume(const trace::Snapshot& snapshot);
   /// Runs every instant before `time`, then the one at `time`, with the steps of the scenario.
   void advance_to(tables::Time time) noexcept {
     if (player) {
@@ -52,6 +55,7 @@ class Stage {
   plant::OwnedPlant plant;
   trace::Recorder recorder;
   trace::History history;
+  why::Explainer explainer;
   Report report;
   Outputs outputs;
   std::optional<scenario::Player> player;  ///< only with a scenario

@@ -93,6 +93,7 @@ std::string stats_text(const StatsInput& input) {
     text += clock_text(*input.clock, *input.real_time->cycles.plc_clock);
   }
   if (!input.links.empty()) text += links_text(input.links);
+  if (!input.answers.empty()) text += ",\"why\":" + answers_json(input.answers, input.names);
   return text + "}\n";
 }
 

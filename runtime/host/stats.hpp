@@ -9,6 +9,7 @@
 #include "symplant/host/plc_clock.hpp"
 #include "symplant/host/report.hpp"
 #include "symplant/host/run_real.hpp"
+#include "symplant/host/why.hpp"
 #include "symplant/plant/plant.hpp"
 
 namespace symplant::host {
@@ -22,6 +23,8 @@ struct StatsInput {
   const std::optional<RealRun>& real_time;   ///< only in real time
   const PlcClockChoice* clock = nullptr;     ///< null: plant time does not follow a PLC's clock
   const Links& links;
+  std::span<const Answer> answers;  ///< to `--why`
+  const trace::PlantNames& names;
   tables::Time wall = 0;  ///< duration of the run, in ns
 };
 

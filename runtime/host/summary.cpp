@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "symplant/host/symbol_use.hpp"
 #include "symplant/host/words.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/tables/row_of.hpp"
 #include "symplant/trace/name_index.hpp"
+#include "symplant/why/symbol_use.hpp"
 
 namespace symplant::host {
 namespace {
@@ -32,14 +32,15 @@ std::string functions_text(std::uint8_t replaced) {
 }
 
 /// Whether an event is driven, or an operation moves a device or is read. `has_code`: of the behavior of each unit.
-bool has_effect(const SymbolUse& use, std::uint32_t symbol, const std::vector<bool>& has_code) {
-  const SymbolDriver driver = use.driver(symbol);
-  if (driver.kind == SymbolDriver::Kind::behavior ? has_code[driver.unit] : driver.kind != SymbolDriver::Kind::none) {
+bool has_effect(const why::SymbolUse& use, std::uint32_t symbol, const std::vector<bool>& has_code) {
+  const why::SymbolDriver driver = use.driver(symbol);
+  if (driver.kind == why::SymbolDriver::Kind::behavior ? has_code[driver.unit]
+                                                       : driver.kind != why::SymbolDriver::Kind::none) {
     return true;
   }
   const auto readers = use.readers(symbol);
-  return std::any_of(readers.begin(), readers.end(), [&](const SymbolReader& reader) {
-    return reader.kind != SymbolReader::Kind::behavior || has_code[reader.index];
+  return std::any_of(readers.begin(), readers.end(), [&](const why::SymbolReader& reader) {
+    return reader.kind != why::SymbolReader::Kind::behavior || has_code[reader.index];
   });
 }
 
@@ -55,7 +56,7 @@ std::string lists_text(const tables::PlantTables& tables) {
 
 std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash, std::span<const std::string_view> more,
                     std::span<const engine::Behaviour> behaviours) {
-  const SymbolUse use(tables);
+  const why::SymbolUse use(tables);
   std::vector<bool> has_code(tables.units.size());
   for (const tables::BehaviourUnit& unit : tables.behaviour_units) has_code[unit.unit] = unit.name < behaviours.size();
   std::size_t operations = 0;

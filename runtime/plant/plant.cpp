@@ -99,14 +99,20 @@ UnitView Plant::unit(std::uint32_t unit) const noexcept {
   const engine::UnitState& state = engine_->unit(unit);
   const auto is = [&](std::uint16_t flag) { return (state.flags & flag) != 0; };
   UnitView view{
-      state.state, state.state, is(engine::kMoving), is(engine::kMidway), is(engine::kDisabled), is(engine::kFrozen),
+      state.state, state.state, is(engine::kMoving), is(engine::kMidway), is(engine::kDisabled), is(engine::kFrozen), 0,
       0,           0.0};
   if (!view.moving) return view;
   view.target = state.target;
   view.remaining = std::max<tables::Time>(engine_->remaining(unit), 0);
-  const auto whole = static_cast<double>(engine_->whole(unit));
-  view.progress = whole == 0 ? 1.0 : std::max(0.0, 1.0 - static_cast<double>(view.remaining) / whole);
+  view.whole = engine_->whole(unit);
+  view.progress = view.whole == 0
+                      ? 1.0
+                      : std::max(0.0, 1.0 - static_cast<double>(view.remaining) / static_cast<double>(view.whole));
   return view;
+}
+
+tables::Time Plant::after_left(std::uint32_t unit, std::uint16_t transition) const noexcept {
+  return engine_->after_left(unit, transition);
 }
 
 std::span<const std::uint64_t> Plant::disarmed() const noexcept { return engine_->disarmed(); }
@@ -121,10 +127,15 @@ PartView Plant::part(std::uint32_t location, std::uint32_t index) const noexcept
   const engine::Flow& flow = engine_->flow();
   if (tables_.material.is_track(location)) {
     const engine::Part& part = flow.part_on(location, index);
-    return {part.number, part.kind, part.at(engine_->now()) / engine::kMicrometer, part.since};
+    return {part.number, part.kind, part.at(engine_->now()) / engine::kMicrometer, part.v, part.drive, part.since};
   }
   const engine::PlacePart& part = flow.part_in(tables_.material.place_of(location), index);
-  return {part.number, part.kind, 0, part.since};
+  return {part.number, part.kind, 0, 0, 0, part.since};
+}
+
+PartMotion Plant::motion(std::uint32_t track, std::uint32_t index) const noexcept {
+  const engine::Part& part = engine_->flow().part_on(track, index);
+  return {part.at(engine_->now()) / engine::kMicrometer, part.v};
 }
 
 std::uint64_t Plant::parts_made(std::uint32_t kind) const noexcept { return engine_->flow().kind(kind).made; }
@@ -145,13 +156,18 @@ TransferView Plant::transfer(std::uint32_t transfer) const noexcept {
   const engine::Flow& flow = engine_->flow();
   const tables::TransferRow& row = tables_.material.transfers[transfer];
   const engine::TransferState& state = flow.transfer(transfer);
-  TransferView view{state.blocked != 0, state.frozen != 0, 0, 0};
+  TransferView view{state.blocked != 0, state.frozen != 0, row.once && state.permission == 0, 0, 0};
   const engine::Candidate found = flow.candidate(row.from);
   if (found.index == tables::kNone) return view;
   view.part = part(row.from.location, found.index).number;
   const std::uint32_t obstacle = flow.obstacle(row.to, found.kind);
   if (obstacle != tables::kNone) view.obstacle = part(row.to.location, obstacle).number;
   return view;
+}
+
+SourceView Plant::source(std::uint32_t source) const noexcept {
+  const engine::SourceState& state = engine_->flow().source(source);
+  return {state.due, state.made};
 }
 
 bool Plant::is_pending(std::uint32_t requirement) const noexcept { return engine_->is_pending(requirement); }

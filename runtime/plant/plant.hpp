@@ -28,6 +28,7 @@ struct UnitView {
   bool disabled;           ///< by another unit
   bool frozen;             ///< found in an instantaneous loop
   tables::Time remaining;  ///< remaining travel time, ns; 0 if it is settled
+  tables::Time whole;      ///< travel time of the whole move, ns; 0 if it is settled
   double progress;         ///< of the move, 0 to 1; 0 if it is settled
 };
 
@@ -35,16 +36,31 @@ struct UnitView {
 struct PartView {
   std::uint64_t number;  ///< from 1, in the order in which they were made
   std::uint32_t kind;
-  std::int64_t x;      ///< on a track: its front, in um, rounded down; else 0
-  tables::Time since;  ///< when it came to its location
+  std::int64_t x;       ///< on a track: its front, in um, rounded down; else 0
+  std::int64_t speed;   ///< on a track: um/s, < 0: backward; else 0
+  std::uint32_t drive;  ///< of the track: the one that moves it; 0 elsewhere
+  tables::Time since;   ///< when it came to its location
+};
+
+/// How a part on a track moves: at plant time t its front is at x + v * (t - now).
+struct PartMotion {
+  std::int64_t x;  ///< um, rounded down
+  std::int32_t v;  ///< um/s; < 0: backward
 };
 
 /// What a transfer of parts does.
 struct TransferView {
   bool blocked;            ///< the finding `part blocked` is true
   bool frozen;             ///< found in an instantaneous loop
+  bool spent;              ///< `once`: it has moved the part that the beginning of its condition allowed
   std::uint64_t part;      ///< the part that it would move; 0: none
   std::uint64_t obstacle;  ///< a part that leaves no room for it; 0: there is room, or nothing to move
+};
+
+/// What a source of parts does.
+struct SourceView {
+  tables::Time due;    ///< when it makes its next part, or has been due since; kNever: it makes no further part
+  std::uint64_t made;  ///< the number of parts that it has made
 };
 
 /// A plant of the given tables in the given memory (memory_size() bytes, aligned for any type).
@@ -147,6 +163,9 @@ class Plant {
   void forget_changed_events() noexcept;
 
   UnitView unit(std::uint32_t unit) const noexcept;
+  /// How long the cause of a transition from the unit's state must still hold before the unit leaves; kNever if the
+  /// cause does not hold, or need not hold for a time. O(1).
+  tables::Time after_left(std::uint32_t unit, std::uint16_t transition) const noexcept;
   /// Mask over operations(): a set bit is disarmed, without effect until the operation has been off (docs/model.md,
   /// "A transition"). The other operations are armed.
   std::span<const std::uint64_t> disarmed() const noexcept;
@@ -155,6 +174,8 @@ class Plant {
   std::uint32_t parts(std::uint32_t location) const noexcept;
   /// A part at a location: `index` 0 is the front-most on a track, and the one that came first in a place. O(1).
   PartView part(std::uint32_t location, std::uint32_t index) const noexcept;
+  /// The motion of a part on a track, from now on. O(1).
+  PartMotion motion(std::uint32_t track, std::uint32_t index) const noexcept;
   /// The parts made as a kind since the reset, those that left the plant as that kind, and those present. Work changes
   /// the kind of parts, so that present is not made - gone. O(1), O(parts) for the present ones.
   std::uint64_t parts_made(std::uint32_t kind) const noexcept;
@@ -164,6 +185,7 @@ class Plant {
   bool is_frozen_track(std::uint32_t track) const noexcept;
   /// O(parts at its locations).
   TransferView transfer(std::uint32_t transfer) const noexcept;
+  SourceView source(std::uint32_t source) const noexcept;  ///< O(1)
 
   /// Whether a requirement is waiting for its expected condition. O(1).
   bool is_pending(std::uint32_t requirement) const noexcept;

@@ -11,51 +11,22 @@
 namespace symplant::scenario {
 namespace {
 
-/// The current state of a plant.
-struct OfPlant {
-  const plant::Plant& plant;
-  plant::UnitView unit(std::uint32_t unit) const noexcept { return plant.unit(unit); }
-  std::uint64_t value(std::uint32_t symbol) const noexcept { return value_of(plant, symbol); }
-  std::uint64_t parts(std::uint32_t location, std::uint32_t kind) const noexcept {
-    return parts_at(plant, location, kind);
-  }
-};
-
-template <typename Source>
-bool holds_in(const condition::Atom& atom, const Source& source) noexcept {
+bool holds(const condition::Atom& atom, const plant::Plant& plant) noexcept {
   switch (atom.kind) {
     case condition::Atom::Kind::settled: {
-      const plant::UnitView unit = source.unit(atom.of);
+      const plant::UnitView unit = plant.unit(atom.of);
       return !unit.moving && unit.state == atom.state;
     }
     case condition::Atom::Kind::moving:
-      return source.unit(atom.of).moving;
+      return plant.unit(atom.of).moving;
     case condition::Atom::Kind::bit:
-      return source.value(atom.of) != 0;
+      return value_of(plant, atom.of) != 0;
     case condition::Atom::Kind::parts:
-      return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, source.parts(atom.of, atom.part));
+      return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, parts_at(plant, atom.of, atom.part));
     case condition::Atom::Kind::number:
       break;
   }
-  return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, source.value(atom.of));
-}
-
-template <typename Source>
-bool holds_in(const condition::Tree& tree, const Source& source) noexcept {
-  const auto holds_here = [&source](const condition::Tree& child) { return holds_in(child, source); };
-  switch (tree.kind) {
-    case condition::Tree::Kind::constant:
-      return tree.value;
-    case condition::Tree::Kind::atom:
-      return holds_in(tree.atom, source);
-    case condition::Tree::Kind::negation:
-      return !holds_in(tree.children.front(), source);
-    case condition::Tree::Kind::all:
-      return std::all_of(tree.children.begin(), tree.children.end(), holds_here);
-    case condition::Tree::Kind::any:
-      break;
-  }
-  return std::any_of(tree.children.begin(), tree.children.end(), holds_here);
+  return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, value_of(plant, atom.of));
 }
 
 }  // namespace
@@ -84,9 +55,22 @@ bool equal_values(tables::DataType type, std::uint64_t a, std::uint64_t b) noexc
   return x == y || (std::isnan(x) && std::isnan(y));
 }
 
-bool holds(const condition::Tree& tree, const plant::Plant& plant) noexcept { return holds_in(tree, OfPlant{plant}); }
-
-bool holds(const condition::Tree& tree, const trace::History& history) noexcept { return holds_in(tree, history); }
+bool holds(const condition::Tree& tree, const plant::Plant& plant) noexcept {
+  const auto holds_here = [&plant](const condition::Tree& child) { return holds(child, plant); };
+  switch (tree.kind) {
+    case condition::Tree::Kind::constant:
+      return tree.value;
+    case condition::Tree::Kind::atom:
+      return holds(tree.atom, plant);
+    case condition::Tree::Kind::negation:
+      return !holds(tree.children.front(), plant);
+    case condition::Tree::Kind::all:
+      return std::all_of(tree.children.begin(), tree.children.end(), holds_here);
+    case condition::Tree::Kind::any:
+      break;
+  }
+  return std::any_of(tree.children.begin(), tree.children.end(), holds_here);
+}
 
 bool holds(const Expectation& expectation, const plant::Plant& plant) noexcept {
   if (expectation.condition && !holds(*expectation.condition, plant)) return false;

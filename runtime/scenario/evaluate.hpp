@@ -6,7 +6,6 @@
 #include "symplant/condition/tree.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/scenario/scenario.hpp"
-#include "symplant/trace/history.hpp"
 
 namespace symplant::scenario {
 
@@ -20,8 +19,6 @@ std::uint64_t parts_at(const plant::Plant& plant, std::uint32_t location, std::u
 bool equal_values(tables::DataType type, std::uint64_t a, std::uint64_t b) noexcept;
 
 bool holds(const condition::Tree& tree, const plant::Plant& plant) noexcept;
-/// The same for a plant's state from its records.
-bool holds(const condition::Tree& tree, const trace::History& history) noexcept;
 bool holds(const Expectation& expectation, const plant::Plant& plant) noexcept;
 
 }  // namespace symplant::scenario

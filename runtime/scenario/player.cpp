@@ -29,32 +29,21 @@ Player::Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& r
 }
 
 tables::Time Player::time_of(const Step& step) const noexcept {
-  return step.when == Step::When::at ? std::max(step.time, moment_) : moment_ + step.time;
+  return step.when == Step::When::at ? std::max(step.time, position_.moment) : position_.moment + step.time;
 }
 
 tables::Time Player::next() const noexcept {
   if (over()) return tables::kNever;
-  if (waiting_) return deadline_;
-  const Step& step = scenario_.steps[at_];
-  return step.when == Step::When::wait ? moment_ : time_of(step);
+  if (position_.waiting) return position_.deadline;
+  const Step& step = scenario_.steps[position_.at];
+  return step.when == Step::When::wait ? position_.moment : time_of(step);
 }
 
 void Player::instant(const engine::Instant& instant) noexcept {
   recorder_.instant(instant);
-  if (!waiting_ || met_ || instant.time > deadline_) return;
-  met_ = holds(*scenario_.steps[at_].expect, plant_);
-  met_time_ = instant.time;
-}
-
-void Player::set(const SymbolValue& value) noexcept {
-  const tables::SymbolRow& row = plant_.tables().symbols[value.symbol];
-  if (row.direction() == tables::Direction::event) {
-    plant_.set_input(value.symbol, value.value);
-  } else if (row.type() == tables::DataType::boolean) {
-    plant_.set_operation(row.index, value.value != 0);
-  } else {
-    plant_.set_operation_value(row.index, value.value);
-  }
+  if (!position_.waiting || position_.met || instant.time > position_.deadline) return;
+  position_.met = holds(*scenario_.steps[position_.at].expect, plant_);
+  position_.met_time = instant.time;
 }
 
 /// False if a part had no room, or there was none to take.
@@ -78,50 +67,44 @@ bool Player::act_by_hand(const Step& step) noexcept {
 
 /// False if the step has failed already.
 bool Player::act(const Step& step) noexcept {
-  for (const SymbolValue& value : step.set) set(value);
-  for (const UnitState& unit : step.states) plant_.set_state(unit.unit, unit.state);
+  turn_ = recorder_.turn();
+  write_symbols(step, plant_);
   const bool well = act_by_hand(step);
-  for (const SymbolValue& value : step.force) {
-    plant_.force(value.symbol, value.value);
-    note_force(value.symbol, true);
-  }
-  for (const std::uint32_t symbol : step.release) {
-    plant_.release(symbol);
-    note_force(symbol, false);
-  }
+  force_symbols(step, plant_, recorder_);
   return well;
 }
 
-void Player::note_force(std::uint32_t symbol, bool forced) noexcept {
-  recorder_.note(plant_.now(), kForceNote, std::uint64_t{symbol} * 2 + (forced ? 1 : 0));
-}
-
 void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {
-  Outcome& outcome = outcomes_[at_];
-  if (kind == Outcome::Kind::failed) {
-    ++outcome.failed;
+  Outcome& outcome = outcomes_[position_.at];
+  if (kind == Outcome::Kind::failed) ++outcome.failed;
+  if (kind == Outcome::Kind::failed && notes_failures_) {
     const auto note = [&](std::uint32_t of, std::uint64_t value) {
       late_notes_.empty() ? static_cast<void>(recorder_.note(plant_.now(), of, value))
                           : late_notes_.push_back({of, value});
     };
     if (!scenario_.repeats.empty()) note(kTurnNote, outcome.done);
-    note(static_cast<std::uint32_t>(at_), static_cast<std::uint64_t>(time));
+    note(static_cast<std::uint32_t>(position_.at), static_cast<std::uint64_t>(time));
+  }
+  if (notes_steps_) {
+    recorder_.note(
+        plant_.now(), kStepNote,
+        position_.at + (kind == Outcome::Kind::failed ? kStepFailed : 0) + (std::uint64_t{turn_} << kTurnBits));
   }
   ++outcome.done;
   if (outcome.kind != Outcome::Kind::failed) {
     outcome.kind = kind;
     outcome.time = time;
   }
-  moment_ = time;
+  position_.moment = time;
   go_on();
 }
 
 /// To the next step: that after this one, or the first one of a repeat that has more turns.
 void Player::go_on() noexcept {
-  ++at_;
-  for (std::uint32_t r = ends_[at_]; r < turns_.size() && scenario_.repeats[r].end == at_; ++r) {
+  ++position_.at;
+  for (std::uint32_t r = ends_[position_.at]; r < turns_.size() && scenario_.repeats[r].end == position_.at; ++r) {
     if (++turns_[r] < scenario_.repeats[r].turns) {
-      at_ = scenario_.repeats[r].begin;
+      position_.at = scenario_.repeats[r].begin;
       return;
     }
     turns_[r] = 0;
@@ -130,22 +113,24 @@ void Player::go_on() noexcept {
 
 /// Checks the current wait after the instant at now() has run; false while it continues.
 bool Player::wait_on() noexcept {
-  const Step& step = scenario_.steps[at_];
-  if (!waiting_) {
-    waiting_ = true;
-    deadline_ = moment_ + step.time;
-    met_ = holds(*step.expect, plant_);
-    met_time_ = plant_.now();
+  const Step& step = scenario_.steps[position_.at];
+  if (!position_.waiting) {
+    position_.waiting = true;
+    position_.deadline = position_.moment + step.time;
+    position_.met = holds(*step.expect, plant_);
+    position_.met_time = plant_.now();
   }
-  if (!met_ && plant_.now() < deadline_) return false;
-  waiting_ = false;
-  decide(met_ ? Outcome::Kind::held : Outcome::Kind::failed, met_ ? met_time_ : deadline_);
+  if (!position_.met && plant_.now() < position_.deadline) return false;
+  position_.waiting = false;
+  decide(position_.met ? Outcome::Kind::held : Outcome::Kind::failed,
+         position_.met ? position_.met_time : position_.deadline);
   return true;
 }
 
 /// Runs the instants up to `time`, then adds the notes that wait for them.
 void Player::advance_plant(tables::Time time) noexcept {
   plant_.advance_to(time, this);
+  recorder_.next_turn();
   for (const LateNote& note : late_notes_) recorder_.note(plant_.now(), note.of, note.value);
   late_notes_.clear();
   hands_ = 0;
@@ -154,7 +139,7 @@ void Player::advance_plant(tables::Time time) noexcept {
 void Player::advance_to(tables::Time time) noexcept {
   plant_.advance_before(time, this);
   while (!over()) {
-    const Step& step = scenario_.steps[at_];
+    const Step& step = scenario_.steps[position_.at];
     if (step.when == Step::When::wait) {
       advance_plant(time);
       if (!wait_on()) break;
@@ -164,6 +149,7 @@ void Player::advance_to(tables::Time time) noexcept {
     if (due > time) break;
     const bool well = act(step);
     if (!step.expect) {
+      if (step.ends_instant) advance_plant(time);
       decide(!step.is_checked() ? Outcome::Kind::done : well ? Outcome::Kind::held : Outcome::Kind::failed, due);
       continue;
     }
@@ -173,8 +159,30 @@ void Player::advance_to(tables::Time time) noexcept {
   advance_plant(time);
 }
 
+void Player::begin_again() noexcept {
+  std::fill(outcomes_.begin(), outcomes_.end(), Outcome{});
+  std::fill(turns_.begin(), turns_.end(), 0);
+  late_notes_.clear();
+  hands_ = 0;
+  position_ = {.moment = plant_.now()};
+}
+
+void Player::save(State& state) const noexcept {
+  state.position = position_;
+  std::copy(turns_.begin(), turns_.end(), state.turns.begin());
+  std::copy(outcomes_.begin(), outcomes_.end(), state.outcomes.begin());
+}
+
+void Player::restore(const State& state) noexcept {
+  position_ = state.position;
+  std::copy(state.turns.begin(), state.turns.end(), turns_.begin());
+  std::copy(state.outcomes.begin(), state.outcomes.end(), outcomes_.begin());
+  late_notes_.clear();
+  hands_ = 0;
+}
+
 void Player::end() noexcept {
-  at_ = outcomes_.size();
+  position_.at = outcomes_.size();
   for (std::size_t i = 0; i < outcomes_.size(); ++i) {
     Outcome& outcome = outcomes_[i];
     if (outcome.kind == Outcome::Kind::failed || outcome.done == executions(scenario_, i)) continue;

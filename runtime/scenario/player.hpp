@@ -7,6 +7,7 @@
 
 #include "symplant/exec/stepper.hpp"
 #include "symplant/plant/plant.hpp"
+#include "symplant/scenario/act.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/recorder.hpp"
 
@@ -26,15 +27,20 @@ struct Outcome {
   std::uint64_t done = 0;    ///< how often it was done, however it ended
   std::uint64_t failed = 0;  ///< how often its expectation failed
 };
+/// Notes with a lesser `of` are about failed steps.
+inline constexpr std::uint32_t kLeastNote = 0xFFFF'FF00;
 /// The `of` of a note before that of a failed step: its value is how often the step was done before.
 inline constexpr std::uint32_t kTurnNote = 0xFFFF'FFFF;
-/// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
-inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
-
 /// The `of` of a note before that of a failed step: its value is the index of a part in Step::put that has no room, or
 /// kTakeNote more than an index in Step::take with no part.
 inline constexpr std::uint32_t kHandNote = 0xFFFF'FFFD;
 inline constexpr std::uint64_t kTakeNote = std::uint64_t{1} << 32;
+
+/// The `of` of a note about each step that was done, only with Player::note_steps(): its value is the step's index in
+/// 32 bits, kStepFailed if its expectation failed, and from kTurnBits on the turn in which it acted (Recorder::turn()).
+inline constexpr std::uint32_t kStepNote = 0xFFFF'FFFC;
+inline constexpr std::uint64_t kStepFailed = std::uint64_t{1} << 32;
+inline constexpr int kTurnBits = 33;
 
 /// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
 /// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
@@ -53,9 +59,39 @@ class Player final : public engine::Observer, public exec::Stepper {
   void advance_to(tables::Time time) noexcept override;
   /// The time of the next step, or the deadline of the current wait; kNever if the scenario is over.
   tables::Time next() const noexcept;
-  bool over() const noexcept override { return at_ == scenario_.steps.size(); }
+  bool over() const noexcept override { return position_.at == scenario_.steps.size(); }
   /// Ends the run: marks the remaining steps as unreached.
   void end() noexcept;
+
+  /// Adds a note for each step that is done (kStepNote); with `only`, none about failed steps.
+  void note_steps(bool only = false) noexcept {
+    notes_steps_ = true;
+    notes_failures_ = !only;
+  }
+  /// Begins again with the first step at the plant's time, from which the first `plus` counts.
+  void begin_again() noexcept;
+
+  /// How far it is; for a state of the plant that is saved and restored.
+  struct Position {
+    std::size_t at = 0;         ///< index of the next step, or of the current wait
+    tables::Time moment = 0;    ///< time of the previous step
+    bool waiting = false;       ///< step `at` is a wait, and has begun
+    tables::Time deadline = 0;  ///< of the current wait
+    bool met = false;           ///< the current wait is met
+    tables::Time met_time = 0;  ///< the time at which it was met
+  };
+  struct State {
+    Position position;
+    std::vector<std::uint32_t> turns;
+    std::vector<Outcome> outcomes;
+  };
+  /// A state with room for save(). For any thread.
+  State make_state() const {
+    return {{}, std::vector<std::uint32_t>(turns_.size()), std::vector<Outcome>(outcomes_.size())};
+  }
+  /// Between instants. The state must be made by make_state() of a player of this scenario. O(steps).
+  void save(State& state) const noexcept;
+  void restore(const State& state) noexcept;
 
   /// One outcome per step.
   std::span<const Outcome> outcomes() const noexcept { return outcomes_; }
@@ -70,9 +106,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   tables::Time time_of(const Step& step) const noexcept;
   bool act(const Step& step) noexcept;
   bool act_by_hand(const Step& step) noexcept;
-  void note_force(std::uint32_t symbol, bool forced) noexcept;
   void advance_plant(tables::Time time) noexcept;
-  void set(const SymbolValue& value) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;
   void go_on() noexcept;
@@ -89,13 +123,11 @@ class Player final : public engine::Observer, public exec::Stepper {
     std::uint64_t value;
   };
   std::vector<LateNote> late_notes_;
-  std::size_t hands_ = 0;      ///< parts put and taken since the last instant
-  std::size_t at_ = 0;         ///< index of the next step, or of the current wait
-  tables::Time moment_ = 0;    ///< time of the previous step
-  bool waiting_ = false;       ///< step at_ is a wait, and has begun
-  tables::Time deadline_ = 0;  ///< of the current wait
-  bool met_ = false;           ///< the current wait is met
-  tables::Time met_time_ = 0;  ///< the time at which it was met
+  std::size_t hands_ = 0;  ///< parts put and taken since the last instant
+  Position position_;
+  std::uint32_t turn_ = 0;  ///< of the step that acted last
+  bool notes_steps_ = false;
+  bool notes_failures_ = true;
 };
 
 }  // namespace symplant::scenario

@@ -75,6 +75,7 @@ class FileReader {
         const std::uint32_t before = std::exchange(file_, static_cast<std::uint32_t>(scenario_.files.size() - 1));
         std::vector<json::Fault> of_including = std::exchange(reader_.faults, {});
         std::vector<std::string> indexes = std::exchange(pointers_, {});
+        if (path.empty() && faults.empty() && root.contains("exercise")) read_exercise(root["exercise"]);
         read_steps(root["steps"], "/steps", broken_steps(faults));
         std::move(reader_.faults.begin(), reader_.faults.end(), std::back_inserter(faults));
         find_lines(text, first);
@@ -110,9 +111,35 @@ class FileReader {
     }
   }
 
+  void read_exercise(const Json& value) {
+    Exercise exercise{value["title"].get<std::string>(), value.value("text", ""), 0, 0, tables::kNever, 0};
+    if (const auto score = value.find("score"); score != value.end()) {
+      exercise.for_expectation = score->value("expect", std::int64_t{0});
+      exercise.for_violation = score->value("requirement violated", std::int64_t{0});
+      if (const auto within = score->find("within"); within != score->end()) {
+        exercise.for_time = (*within)["points"].get<std::int64_t>();
+        exercise.within = reader_.read_duration((*within)["time"], "/exercise/score/within/time").value_or(0);
+      }
+    }
+    scenario_.exercise = std::move(exercise);
+  }
+
+  void read_restore(const Json& step, const std::string& pointer) {
+    const std::string at = json::child(pointer, "restore");
+    if (step.size() > 1) {
+      add(pointer, "`restore` is a step without other keys; write them as the next step");
+    } else if (!scenario_.steps.empty() || depth_ != 0 || !including_.empty() || !scenario_.restore.empty()) {
+      add(at, "a run starts from one snapshot; write `restore` as the first step of the scenario", true);
+    } else {
+      scenario_.restore = step["restore"].get<std::string>();
+    }
+  }
+
   void read_step(const Json& step, const std::string& pointer) {
     const bool repeats = step.contains("repeat") || step.contains("steps");
-    if (!repeats && !step.contains("include")) {
+    if (step.contains("restore")) {
+      read_restore(step, pointer);
+    } else if (!repeats && !step.contains("include")) {
       scenario_.steps.push_back(reader_.read(step, pointer));
       scenario_.steps.back().file = file_;
       pointers_.push_back(pointer);

@@ -55,8 +55,10 @@ struct Step {
   std::vector<SymbolValue> force;
   std::vector<std::uint32_t> release;
   std::optional<Expectation> expect;
-  std::size_t line = 0;    ///< in the file, from 1
-  std::uint32_t file = 0;  ///< index in Scenario::files
+  bool ends_instant = false;  ///< what follows at the same time acts in a further instant
+  std::string text;           ///< for the trainee of an exercise; may be empty
+  std::size_t line = 0;       ///< in the file, from 1
+  std::uint32_t file = 0;     ///< index in Scenario::files
 
   /// Whether it can fail.
   bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty(); }
@@ -70,7 +72,19 @@ struct Repeat {
   std::uint32_t turns;
 };
 
+/// Makes a scenario an exercise for a trainee at the panel.
+struct Exercise {
+  std::string title;
+  std::string text;
+  std::int64_t for_expectation = 0;  ///< points for each expectation and wait that is met
+  std::int64_t for_violation = 0;    ///< points for each violation of a requirement; usually below 0
+  tables::Time within = tables::kNever;
+  std::int64_t for_time = 0;  ///< points if it is over within that time
+};
+
 struct Scenario {
+  std::string restore;  ///< the snapshot file from which the plant starts; empty: its initial state
+  std::optional<Exercise> exercise;
   std::vector<Step> steps;         ///< each once, however often it is done
   std::vector<Repeat> repeats;     ///< sorted by end, then the inner one first
   std::vector<std::string> files;  ///< the scenario's own file is an empty text, then the included ones by their paths

@@ -71,6 +71,8 @@ Step StepReader::read(const Json& step, const std::string& pointer) {
   part("force", [&](const Json& value, const std::string& at) { result.force = read_values(value, at, false); });
   part("release", [&](const Json& value, const std::string& at) { result.release = read_symbols(value, at); });
   part("expect", [&](const Json& value, const std::string& at) { read_expect(value, at, result); });
+  result.ends_instant = step.contains("instant");
+  result.text = step.value("text", "");
   return result;
 }
 
@@ -112,7 +114,7 @@ void StepReader::read_wait(const Json& step, const std::string& pointer, Step& r
   if (const auto within = step.find("within"); within != step.end()) {
     result.time = read_duration(*within, json::child(pointer, "within")).value_or(kDefaultWithin);
   }
-  for (const char* key : {"set", "state", "put", "take", "force", "release", "expect"}) {
+  for (const char* key : {"set", "state", "put", "take", "force", "release", "expect", "instant"}) {
     if (!step.contains(key)) continue;
     add(json::child(pointer, key),
         ticked(key) + " is not allowed with `wait`; put it into a separate step after it, with `plus`: `0s`", true);

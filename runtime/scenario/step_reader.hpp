@@ -21,6 +21,9 @@ class StepReader {
   /// `pointer` is the JSON pointer of the step. Call it for the steps in their order.
   Step read(const nlohmann::json& step, const std::string& pointer);
 
+  /// Nothing, and a fault, if the text is not a duration up to 100 years.
+  std::optional<tables::Time> read_duration(const nlohmann::json& value, const std::string& pointer);
+
   /// Around the steps of a repeat: in it no step may have an `at`.
   void begin_repeat();
   void end_repeat(std::uint32_t turns);
@@ -32,7 +35,6 @@ class StepReader {
   void read_wait(const nlohmann::json& step, const std::string& pointer, Step& result);
   void check_order(const Step& step, const std::string& pointer);
   void read_expect(const nlohmann::json& value, const std::string& pointer, Step& result);
-  std::optional<tables::Time> read_duration(const nlohmann::json& value, const std::string& pointer);
   std::optional<condition::Tree> read_condition(const std::string& text, const std::string& pointer);
   std::vector<SymbolValue> read_values(const nlohmann::json& object, const std::string& pointer, bool setting);
   void read_puts(const nlohmann::json& value, const std::string& pointer, Step& result);

@@ -10,32 +10,12 @@
 #include "symplant/scenario/evaluate.hpp"
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/value_text.hpp"
+#include "symplant/why/recorded_view.hpp"
 
 namespace symplant::scenario {
 namespace {
 
 using trace::seconds;
-
-/// The symbols, units and locations of parts of an expectation, each once.
-struct Things {
-  std::set<std::uint32_t> symbols;
-  std::set<std::uint32_t> units;
-  std::set<std::uint32_t> locations;  ///< of parts
-};
-
-/// Collects the symbols and units of a condition that does not hold; of a conjunction only the parts that do not hold.
-void collect(const condition::Tree& tree, const trace::History& history, Things& things) {
-  if (tree.kind == condition::Tree::Kind::atom) {
-    const bool is_unit =
-        tree.atom.kind == condition::Atom::Kind::settled || tree.atom.kind == condition::Atom::Kind::moving;
-    const bool is_location = tree.atom.kind == condition::Atom::Kind::parts;
-    (is_location ? things.locations : is_unit ? things.units : things.symbols).insert(tree.atom.of);
-  }
-  for (const condition::Tree& child : tree.children) {
-    if (tree.kind == condition::Tree::Kind::all && holds(child, history)) continue;
-    collect(child, history, things);
-  }
-}
 
 std::string location_text(const tables::PartLocation& at, const trace::PlantNames& names) {
   const std::string name(names.location(at.location));
@@ -75,12 +55,8 @@ std::vector<SymbolValue> missing(const Expectation& expectation, const trace::Pl
   return found;
 }
 
-/// The step that forces a symbol.
-struct Force {
-  std::uint64_t value = 0;
-  std::string line;  ///< in words
-};
-using Forces = std::map<std::uint32_t, Force>;
+/// By symbol: the step that forces it, in words.
+using Forces = std::map<std::uint32_t, std::string>;
 
 /// The symbols forced after the steps up to and including `step`, done `turn` times before.
 Forces forces_at(const Scenario& scenario, std::size_t step, std::uint64_t turn) {
@@ -88,7 +64,7 @@ Forces forces_at(const Scenario& scenario, std::size_t step, std::uint64_t turn)
   const auto play = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Step& done = scenario.steps[i];
-      for (const SymbolValue& value : done.force) forces[value.symbol] = {value.value, line_words(scenario, done)};
+      for (const SymbolValue& value : done.force) forces[value.symbol] = line_words(scenario, done);
       for (const std::uint32_t symbol : done.release) forces.erase(symbol);
     }
   };
@@ -114,27 +90,66 @@ std::string taken_from(const tables::PartLocation& from, const trace::PlantNames
 }
 
 /// The parts that had no room, or were not there to take.
-std::vector<std::string> hand_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
-                                    std::span<const std::uint64_t> hands, const trace::PlantNames& names,
-                                    const trace::History& history) {
-  const Step& step = scenario.steps[at];
-  std::vector<std::string> parts;
+why::Explanation hand_failure(const Scenario& scenario, const Failure& failure, const why::Explainer& explainer,
+                              const why::StateView& view) {
+  const trace::PlantNames& names = explainer.names();
+  const Step& step = scenario.steps[failure.step];
+  why::Explanation result;
   std::set<std::uint32_t> locations;
-  for (const std::uint64_t hand : hands) {
+  for (const std::uint64_t hand : failure.hands) {
+    const std::string_view before = result.sentence.empty() ? "" : ", ";
     if (hand >= kTakeNote) {
       const tables::PartLocation& from = step.take[hand - kTakeNote];
-      parts.push_back(fmt::format("no part to take at {} at {}", taken_from(from, names), seconds(time)));
+      result.sentence +=
+          fmt::format("{}no part to take at {} at {}", before, taken_from(from, names), seconds(failure.time));
       locations.insert(from.location);
     } else {
       const NewPart& put = step.put[hand];
-      parts.push_back(fmt::format("no room for a part of kind `{}` at {} at {}", names.part_kind(put.kind),
-                                  location_text(put.at, names), seconds(time)));
+      result.sentence += fmt::format("{}no room for a part of kind `{}` at {} at {}", before, names.part_kind(put.kind),
+                                     location_text(put.at, names), seconds(failure.time));
       locations.insert(put.at.location);
     }
   }
-  if (const std::string words = turn_words(scenario, at, turn); !words.empty()) parts.front() += ", in " + words;
-  for (const std::uint32_t location : locations) parts.push_back(trace::location_words(location, names, history));
-  return parts;
+  for (const std::uint32_t location : locations) {
+    result.because.push_back(explainer.why({why::Reference::Kind::location, location}, view));
+  }
+  return result;
+}
+
+/// The state at the time of a failure. A forced symbol names the step that forces it.
+class FailureView final : public why::RecordedView {
+ public:
+  FailureView(const trace::History& history, tables::Time time, const plant::Plant* plant, Forces forces)
+      : RecordedView(history, time, plant), forces_(std::move(forces)) {}
+
+  std::string forced(std::uint32_t symbol) const override {
+    const auto force = forces_.find(symbol);
+    return force == forces_.end() ? std::string() : "in " + force->second;
+  }
+
+ private:
+  Forces forces_;
+};
+
+/// An expected value as a condition.
+condition::Tree tree_of(const SymbolValue& wanted, tables::DataType type) {
+  condition::Tree tree;
+  tree.kind = condition::Tree::Kind::atom;
+  tree.atom.of = wanted.symbol;
+  if (type == tables::DataType::boolean) {
+    tree.atom.kind = condition::Atom::Kind::bit;
+    if (wanted.value != 0) return tree;
+    condition::Tree negation;
+    negation.kind = condition::Tree::Kind::negation;
+    negation.children.push_back(std::move(tree));
+    return negation;
+  }
+  tree.atom.kind = condition::Atom::Kind::number;
+  tree.atom.number = trace::is_real(type)     ? tables::NumberKind::real
+                     : trace::is_signed(type) ? tables::NumberKind::signed_integer
+                                              : tables::NumberKind::unsigned_integer;
+  tree.atom.operand = wanted.value;
+  return tree;
 }
 
 }  // namespace
@@ -157,48 +172,33 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names) 
   return expectation.condition ? "`" + expectation.text + "`" : values_text(expectation.values, names);
 }
 
-std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
-                                       std::span<const std::uint64_t> hands, const trace::PlantNames& names,
-                                       const trace::History& history) {
-  const Step& step = scenario.steps[at];
-  if (!hands.empty()) return hand_parts(scenario, at, turn, time, hands, names, history);
-  const Forces forces = forces_at(scenario, at, turn);
-  const std::vector<SymbolValue> wrong = missing(*step.expect, names, history);
-  std::vector<std::string> parts;
-  if (step.when == Step::When::wait) {
-    parts.push_back(
-        fmt::format("waited {} for `{}`, still false at {}", seconds(step.time), step.expect->text, seconds(time)));
+why::Explanation failure_words(const Scenario& scenario, const Failure& failure, const why::Explainer& explainer,
+                               const trace::History& history, const plant::Plant* plant) {
+  const trace::PlantNames& names = explainer.names();
+  const Step& step = scenario.steps[failure.step];
+  const FailureView view(history, failure.time, plant, forces_at(scenario, failure.step, failure.turn));
+  const std::string turn = turn_words(scenario, failure.step, failure.turn);
+  why::Explanation result;
+  if (!failure.hands.empty()) {
+    result = hand_failure(scenario, failure, explainer, view);
   } else {
-    parts.push_back(fmt::format("expected {} at {}",
-                                wrong.empty() ? expectation_words(step, names) : values_text(wrong, names),
-                                seconds(time)));
-  }
-  if (const std::string words = turn_words(scenario, at, turn); !words.empty()) parts.front() += ", in " + words;
-  Things things;
-  for (const SymbolValue& value : wrong) things.symbols.insert(value.symbol);
-  if (step.expect->condition) collect(*step.expect->condition, history, things);
-  for (const std::uint32_t symbol : things.symbols) {
-    const tables::SymbolRow& row = names.tables().symbols[symbol];
-    const auto force = forces.find(symbol);
-    parts.push_back(fmt::format(
-        "{} has been {} {}{}, {}", names.symbol(symbol), trace::value_text(row.type(), history.value(symbol)),
-        trace::since_words(history.since(symbol)), force == forces.end() ? "" : ", forced in " + force->second.line,
-        trace::symbol_words(symbol, names)));
-    if (row.unit != tables::kNone) things.units.insert(row.unit);
-  }
-  for (const std::uint32_t location : things.locations)
-    parts.push_back(trace::location_words(location, names, history));
-  for (const std::uint32_t unit : things.units) {
-    parts.push_back(trace::unit_words(unit, names, history));
-    for (const std::uint32_t symbol : names.symbols_of(unit)) {
-      const auto force = forces.find(symbol);
-      if (force == forces.end() || things.symbols.contains(symbol)) continue;
-      parts.push_back(fmt::format("{} is forced to {} in {}", names.symbol(symbol),
-                                  trace::value_text(names.tables().symbols[symbol].type(), force->second.value),
-                                  force->second.line));
+    const std::vector<SymbolValue> wrong = missing(*step.expect, names, history);
+    result.sentence = step.when == Step::When::wait
+                          ? fmt::format("waited {} for `{}`, still false at {}", seconds(step.time), step.expect->text,
+                                        seconds(failure.time))
+                          : fmt::format("expected {} at {}",
+                                        wrong.empty() ? expectation_words(step, names) : values_text(wrong, names),
+                                        seconds(failure.time));
+    condition::Tree expected;
+    expected.kind = condition::Tree::Kind::all;
+    for (const SymbolValue& value : wrong) {
+      expected.children.push_back(tree_of(value, names.tables().symbols[value.symbol].type()));
     }
+    if (step.expect->condition) expected.children.push_back(*step.expect->condition);
+    result.because = explainer.why_not(expected, view);
   }
-  return parts;
+  if (!turn.empty()) result.sentence += ", in " + turn;
+  return result;
 }
 
 }  // namespace symplant::scenario

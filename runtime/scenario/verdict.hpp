@@ -9,6 +9,7 @@
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
+#include "symplant/why/explainer.hpp"
 
 namespace symplant::scenario {
 
@@ -24,12 +25,18 @@ Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes);
 /// limit.
 std::string expectation_words(const Step& step, const trace::PlantNames& names);
 
-/// Why a step's expectation failed at `time`: what was expected, then one part for each of its symbols and units: its
-/// value or state, since when, the operation that led to it, and the step that forces it. Of a conjunction only the
-/// parts that do not hold are reported. `at` is the index of the step, `history` the records at that time. Never empty;
-/// join the parts with `; `. `turn` is how often the step was done before. O(steps * depth of repeats).
-std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
-                                       std::span<const std::uint64_t> hands, const trace::PlantNames& names,
-                                       const trace::History& history);
+/// A step that failed.
+struct Failure {
+  std::size_t step;
+  std::uint64_t turn;  ///< how often the step was done before
+  tables::Time time;
+  std::span<const std::uint64_t> hands;  ///< what failed by hand: the values of its kHandNotes
+};
+
+/// What was expected, and why it is not so; a forced symbol names the step that forces it. Of a conjunction only the
+/// parts that do not hold are explained. `history` has the records until that time, `plant` is as for RecordedView.
+/// O(steps * depth of repeats) and the explanation.
+why::Explanation failure_words(const Scenario& scenario, const Failure& failure, const why::Explainer& explainer,
+                               const trace::History& history, const plant::Plant* plant);
 
 }  // namespace symplant::scenario

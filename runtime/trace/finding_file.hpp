@@ -13,7 +13,7 @@ class FindingFile {
  public:
   FindingFile(OutputFile file, const PlantNames& names) : file_(std::move(file)), names_(names) {}
 
-  /// `words` are finding_parts(), joined.
+  /// `words` are the sentences about the finding.
   void write(const FoundThing& found, const std::string& words, const History& history);
   void flush() { file_.flush(); }
   const std::string& error() const { return file_.error(); }

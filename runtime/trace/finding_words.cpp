@@ -6,11 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <map>
-#include <set>
 
 #include "symplant/trace/requirement_units.hpp"
-#include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
 namespace {
@@ -36,14 +33,8 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
 
 constexpr std::size_t kOperationsShown = 4;
 
-/// `Y0001`, or the symbol's name if it has no address.
-std::string index(std::uint32_t symbol, const PlantNames& names) {
-  const std::string_view address = names.address(symbol);
-  return std::string(address.empty() ? names.symbol(symbol) : address);
-}
-
 /// Added to the name of an inverted symbol: "on" means that it commands.
-std::string_view inverted(std::uint32_t symbol, const PlantNames& names) {
+std::string_view inverted_words(std::uint32_t symbol, const PlantNames& names) {
   return names.tables().symbols[symbol].inverted() ? ", inverted" : "";
 }
 
@@ -62,8 +53,8 @@ std::string disablers(std::uint32_t unit, const PlantNames& names, const History
 std::string led(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
-    text += fmt::format("{}{} ({} of {}{}) ", text.empty() ? "" : ", ", index(symbol, names), names.task(symbol),
-                        names.unit(unit), inverted(symbol, names));
+    text += fmt::format("{}{} ({} of {}{}) ", text.empty() ? "" : ", ", address_or_name(symbol, names),
+                        names.task(symbol), names.unit(unit), inverted_words(symbol, names));
     text += history.commands(symbol)
                 ? "on since " + seconds(history.rose(symbol))
                 : fmt::format("on at {}, off since {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
@@ -74,7 +65,7 @@ std::string led(std::uint32_t unit, const PlantNames& names, const History& hist
 std::string of_unit(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t unit = found.of.front();
   const std::string name(names.unit(unit));
-  const std::string state = state_words(unit, names, history);
+  const std::string state = state_words(unit, names, history.unit(unit));
   const std::string operations = led(unit, names, history);
   switch (found.kind) {
     case FindingKind::conflicting_operations:
@@ -105,7 +96,7 @@ std::string of_operation(const FoundThing& found, const PlantNames& names, const
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
   const std::string who = symbol_words(symbol, names);
   const std::string name(names.unit(unit));
-  const std::string state = state_words(unit, names, history);
+  const std::string state = state_words(unit, names, history.unit(unit));
   if (found.kind == FindingKind::command_to_a_disabled_unit) {
     const std::string by = disablers(unit, names, history);
     return fmt::format(
@@ -131,7 +122,7 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
   std::string text = fmt::format("event too short: {}, changed and changed back too quickly for a PLC to see it",
                                  symbol_words(symbol, names));
   if (unit != tables::kNone) {
-    text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history));
+    text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history.unit(unit)));
     text += led(unit, names, history);
   }
   return text + "; check for a state that takes no time";
@@ -151,24 +142,6 @@ std::string of_clock(const FoundThing& found, const PlantNames& names) {
       symbol_words(found.of.front(), names));
 }
 
-/// What led a unit to its state: the operation that came on last, and those that are still on.
-std::string led_here(std::uint32_t unit, const PlantNames& names, const History& history) {
-  std::string text;
-  bool has_operations = false;
-  for (const std::uint32_t symbol : names.symbols_of(unit))
-    has_operations = has_operations || names.is_operation(symbol);
-  for (const std::uint32_t symbol : history.last_operations(unit, names.symbols_of(unit).size())) {
-    const bool on = history.commands(symbol);
-    if (!on && !text.empty()) continue;
-    text += fmt::format(", {} (operation {}{}, {}) ", index(symbol, names), names.task(symbol), inverted(symbol, names),
-                        names.cite(symbol));
-    text += on ? "has been on since " + seconds(history.rose(symbol))
-               : fmt::format("was on from {} to {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
-  }
-  if (text.empty() && has_operations) return ", none of its operations has been on";
-  return text;
-}
-
 std::string of_standstill(const FoundThing& found) {
   return fmt::format(
       "standstill: the process was stopped or delayed, so the plant did not run for {}, and its PLC waited; check what "
@@ -182,20 +155,6 @@ std::string of_link(const FoundThing& found, const PlantNames& names) {
     return fmt::format("link back: {}, what the PLC writes takes effect again", link.name);
   }
   return fmt::format("link lost: {}, {}", link.name, link.silence);
-}
-
-/// The forced symbols that a requirement reads, directly or as an operation or event of a unit.
-std::map<std::uint32_t, tables::Time> forced_in(std::uint32_t requirement, const std::vector<std::uint32_t>& units,
-                                                const PlantNames& names, const History& history) {
-  std::map<std::uint32_t, tables::Time> found;
-  if (history.forced().empty()) return found;
-  const std::set<std::uint32_t> read = requirement_symbols(names.tables(), requirement);
-  for (const auto& [symbol, since] : history.forced()) {
-    const std::uint32_t unit = names.tables().symbols[symbol].unit;
-    const bool of_unit = unit != tables::kNone && std::find(units.begin(), units.end(), unit) != units.end();
-    if (of_unit || read.contains(symbol)) found.emplace(symbol, since);
-  }
-  return found;
 }
 
 /// The part that cannot move, and the one that leaves it no room.
@@ -213,30 +172,6 @@ std::string of_transfer(const FoundThing& found, const PlantNames& names, const 
       names.location(row.to.location),
       obstacle == nullptr ? ", which has no room"
                           : fmt::format(": part {} is there {}", there, since_words(obstacle->since)));
-}
-
-/// The violation, then each unit in the conditions of the requirement, the latest change first.
-std::vector<std::string> of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
-  const std::uint32_t requirement = found.of.front();
-  const tables::RequirementRow& row = names.tables().requirements[requirement];
-  std::vector<std::string> parts{
-      fmt::format("requirement violated: `{}`, {}", names.requirement(requirement),
-                  row.kind == tables::RequirementRow::Kind::never
-                      ? "its condition must never hold and now holds"
-                      : "the expected condition did not become true within " + seconds(row.within))};
-  std::vector<std::uint32_t> units = requirement_units(names.tables(), requirement);
-  std::stable_sort(units.begin(), units.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return history.unit_since(a) > history.unit_since(b); });
-  for (const std::uint32_t unit : units) parts.push_back(unit_words(unit, names, history));
-  for (const std::uint32_t location : requirement_locations(names.tables(), requirement)) {
-    parts.push_back(location_words(location, names, history));
-  }
-  for (const auto& [symbol, since] : forced_in(requirement, units, names, history)) {
-    parts.push_back(fmt::format("{} is forced to {} since {}", names.symbol(symbol),
-                                value_text(names.tables().symbols[symbol].type(), history.value(symbol)),
-                                seconds(since)));
-  }
-  return parts;
 }
 
 }  // namespace
@@ -289,18 +224,22 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   const bool operation = names.is_operation(symbol);
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
-  std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", index(symbol, names));
+  std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", address_or_name(symbol, names));
   if (unit == tables::kNone) {
     text += fmt::format("symbol {}", names.symbol(symbol));
   } else {
     text += fmt::format("{} {} of {}", operation ? "operation" : "event", names.task(symbol), names.unit(unit));
   }
-  text += inverted(symbol, names);
+  text += inverted_words(symbol, names);
   return text + " (" + names.cite(symbol) + ")";
 }
 
-std::string state_words(std::uint32_t unit, const PlantNames& names, const History& history) {
-  const plant::UnitView view = history.unit(unit);
+std::string address_or_name(std::uint32_t symbol, const PlantNames& names) {
+  const std::string_view address = names.address(symbol);
+  return std::string(address.empty() ? names.symbol(symbol) : address);
+}
+
+std::string state_words(std::uint32_t unit, const PlantNames& names, const plant::UnitView& view) {
   std::string text(names.state(unit, view.state));
   if (view.moving) text += fmt::format("->{}", names.state(unit, view.target));
   if (view.stopped_midway) text += ", stopped midway";
@@ -311,42 +250,29 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const Histo
 
 std::string since_words(tables::Time changed) { return changed == 0 ? "since the start" : "since " + seconds(changed); }
 
-std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history) {
-  const plant::UnitView view = history.unit(unit);
-  const std::string by = view.disabled && !view.frozen ? disablers(unit, names, history) : "";
-  return fmt::format("{} has been in {}{} {}{}", names.unit(unit), state_words(unit, names, history),
-                     by.empty() ? "" : " by " + by, since_words(history.unit_since(unit)),
-                     led_here(unit, names, history));
-}
-
-std::string location_words(std::uint32_t location, const PlantNames& names, const History& history) {
-  constexpr std::size_t kMostNamed = 4;
-  const auto& parts = history.parts_at(location);
-  if (parts.empty()) return fmt::format("{} has no part", names.location(location));
-  std::string text;
-  for (std::size_t i = 0; i < parts.size() && i < kMostNamed; ++i) {
-    text += fmt::format("{}part {} ({}) {}", text.empty() ? "" : ", ", parts[i].number, names.part_kind(parts[i].kind),
-                        since_words(parts[i].since));
-  }
-  if (parts.size() > kMostNamed) text += fmt::format(" and {} more", parts.size() - kMostNamed);
-  return fmt::format("{} has {}", names.location(location), text);
-}
-
-std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history) {
-  if (found.kind == FindingKind::requirement_violated) return of_requirement(found, names, history);
-  if (found.kind == FindingKind::part_blocked) return {of_transfer(found, names, history)};
-  if (is_of_link(found.kind)) return {of_link(found, names)};
-  if (found.kind == FindingKind::standstill) return {of_standstill(found)};
-  if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};
-  if (found.kind == FindingKind::event_overwritten) return {of_overwritten(found, names)};
-  if (found.kind == FindingKind::clock_restarted) return {of_clock(found, names)};
+std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history) {
+  if (found.kind == FindingKind::requirement_violated) return requirement_words(found.of.front(), names);
+  if (found.kind == FindingKind::part_blocked) return of_transfer(found, names, history);
+  if (is_of_link(found.kind)) return of_link(found, names);
+  if (found.kind == FindingKind::standstill) return of_standstill(found);
+  if (found.kind == FindingKind::event_too_short) return of_event(found, names, history);
+  if (found.kind == FindingKind::event_overwritten) return of_overwritten(found, names);
+  if (found.kind == FindingKind::clock_restarted) return of_clock(found, names);
   if (found.kind == FindingKind::instantaneous_loop) {
-    return {fmt::format(
+    return fmt::format(
         "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "
         "transitions whose `after` and `takes` are 0, and for conditions that depend on themselves",
-        name_of(found, names), found.of.size() == 1 ? "loops" : "loop", found.of.size() == 1 ? "is" : "are")};
+        name_of(found, names), found.of.size() == 1 ? "loops" : "loop", found.of.size() == 1 ? "is" : "are");
   }
-  return {is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history)};
+  return is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history);
+}
+
+std::string requirement_words(std::uint32_t requirement, const PlantNames& names) {
+  const tables::RequirementRow& row = names.tables().requirements[requirement];
+  return fmt::format("requirement violated: `{}`, {}", names.requirement(requirement),
+                     row.kind == tables::RequirementRow::Kind::never
+                         ? "its condition must never hold and now holds"
+                         : "the expected condition did not become true within " + seconds(row.within));
 }
 
 std::string seconds(tables::Time time) {

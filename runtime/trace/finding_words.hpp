@@ -37,23 +37,21 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
 /// `PLC output Y0001, operation P2 of EXLINE_MB_AGV (symbols.csv:4)`.
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
 
+/// `Y0001`, or the symbol's name if it has no address.
+std::string address_or_name(std::uint32_t symbol, const PlantNames& names);
+
 /// `P1`, `P1->P2`, followed by `, stopped midway`, `, disabled` or `, frozen`.
-std::string state_words(std::uint32_t unit, const PlantNames& names, const History& history);
+std::string state_words(std::uint32_t unit, const PlantNames& names, const plant::UnitView& view);
 
 /// `since 1.5 s`, `since the start`.
 std::string since_words(tables::Time changed);
 
-/// A unit's state, what disables it, since when, and what led to it: the operation that came on last, and those that
-/// are still on. `EXLINE_MB_AGV has been in P1->P2 since 0.5 s, Y0001 (operation P2, symbols.csv:4) was on from 0.5 s
-/// to 0.7 s`.
-std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history);
+/// What happened, which operations led to it, what to check: one sentence, without the time. What led to the violation
+/// of a requirement is explained by why::Explainer.
+std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
 
-/// The parts at a location: `FIXTURE has part 11 (raw) since 3.2 s`.
-std::string location_words(std::uint32_t location, const PlantNames& names, const History& history);
-
-/// What happened, which operations led to it, what to check. For a violated requirement one more part for each unit in
-/// its conditions, the latest change first. Never empty; joined by `; ` the parts are one sentence, without the time.
-std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history);
+/// "requirement violated: `NAME`, its condition must never hold and now holds".
+std::string requirement_words(std::uint32_t requirement, const PlantNames& names);
 
 /// Plant time in seconds: `1.5 s`.
 std::string seconds(tables::Time time);

@@ -77,6 +77,37 @@ void History::apply(const Record& record) {
   }
 }
 
+void History::load_symbol(std::uint32_t symbol, const plant::Plant& plant) {
+  const tables::SymbolRow& row = names_.tables().symbols[symbol];
+  const bool operation = row.direction() == tables::Direction::operation;
+  std::uint64_t value = 0;
+  if (row.type() == tables::DataType::boolean) {
+    value = (operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0;
+  } else {
+    value = operation ? plant.operation_value(row.index) : plant.event_value(row.index);
+  }
+  if (value != this->value(symbol)) apply({plant.now(), value, symbol});
+  if (plant.is_forced(symbol)) forced_[symbol] = plant.now();
+}
+
+void History::load(const plant::Plant& plant) {
+  forced_.clear();
+  for (std::uint32_t s = 0; s < bits_.size(); ++s) load_symbol(s, plant);
+  for (std::uint32_t u = 0; u < units_.size(); ++u) {
+    const auto word = static_cast<std::uint32_t>(pack_unit(plant.unit(u)));
+    if (word != units_[u]) apply({plant.now(), word, u, Record::Kind::unit});
+  }
+  for (std::uint32_t location = 0; location < parts_.size(); ++location) {
+    parts_[location].clear();
+    for (std::uint32_t i = 0; i < plant.parts(location); ++i) {
+      const plant::PartView part = plant.part(location, i);
+      parts_[location].push_back({part.number, part.kind, part.since});
+    }
+    std::stable_sort(parts_[location].begin(), parts_[location].end(),
+                     [](const Part& a, const Part& b) { return a.since < b.since; });
+  }
+}
+
 void History::move_part(const PartRecord& part) {
   const auto has_number = [&](const Part& other) { return other.number == part.number; };
   if (part.changed()) {
@@ -88,13 +119,6 @@ void History::move_part(const PartRecord& part) {
   }
   if (!part.made()) std::erase_if(parts_[part.from], has_number);
   if (part.to != tables::kOut) parts_[part.to].push_back({part.number, part.kind, part.time});
-}
-
-std::uint64_t History::parts(std::uint32_t location, std::uint32_t kind) const {
-  const std::vector<Part>& parts = parts_[location];
-  if (kind == tables::kNone) return parts.size();
-  return static_cast<std::uint64_t>(
-      std::count_if(parts.begin(), parts.end(), [kind](const Part& part) { return part.kind == kind; }));
 }
 
 const History::Part* History::part(std::uint64_t number) const {

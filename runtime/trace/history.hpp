@@ -21,6 +21,9 @@ class History {
 
   /// O(1).
   void apply(const Record& record);
+  /// Takes everything from a plant that was reset or restored. What differs counts as changed at the plant's time.
+  /// O(plant).
+  void load(const plant::Plant& plant);
   /// Notes that a symbol is forced, or no longer. O(log forced).
   void force(std::uint32_t symbol, bool forced, tables::Time time);
   /// Since when a symbol is forced; -1: it is not. O(log forced).
@@ -38,8 +41,6 @@ class History {
   };
   /// The parts at a location, in the order in which they came.
   const std::vector<Part>& parts_at(std::uint32_t location) const { return parts_[location]; }
-  /// The number of parts of a kind at a location, of all kinds with kNone. O(parts at the location).
-  std::uint64_t parts(std::uint32_t location, std::uint32_t kind) const;
   /// A part by its number; null if it is not in the plant. O(parts).
   const Part* part(std::uint64_t number) const;
   plant::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }
@@ -59,6 +60,7 @@ class History {
   std::size_t slot(const tables::SymbolRow& symbol) const;
   /// The index of an operation in `rose_`.
   std::size_t risen(std::uint32_t operation) const;
+  void load_symbol(std::uint32_t symbol, const plant::Plant& plant);
 
   std::vector<bool> bits_;              ///< by symbol, if it is BOOL
   std::vector<std::uint64_t> numbers_;  ///< by slot: operations, then events

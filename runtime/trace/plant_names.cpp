@@ -16,7 +16,8 @@ PlantNames::PlantNames(const tables::PlantTables& tables)
       locations_(tables::split_names(tables.material.location_names)),
       part_kinds_(tables::split_names(tables.material.kind_names)),
       transfers_(tables::split_names(tables.material.transfer_names)),
-      work_(tables::split_names(tables.material.work_names)) {
+      work_(tables::split_names(tables.material.work_names)),
+      sources_(tables::split_names(tables.material.source_names)) {
   first_states_.reserve(tables.types.size());
   std::uint32_t states = 0;
   for (const tables::TypeRow& type : tables.types) {

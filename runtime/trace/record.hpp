@@ -17,6 +17,12 @@ struct Record {
     note,       ///< of the program that drives the plant, which defines `of` and `value`
     part,       ///< part `value` is of kind `of`; `more`: by hand. The next record is its part_move
     part_move,  ///< of the part before: from and to in `value` (pack_move), its front in um in `of`
+    // Only of a recorder of motions:
+    remaining,   ///< unit `of`, which moves since its record before, has the travel time `value` left, ns
+    whole,       ///< of that move: its whole travel time `value`, ns
+    track,       ///< the parts of track `of` moved: `value` parts follow from the front, two records each
+    part_at,     ///< part `value` is of kind `of`
+    part_speed,  ///< of the part before: its front at `value` um, its speed `of` in um/s, both in two's complement
   };
   tables::Time time = 0;
   std::uint64_t value = 0;
@@ -76,6 +82,7 @@ constexpr plant::UnitView unpack_unit(std::uint64_t word) noexcept {
           flag(17),
           flag(18),
           flag(19),
+          0,
           0,
           0.0};
 }

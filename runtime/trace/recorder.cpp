@@ -25,32 +25,35 @@ std::size_t movers_in(const tables::MaterialTables& material) {
 
 }  // namespace
 
-std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables) {
+std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables, Detail detail) {
   // A symbol changes once and has at most two findings, a unit at most four; the rest is room for notes.
   const tables::MaterialTables& material = tables.material;
   // Twice as many as there can be, and four for each element that moves them.
   const std::size_t parts = 2 * parts_in(material) + 4 * movers_in(material);
-  return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts +
+  const std::size_t motions =
+      detail == Detail::motions ? 2 * tables.units.size() + material.tracks.size() + 2 * parts : 0;
+  return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts + motions +
          material.transfers.size() + (material.empty() ? 0 : std::size_t{2} * engine::kMostByHand) + 64;
 }
 
-std::size_t Recorder::enough_for_a_loop(const tables::PlantTables& tables) {
+std::size_t Recorder::enough_for_a_loop(const tables::PlantTables& tables, Detail detail) {
   constexpr std::size_t kMost = std::size_t{1} << 22;
   constexpr std::size_t kRounds = 1000;  // a loop is frozen after 200; what it moved may begin others
   const tables::MaterialTables& material = tables.material;
   // In a round each work changes each part at most.
   const std::size_t in_round = movers_in(material) + (material.work.empty() ? 0 : parts_in(material));
-  const std::size_t enough = enough_for_an_instant(tables);
+  const std::size_t enough = enough_for_an_instant(tables, detail);
   return std::max(enough, std::min(kMost, enough + 2 * kRounds * in_round));
 }
 
-Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity)
+Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity, Detail detail)
     : tables_(tables),
       symbol_of_operation_(tables.operation_bits, tables::kNone),
       symbol_of_event_(tables.event_bits, tables::kNone),
       symbol_of_operation_slot_(tables.operation_slots, tables::kNone),
       symbol_of_event_slot_(tables.event_slots, tables::kNone),
       changed_(tables.symbols.size()),
+      detail_(detail),
       ring_(std::bit_ceil(std::max<std::size_t>(capacity, 2))),
       mask_(ring_.size() - 1),
       end_(ring_.size()) {
@@ -97,10 +100,12 @@ bool Recorder::put(const Record& record) noexcept {
   return true;
 }
 
-void Recorder::publish() noexcept {
-  if (at_ == written_.load(std::memory_order_relaxed)) return;
+/// False if there is nothing new.
+bool Recorder::publish() noexcept {
+  if (at_ == written_.load(std::memory_order_relaxed)) return false;
   ring_[(at_ - 1) & mask_].last = true;
   written_.store(at_, std::memory_order_release);
+  return true;
 }
 
 void Recorder::record_symbols(const engine::Instant& instant) noexcept {
@@ -131,12 +136,47 @@ void Recorder::record_symbols(const engine::Instant& instant) noexcept {
 
 void Recorder::record_units(const engine::Instant& instant) noexcept {
   for (const std::uint32_t unit : instant.units) {
-    const auto word = static_cast<std::uint32_t>(pack_unit(plant_->unit(unit)));
+    const plant::UnitView view = plant_->unit(unit);
+    const auto word = static_cast<std::uint32_t>(pack_unit(view));
     if (units_[unit] == word) continue;
     units_[unit] = word;
-    if (!put({instant.time, word, unit, Record::Kind::unit})) {
+    record_unit(instant.time, unit, view);
+  }
+}
+
+void Recorder::record_unit(tables::Time time, std::uint32_t unit, const plant::UnitView& view) noexcept {
+  const bool times = view.moving && detail_ == Detail::motions;
+  if (!has_room(times ? 3 : 1)) {
+    lost_changes_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  put({time, units_[unit], unit, Record::Kind::unit});
+  if (!times) return;
+  put({time, static_cast<std::uint64_t>(view.remaining), unit, Record::Kind::remaining});
+  put({time, static_cast<std::uint64_t>(view.whole), unit, Record::Kind::whole});
+}
+
+void Recorder::record_tracks(const engine::Instant& instant) noexcept {
+  for (const std::uint32_t track : instant.tracks) {
+    const std::uint32_t parts = plant_->parts(track);
+    if (!has_room(1 + std::size_t{2} * parts)) {
       lost_changes_.fetch_add(1, std::memory_order_relaxed);
+      continue;
     }
+    put({instant.time, parts, track, Record::Kind::track});
+    for (std::uint32_t i = 0; i < parts; ++i) {
+      const plant::PartView part = plant_->part(track, i);
+      const plant::PartMotion motion = plant_->motion(track, i);
+      put({instant.time, part.number, part.kind, Record::Kind::part_at});
+      put({instant.time, static_cast<std::uint64_t>(motion.x), static_cast<std::uint32_t>(motion.v),
+           Record::Kind::part_speed});
+    }
+  }
+}
+
+void Recorder::take_over() noexcept {
+  for (std::uint32_t unit = 0; unit < units_.size(); ++unit) {
+    units_[unit] = static_cast<std::uint32_t>(pack_unit(plant_->unit(unit)));
   }
 }
 
@@ -144,7 +184,8 @@ void Recorder::instant(const engine::Instant& instant) noexcept {
   record_symbols(instant);
   record_units(instant);
   record_parts(instant.time, instant.parts);
-  publish();
+  if (detail_ == Detail::motions) record_tracks(instant);
+  if (publish()) ++instants_;
 }
 
 void Recorder::record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept {

@@ -19,13 +19,19 @@ namespace symplant::trace {
 /// that it has held at once.
 class Recorder final : public engine::Observer {
  public:
+  /// What is recorded of units and parts that move.
+  enum class Detail : std::uint8_t {
+    changes,  ///< where they come and go
+    motions,  ///< also their times and speeds, for a picture that moves
+  };
+
   /// Allocates `capacity` records, rounded up to a power of two. Records that do not fit are counted as lost.
-  Recorder(const tables::PlantTables& tables, std::size_t capacity);
+  Recorder(const tables::PlantTables& tables, std::size_t capacity, Detail detail = Detail::changes);
   /// A capacity that loses nothing if the ring is drained after each instant, unless parts are in an instantaneous
   /// loop.
-  static std::size_t enough_for_an_instant(const tables::PlantTables& tables);
+  static std::size_t enough_for_an_instant(const tables::PlantTables& tables, Detail detail = Detail::changes);
   /// The same, also with such a loop, up to 4 million records.
-  static std::size_t enough_for_a_loop(const tables::PlantTables& tables);
+  static std::size_t enough_for_a_loop(const tables::PlantTables& tables, Detail detail = Detail::changes);
 
   /// Sets the observed plant; to be called before the plant advances.
   void attach(const plant::Plant& plant) { plant_ = &plant; }
@@ -35,6 +41,16 @@ class Recorder final : public engine::Observer {
   void parts_before(tables::Time time, std::span<const engine::PartChange> parts) noexcept override;
   /// Adds a finding of the host. Only between instants, by the thread that runs the plant.
   void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of) noexcept;
+  /// Whether as many notes would be recorded now. Only for the thread that runs the plant.
+  bool has_room(std::size_t notes) noexcept { return end_ - at_ >= notes || has_room_for(notes); }
+  /// Takes the states of units as they are now for the last recorded ones: after a reset or a restore of the plant, of
+  /// which the reader of the records must know (a note). O(units).
+  void take_over() noexcept;
+  /// Acts on the plant with equal turns take effect in one instant: what advances the plant begins the next turn.
+  std::uint32_t turn() const noexcept { return turn_; }
+  void next_turn() noexcept { ++turn_; }
+  /// The number of instants with records so far. Only for the thread that runs the plant.
+  std::uint64_t instants() const noexcept { return instants_; }
   /// Adds a note. Only between instants, by the thread that runs the plant. False if the ring is full.
   bool note(tables::Time time, std::uint32_t of, std::uint64_t value) noexcept;
 
@@ -57,11 +73,13 @@ class Recorder final : public engine::Observer {
   void note_bits(const engine::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept;
   void record_symbols(const engine::Instant& instant) noexcept;
   void record_units(const engine::Instant& instant) noexcept;
+  void record_unit(tables::Time time, std::uint32_t unit, const plant::UnitView& view) noexcept;
+  void record_tracks(const engine::Instant& instant) noexcept;
   void record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept;
   bool put(const Record& record) noexcept;
   bool has_room_for(std::size_t records) noexcept;
   void start_again() noexcept;
-  void publish() noexcept;
+  bool publish() noexcept;
 
   const tables::PlantTables& tables_;
   const plant::Plant* plant_ = nullptr;
@@ -72,6 +90,9 @@ class Recorder final : public engine::Observer {
   ZeroedArray<std::uint32_t> changed_;  ///< symbols changed in this instant
   std::size_t changed_count_ = 0;
   std::vector<std::uint32_t> units_;  ///< as last recorded: pack_unit
+  Detail detail_;
+  std::uint64_t instants_ = 0;
+  std::uint32_t turn_ = 0;
   ZeroedArray<Record> ring_;
   std::size_t mask_;
   std::size_t at_ = 0;   ///< index of the next record; ahead of written_ while an instant is recorded

@@ -1,6 +1,8 @@
 // The units in the conditions of a requirement.
 #include "symplant/trace/requirement_units.hpp"
 
+#include <set>
+
 namespace symplant::trace {
 namespace {
 
@@ -14,8 +16,7 @@ std::uint32_t reader_of(const tables::PlantTables& tables, std::uint32_t conditi
   }
 }
 
-}  // namespace
-
+/// The symbols that the conditions of a requirement read directly.
 std::set<std::uint32_t> requirement_symbols(const tables::PlantTables& tables, std::uint32_t requirement) {
   const auto reads = [&](std::uint32_t condition) { return reader_of(tables, condition) == requirement; };
   std::set<std::uint32_t> operations;
@@ -42,15 +43,7 @@ std::set<std::uint32_t> requirement_symbols(const tables::PlantTables& tables, s
   return symbols;
 }
 
-std::set<std::uint32_t> requirement_locations(const tables::PlantTables& tables, std::uint32_t requirement) {
-  std::set<std::uint32_t> locations;
-  for (const tables::ValueWatch& watch : tables.part_watches) {
-    if (reader_of(tables, watch.condition) == requirement) {
-      locations.insert(tables.material.counters[watch.slot].location);
-    }
-  }
-  return locations;
-}
+}  // namespace
 
 std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, std::uint32_t requirement) {
   std::set<std::uint32_t> units;

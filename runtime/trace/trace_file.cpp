@@ -74,7 +74,28 @@ void TraceFile::part(tables::Time time, const History& history) {
   has_lines_ = false;
   file_.begin_again();
   file_.put(head_);
-  file_.put(fmt::format(R"(,"part":{},"t":{},"values":{{)", ++parts_, time));
+  file_.put(fmt::format(R"(,"part":{},"t":{})", ++parts_, time));
+  put_values(history);
+}
+
+void TraceFile::set_back(std::string_view what, std::string_view name, tables::Time time, const History& history) {
+  if (!file_.is_open()) return;
+  put_time(time);
+  file_.put(fmt::format(R"(,"{}":{})", what, json_string(name)));
+  put_values(history);
+}
+
+void TraceFile::act(tables::Time time, std::string_view json) {
+  if (!file_.is_open()) return;
+  put_time(time);
+  file_.put(fmt::format(R"(,"act":{},"by":"hand"}})"
+                        "\n",
+                        json));
+}
+
+/// The last key of a line: all values that are not off or 0.
+void TraceFile::put_values(const History& history) {
+  file_.put(",\"values\":{");
   bool first = true;
   for (std::uint32_t i = 0; i < tables_.symbols.size(); ++i) {
     if (history.value(i) == 0) continue;

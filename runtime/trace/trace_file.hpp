@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "symplant/tables/tables.hpp"
@@ -20,6 +21,11 @@ class TraceFile {
 
   /// Writes a record of a change, or of a part; ignores others. O(line).
   void write(const Record& record);
+  /// A line about a plant that was set to another state at `time`: `{"t":0,"reset":"","values":{...}}`, with all values
+  /// that are not off or 0. `what` is the key, `name` the snapshot. O(symbols).
+  void set_back(std::string_view what, std::string_view name, tables::Time time, const History& history);
+  /// A line about what an operator did, as JSON: `{"t":5000000,"act":{"force":{"X":true}},"by":"hand"}`.
+  void act(tables::Time time, std::string_view json);
   /// To be called between two instants: starts a new part if the file is full. Its header has `part`, counted from 1,
   /// the time `t`, and all `values` that are not off or 0, so that each part can be read alone. O(1); O(symbols) for a
   /// new part.
@@ -31,6 +37,7 @@ class TraceFile {
  private:
   void put_time(tables::Time time);
   void put_part(const PartRecord& part);
+  void put_values(const History& history);
 
   const tables::PlantTables& tables_;
   OutputFile file_;

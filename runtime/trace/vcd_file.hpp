@@ -21,6 +21,7 @@ class VcdFile {
   void write(const Record& record);
   /// To be called between two instants: starts a new part, with header and values, if the file is full.
   void part(tables::Time time, const History& history);
+  bool has_begun() const noexcept { return begun_; }
   /// Writes the final time, so that a viewer shows the run up to its end.
   void end(tables::Time time) { put_time(time); }
 

@@ -23,8 +23,8 @@ constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 constexpr std::array<std::string_view, 20> kGenerator = {
     "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing", "infer",
     "model", "score", "convert", "lower",   "check", "findings", "emit",        "view",   "diff",    "app"};
-constexpr std::array<std::string_view, 11> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
-                                                       "exec",   "link",   "trace", "scenario",  "host"};
+constexpr std::array<std::string_view, 12> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
+                                                       "exec",   "link",   "trace", "why",       "scenario", "host"};
 
 /// The runtime layers that a layer of the generator may use.
 struct RuntimeUse {
@@ -45,7 +45,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"emit", " tables plant "},
     RuntimeUse{"view", " tables "},
     RuntimeUse{"diff", " tables "},
-    RuntimeUse{"app", " tables json link trace scenario host "},
+    RuntimeUse{"app", " tables json link trace why scenario host "},
 };
 
 /// The layers that may include the headers of a third party.

@@ -30,5 +30,12 @@ for scenario in good bad; do
 done
 for file in vcd xml findings; do cmp "$work/binary.$file" "$work/tool.$file" || fail "$file: the files differ"; done
 
+# The same explanation of a symbol that is on at the start.
+symbol=$(sed -n 's/.*"symbol":"\([^"]*\)".*/\1/p' "$work/compiled.jsonl" | head -n 1)
+"$binary" --until 5s --clock virtual --why "$symbol" | sed -n '/^why: /,$p' >"$work/binary.why"
+"$tool" run "$list" --until 5s --clock virtual --why "$symbol" | sed -n '/^why: /,$p' >"$work/tool.why"
+grep -q "^why: $symbol has been on since the start, " "$work/binary.why" || fail "$symbol is not explained"
+cmp "$work/binary.why" "$work/tool.why" || fail "the explanations differ"
+
 "$binary" --until never >"$work/usage.log" 2>&1 && fail "an until that is no time is taken"
 [[ $("$binary" --until never >/dev/null 2>&1; echo $?) == 2 ]] || fail "bad usage is not exit code 2"

@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "app/panel_view.hpp"
 #include "base/large_memory.hpp"
 #include "symplant/host/run_options.hpp"
 
@@ -74,6 +75,7 @@ class Prepared {
       : tables_(std::move(compiled.tables)),
         rows_(tables_.tables()),
         description_(compiled.plant.description),
+        view_(compiled.plant),
         controllers_(std::move(compiled.plant.links)),
         more_(more(compiled.plant)),
         inputs_(compiled.plant.input_files()),
@@ -95,6 +97,7 @@ class Prepared {
             .link_settings = settings_,
             .more = more_views_,
             .ignored = ignored_,
+            .view = view_.view(),
             .inputs = input_views_};
   }
 
@@ -102,6 +105,7 @@ class Prepared {
   const lower::EngineTables tables_;
   const tables::PlantTables rows_;
   const std::shared_ptr<const description::Description> description_;  ///< its texts are in links and settings
+  const PanelView view_;
   const std::vector<model::ControllerLink> controllers_;
   const std::vector<std::string> more_;
   const std::vector<std::string> inputs_;
@@ -125,7 +129,8 @@ void add_run(CLI::App& app, Context& context) {
       "  symplant run plant.json --cycle 1ms --priority 50 --cpu 1 --lock-memory --stay-awake --stats stats.json\n"
       "  symplant run plant.json --until 10s --trace trace.jsonl\n"
       "  symplant run plant.json --link PLC1=modbus-tcp-server://:1502 --link PLC2=modbus-tcp-server://:1503\n"
-      "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml");
+      "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
+      "  symplant run symbols.csv --scenario first_cycle.json --why LINE_P1_CLAMP1 --why LINE_P1_CLAMP1_I_CLOSED");
   command->callback([options, &context] {
     auto compiled = compile_for(context, options->plant, options->plant_options);
     if (!compiled) return;

@@ -11,7 +11,7 @@
 namespace symplant::app {
 namespace {
 
-using Driver = host::SymbolDriver::Kind;
+using Driver = why::SymbolDriver::Kind;
 
 bool is_event(const LinkView& view, std::uint32_t symbol) {
   return view.of->plant.symbols[symbol].direction == tables::Direction::event;
@@ -19,22 +19,22 @@ bool is_event(const LinkView& view, std::uint32_t symbol) {
 
 std::string unit_name(const LinkView& view, std::uint32_t unit) { return std::string(view.of->plant.units[unit].path); }
 
-std::string reader_name(const LinkView& view, const host::SymbolReader& reader) {
+std::string reader_name(const LinkView& view, const why::SymbolReader& reader) {
   switch (reader.kind) {
-    case host::SymbolReader::Kind::requirement:
+    case why::SymbolReader::Kind::requirement:
       return "requirement " + view.of->plant.requirements[reader.index].name;
-    case host::SymbolReader::Kind::event:
+    case why::SymbolReader::Kind::event:
       return std::string(view.of->plant.symbols[reader.index].name());
-    case host::SymbolReader::Kind::track:
+    case why::SymbolReader::Kind::track:
       return view.of->plant.material.tracks[reader.index].name;
-    case host::SymbolReader::Kind::transfer:
+    case why::SymbolReader::Kind::transfer:
       return "transfer " + view.of->plant.material.transfers[reader.index].name;
-    case host::SymbolReader::Kind::work:
+    case why::SymbolReader::Kind::work:
       return "work " + view.of->plant.material.work[reader.index].name;
-    case host::SymbolReader::Kind::source:
+    case why::SymbolReader::Kind::source:
       return "source " + view.of->plant.material.sources[reader.index].name;
-    case host::SymbolReader::Kind::unit:
-    case host::SymbolReader::Kind::behavior:
+    case why::SymbolReader::Kind::unit:
+    case why::SymbolReader::Kind::behavior:
       break;
   }
   return unit_name(view, reader.index);
@@ -44,7 +44,7 @@ std::string reader_name(const LinkView& view, const host::SymbolReader& reader) 
 
 std::optional<std::string> driven_by(const LinkView& view, std::uint32_t symbol) {
   if (!is_event(view, symbol)) return "the PLC";
-  const host::SymbolDriver driver = view.of->use.driver(symbol);
+  const why::SymbolDriver driver = view.of->use.driver(symbol);
   switch (driver.kind) {
     case Driver::none:
       break;
@@ -60,7 +60,7 @@ std::optional<std::string> driven_by(const LinkView& view, std::uint32_t symbol)
 }
 
 std::optional<std::string> moved_device(const LinkView& view, std::uint32_t symbol) {
-  const host::SymbolDriver driver = view.of->use.driver(symbol);
+  const why::SymbolDriver driver = view.of->use.driver(symbol);
   if (is_event(view, symbol) || driver.kind != Driver::unit) return std::nullopt;
   return unit_name(view, driver.unit);
 }
@@ -71,8 +71,8 @@ std::vector<std::string> readers_of(const LinkView& view, std::uint32_t symbol) 
   const auto add = [&](std::string name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   };
-  for (const host::SymbolReader& reader : view.of->use.readers(symbol)) add(reader_name(view, reader));
-  const host::SymbolDriver driver = view.of->use.driver(symbol);
+  for (const why::SymbolReader& reader : view.of->use.readers(symbol)) add(reader_name(view, reader));
+  const why::SymbolDriver driver = view.of->use.driver(symbol);
   if (driver.kind == Driver::behavior) add(unit_name(view, driver.unit));
   if (view.choice.settings.clock.symbol == symbol) add("plant time");
   return names;

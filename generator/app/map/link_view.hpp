@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "model/plant_model.hpp"
-#include "symplant/host/symbol_use.hpp"
 #include "symplant/link/client/parts.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/tables/tables.hpp"
+#include "symplant/why/symbol_use.hpp"
 
 namespace symplant::app {
 
@@ -21,7 +21,7 @@ namespace symplant::app {
 struct LinkedPlant {
   const model::PlantModel& plant;
   const tables::PlantTables& tables;
-  const host::SymbolUse use;
+  const why::SymbolUse use;
 
   LinkedPlant(const model::PlantModel& model, const tables::PlantTables& rows)
       : plant(model), tables(rows), use(rows) {}

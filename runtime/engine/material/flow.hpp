@@ -127,7 +127,12 @@ class Flow {
   void hash(tables::Fnv1a64& hash) const noexcept;
   void hash_blocked(tables::Fnv1a64& hash) const noexcept;
   std::span<const PartChange> changes() const noexcept { return changes_.view(); }
-  void forget_changes() noexcept { changes_.size = 0; }
+  /// The tracks whose parts came, left or changed their speeds in this instant, in no order.
+  std::span<const std::uint32_t> moved_tracks() const noexcept { return moved_tracks_.list.view(); }
+  void forget_changes() noexcept {
+    changes_.size = 0;
+    moved_tracks_.clear();
+  }
 
   // For Plant, whose comments define it.
   bool put(const tables::PartLocation& to, std::uint32_t kind) noexcept;
@@ -138,6 +143,7 @@ class Flow {
   const KindState& kind(std::uint32_t kind) const noexcept { return kinds_[kind]; }
   bool is_frozen_track(std::uint32_t track) const noexcept { return tracks_[track].frozen != 0; }
   const TransferState& transfer(std::uint32_t transfer) const noexcept { return transfers_[transfer]; }
+  const SourceState& source(std::uint32_t source) const noexcept { return sources_[source]; }
   /// The part that a transfer would move, or that would be taken from there.
   Candidate candidate(const tables::PartLocation& from) const noexcept;
   /// The first part that leaves no room at a target for a part of a kind; kNone: there is room.
@@ -254,6 +260,7 @@ class Flow {
   DirtySet due_rooms_;   ///< tracks
   DirtySet due_sensors_;
   DirtySet due_counters_;
+  DirtySet moved_tracks_;
   DirtySet seen_transfers_;     ///< those that may have begun or ceased to be blocked in this instant
   Position* speeds_ = nullptr;  ///< of the parts of one track, while they are computed
   List<PartChange> changes_{};

@@ -33,6 +33,7 @@ void Flow::place(Arena& arena) noexcept {
   due_work_.take(arena, material_->work.size());
   due_sources_.take(arena, material_->sources.size());
   due_speeds_.take(arena, material_->tracks.size());
+  moved_tracks_.take(arena, material_->tracks.size());
   due_rooms_.take(arena, material_->tracks.size());
   due_sensors_.take(arena, material_->sensors.size());
   due_counters_.take(arena, material_->counters.size());
@@ -74,7 +75,7 @@ void Flow::reset() noexcept {
     sources_[s].due = row.count == 0 ? tables::kNever : row.first;
     if (sources_[s].due > 0) set_wheel(first_entry_ + size_of(material_->tracks) + s, sources_[s].due);
   }
-  changes_.size = 0;
+  forget_changes();
 }
 
 void Flow::mark_all() noexcept {

@@ -203,6 +203,7 @@ void Flow::compute_speeds(std::uint32_t track) noexcept {
     if (w == p.v) continue;
     p.base(x, time);
     p.v = static_cast<std::int32_t>(w);
+    moved_tracks_.mark(track);
   }
   set_stale_dues(track);
 }

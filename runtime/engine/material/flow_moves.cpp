@@ -72,6 +72,7 @@ void Flow::content_changed(std::uint32_t location) noexcept {
   if (material_->is_track(location)) {
     due_speeds_.mark(location);
     due_ends_.mark(location);
+    moved_tracks_.mark(location);
     return;
   }
   const tables::Rows sensors = material_->places[material_->place_of(location)].sensors;

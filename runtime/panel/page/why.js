@@ -4,6 +4,7 @@ import {deviceLink, locationLink, nameLink, symbolLink} from "./links_to.js";
 
 const kPause = 500;  // ms between two questions
 const kMostDeep = 12;
+const kLinks = {device: deviceLink, symbol: symbolLink, location: locationLink};
 
 /// The text of a node; the names of devices and symbols in it are links.
 const linked = (app, text) => text.split(/([\p{L}\p{N}_.]{3,})/u).map((word, i) => {
@@ -14,9 +15,10 @@ const linked = (app, text) => text.split(/([\p{L}\p{N}_.]{3,})/u).map((word, i) 
   return word;
 });
 
-const indexesIn = (node, key, found = new Set()) => {
-  if (Number.isInteger(node[key])) found.add(node[key]);
-  for (const cause of node.because ?? []) indexesIn(cause, key, found);
+/// The names that a tree is about, by kind: `device`, `symbol`, `location` ...
+const namesIn = (node, found = []) => {
+  for (const about of node.about ?? []) found.push(...Object.entries(about));
+  for (const cause of node.because ?? []) namesIn(cause, found);
   return found;
 };
 
@@ -60,14 +62,20 @@ export class Why {
     const text = JSON.stringify(answer);
     if (text === this.shown) return;
     this.shown = text;
-    const {tree} = answer;
+    const trees = answer.trees ?? [];
     const own = this.app.names.find(this.name);
-    this.devices = tree ? indexesIn(tree, "device") : new Set();
-    this.symbols = tree ? indexesIn(tree, "symbol") : new Set();
+    this.devices = new Set();
+    this.symbols = new Set();
+    for (const [kind, name] of trees.flatMap((tree) => namesIn(tree))) {
+      const thing = this.app.names.find(name);
+      if (kind === "device" && thing?.kind === "device") this.devices.add(thing.index);
+      if (kind === "symbol" && thing?.kind === "symbol") this.symbols.add(thing.index);
+    }
     if (own?.kind === "device") this.follow(own.index);
     if (own?.kind === "symbol") this.symbols.add(own.index);
-    this.text.replaceChildren(...linked(this.app, tree?.text ?? answer.text).flat());
-    this.tree.replaceChildren(...(tree?.because ?? []).map((cause) => this.node(cause, 1)));
+    this.text.replaceChildren(...linked(this.app, trees[0]?.sentence ?? answer.text).flat());
+    this.tree.replaceChildren(...(trees[0]?.because ?? []).map((cause) => this.node(cause, 1)),
+      ...trees.slice(1).map((tree) => this.node(tree, 1)));
   }
 
   follow(device) {
@@ -79,11 +87,12 @@ export class Why {
 
   node(cause, depth) {
     const {app} = this;
-    const text = linked(app, cause.text).flat();
-    const isNamed = (kind, index) => cause.text.includes(app.names.name(kind, index));
-    if (Number.isInteger(cause.device) && !isNamed("device", cause.device)) text.push(" (", deviceLink(app, cause.device), ")");
-    if (Number.isInteger(cause.symbol) && !isNamed("symbol", cause.symbol)) text.push(" (", symbolLink(app, cause.symbol), ")");
-    if (Number.isInteger(cause.location) && !isNamed("location", cause.location)) text.push(" (", locationLink(app, cause.location), ")");
+    const text = linked(app, cause.sentence).flat();
+    for (const [kind, name] of (cause.about ?? []).flatMap((about) => Object.entries(about))) {
+      const thing = app.names.find(name);
+      if (!thing || cause.sentence.includes(name) || !(kind in kLinks)) continue;
+      text.push(" (", kLinks[kind](app, thing.index), ")");
+    }
     const because = depth < kMostDeep ? cause.because ?? [] : [];
     return make("li", {}, text, because.length > 0 ? make("ul", {}, because.map((next) => this.node(next, depth + 1))) : null);
   }

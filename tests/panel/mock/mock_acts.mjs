@@ -190,28 +190,33 @@ export const act = (plant, of) => {
   plant.changed.acts.push(entry);
 };
 
+const tree = (sentence, about, because = []) => ({sentence, about: about ? [about] : [], because});
+
 export const why = (plant, name) => {
-  const index = plant.description.devices.findIndex((device) => device.name === name);
+  const {devices, symbols} = plant.description;
+  const answer = (sentence, about, because) => ({text: sentence, trees: [tree(sentence, about, because)]});
   const seconds = (t) => t / 1e9 + " s";
+  const index = devices.findIndex((device) => device.name === name);
   if (index < 0) {
-    const symbol = plant.description.symbols.findIndex((entry) => entry.name === name);
-    if (symbol < 0) return {text: name + " is as it is", tree: {text: name + " is as it is", because: []}};
-    const text = name + " is " + (plant.value(symbol) === true ? "on" : plant.value(symbol) === false ? "off" : plant.value(symbol)) + " since " + seconds(plant.symbols[symbol].since);
-    const {device} = plant.description.symbols[symbol];
-    return {text, tree: {text, symbol, because: device === null ? [] : [{text: "it is an event of " + plant.description.devices[device].name, device, because: []}]}};
+    const symbol = symbols.findIndex((entry) => entry.name === name);
+    if (symbol < 0) return answer(name + " is as it is", null, []);
+    const value = plant.value(symbol);
+    const text = name + " is " + (value === true ? "on" : value === false ? "off" : value) + " since " + seconds(plant.symbols[symbol].since);
+    const {device} = symbols[symbol];
+    return answer(text, {symbol: name}, device === null ? [] : [tree("it is an event of " + devices[device].name, {device: devices[device].name})]);
   }
-  const {operations, states} = plant.description.devices[index];
+  const {operations, states} = devices[index];
   const device = plant.devices[index];
   const commands = operations.filter(({symbol}) => plant.value(symbol) === true);
-  const because = commands.map(({symbol}) => ({text: plant.description.symbols[symbol].name + " is on since " + seconds(plant.symbols[symbol].since), symbol, because: []}));
+  const because = commands.map(({symbol}) => tree(symbols[symbol].name + " is on since " + seconds(plant.symbols[symbol].since), {symbol: symbols[symbol].name}));
   const by = plant.disabledBy(index);
   if (by !== null) {
-    const other = plant.description.devices[by];
-    because.push({text: other.name + " is in " + other.states[plant.devices[by].state] + " and disables it", device: by,
-      because: other.events.map((symbol) => ({text: plant.description.symbols[symbol].name + " is off", symbol, because: []}))});
+    const other = devices[by];
+    because.push(tree(other.name + " is in " + other.states[plant.devices[by].state] + " and disables it", {device: other.name},
+      other.events.map((symbol) => tree(symbols[symbol].name + " is off", {symbol: symbols[symbol].name}))));
   }
-  for (const [active] of plant.malfunctions) if (plant.malfunctionOf(active)?.device === index) because.push({text: "the malfunction " + active + " acts on it", because: []});
-  const text = device.blocked ? name + " waits in " + states[device.state] + ": " + because.map((cause) => cause.text).join(", but ")
+  for (const [active] of plant.malfunctions) if (plant.malfunctionOf(active)?.device === index) because.push(tree("the malfunction " + active + " acts on it", null));
+  const text = device.blocked ? name + " waits in " + states[device.state] + ": " + because.map((cause) => cause.sentence).join(", but ")
     : device.target !== device.state ? name + " moves to " + states[device.target] : name + " is in " + (states[device.state] ?? "no state") + " since " + seconds(device.since);
-  return {text, tree: {text, device: index, because}};
+  return answer(text, {device: name}, because);
 };

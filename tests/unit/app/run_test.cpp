@@ -40,6 +40,20 @@ class TakenPort {
   unsigned port_ = 0;
 };
 
+TEST_CASE("run: --why may be repeated, takes one name each, and may be before or after the plant") {
+  test::MemoryFileSystem files;
+  files.files["l.csv"] =
+      "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\nVAR_GLOBAL,L_P_D_O_A1,,%QX0,BOOL,\n"
+      "VAR_GLOBAL,L_P_D_I_A1,,%IX0,BOOL,\nVAR_GLOBAL,L_P_D_O_B2,,%QX1,BOOL,\nVAR_GLOBAL,L_P_D_I_B2,,%IX1,BOOL,\n";
+  const test::ToolRun run = test::run_tool({"run", "--why", "L_P_D_I_B2", "l.csv", "--why", "L_P_D"}, files);
+  CHECK(run.code == 0);
+  CHECK(test::contains(run.out,
+                       "\nwhy: L_P_D_I_B2 has been off since the start, PLC input %IX1, event B2 of L_P_D "
+                       "(l.csv:5)\n    L_P_D has been in A1 since the start: %QX1 (operation B2, l.csv:4) has "
+                       "never been on (nothing writes it in this run)\nwhy: L_P_D has been in A1 since"));
+  CHECK(test::run_tool({"run", "l.csv", "--why", "L_P_E"}, files).code == 2);
+}
+
 TEST_CASE("run: A finding that plant.json expects does not fail the run") {
   test::MemoryFileSystem files;
   files.files["l.csv"] =

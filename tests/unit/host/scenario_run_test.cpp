@@ -9,6 +9,7 @@
 #include "support/strings.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/vcd.hpp"
+#include "symplant/trace/junit_xml.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/junit.hpp"
@@ -234,7 +235,7 @@ TEST_CASE("The JUnit report has a case for each expectation and requirement, and
   CHECK(contains(xml, "name=\"requirement: both &lt;at&gt; &quot;once&quot; \xEF\xBF\xBD\" time=\"3\">"));
   CHECK(contains(xml, "name=\"requirement: arrives\" time=\"3\"/>"));
   CHECK(contains(xml, "name=\"findings\""));
-  CHECK(host::xml_text("a\n\xC3\xA4\xFF\xED\xA0\x80&'") ==
+  CHECK(trace::xml_text("a\n\xC3\xA4\xFF\xED\xA0\x80&'") ==
         "a&#10;\xC3\xA4\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD&amp;'");
   if (std::system("python3 -c 'import xml.etree' 2>/dev/null") != 0) return;
   const std::string check =

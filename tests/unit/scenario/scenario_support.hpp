@@ -45,6 +45,7 @@ class Play {
         files_(std::move(files)),
         names_(tables.rows),
         history_(names_),
+        explainer_(names_),
         scenario_(read(steps)),
         plant(tables.rows),
         recorder_(tables.rows, 1024),
@@ -105,10 +106,8 @@ class Play {
       return;
     }
     if (record.kind == trace::Record::Kind::note) {
-      const auto parts = scenario::failure_parts(scenario_, record.of, turn_, static_cast<tables::Time>(record.value),
-                                                 {}, names_, history_);
-      for (const std::string& part : parts) failures_ += (&part == &parts.front() ? "" : "; ") + part;
-      failures_ += "\n";
+      const scenario::Failure failure{record.of, turn_, static_cast<tables::Time>(record.value), {}};
+      failures_ += why::in_one_line(scenario::failure_words(scenario_, failure, explainer_, history_, &plant)) + "\n";
       return;
     }
     if (record.kind == trace::Record::Kind::change) {
@@ -130,6 +129,7 @@ class Play {
   std::uint64_t turn_ = 0;
   trace::PlantNames names_;
   trace::History history_;
+  why::Explainer explainer_;
   scenario::Scenario scenario_;
 
  public:

@@ -24,7 +24,8 @@ TEST_CASE("A wait without within fails after 10 s, and plus counts from the end 
   CHECK(play.time_of(1) == 11000);
   CHECK(play.changes() == "0:AGV_I_P1=1 12000:AGV_I_P1=0 12000:AGV_O_P2=1");
   CHECK(contains(play.failures(),
-                 "waited 10 s for `L_P_AGV.P2`, still false at 11 s; L_P_AGV has been in P1 since the start, none"));
+                 "waited 10 s for `L_P_AGV.P2`, still false at 11 s; L_P_AGV has been in P1 since the start: "
+                 "%QX2 (operation P2, symbols.csv:4) has never been on"));
   CHECK(contains(play.failures(),
                  "waited 0.999 s for `L_P_AGV.P2`, still false at 12.999 s; L_P_AGV has been in P1->P2 since 12 s"));
 }

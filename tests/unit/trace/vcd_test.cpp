@@ -56,7 +56,7 @@ TEST_CASE("Every variable has its scope, its type and its width; names and state
   file.begin(0, history);
   file.write({5, static_cast<std::uint64_t>(-3), 1});
   file.write({5, std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity()), 2});
-  file.write({7, trace::pack_unit({1, 0, true, false, false, false, 0, 0}), 0, Record::Kind::unit});
+  file.write({7, trace::pack_unit({1, 0, true, false, false, false, 0, 0, 0}), 0, Record::Kind::unit});
   file.write({8, 0, 0, Record::Kind::finding});
   file.end(9);
   file.flush();

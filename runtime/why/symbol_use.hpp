@@ -7,7 +7,7 @@
 
 #include "symplant/tables/tables.hpp"
 
-namespace symplant::host {
+namespace symplant::why {
 
 /// What reads an operation without being moved by it.
 struct SymbolReader {
@@ -46,6 +46,8 @@ class SymbolUse {
   /// O(symbols + watches of conditions).
   explicit SymbolUse(const tables::PlantTables& tables);
 
+  /// The first symbol on its address, or the symbol itself. O(1).
+  std::uint32_t leader(std::uint32_t symbol) const { return leader_[symbol]; }
   /// For an operation the unit that it moves. O(1).
   SymbolDriver driver(std::uint32_t symbol) const { return drivers_[leader_[symbol]]; }
   /// In the order of their kinds and indexes, each once. O(log symbols).
@@ -69,4 +71,4 @@ class SymbolUse {
   std::vector<SymbolReader> readers_;  ///< of `readings_`, so that those of a symbol are one span
 };
 
-}  // namespace symplant::host
+}  // namespace symplant::why

@@ -1,10 +1,10 @@
 // What each I/O symbol has to do with the plant.
-#include "symplant/host/symbol_use.hpp"
+#include "symplant/why/symbol_use.hpp"
 
 #include <algorithm>
 #include <tuple>
 
-namespace symplant::host {
+namespace symplant::why {
 namespace {
 
 using tables::PlantTables;
@@ -139,4 +139,4 @@ void SymbolUse::find_readers(const PlantTables& tables) {
   for (const Reading& reading : readings_) readers_.push_back(reading.reader);
 }
 
-}  // namespace symplant::host
+}  // namespace symplant::why

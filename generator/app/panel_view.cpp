@@ -1,0 +1,18 @@
+// The layout of a plant for its panel.
+#include "app/panel_view.hpp"
+
+#include "model/layout.hpp"
+
+namespace symplant::app {
+
+PanelView::PanelView(const model::PlantModel& plant) {
+  if (!model::has_layout(plant)) return;
+  const model::Layout layout = model::layout_of(plant);
+  for (const model::Station& station : layout.stations) {
+    stations_.append(station.line).push_back('\0');
+    stations_.append(station.process).push_back('\0');
+  }
+  for (const model::DevicePlace& place : layout.devices) devices_.push_back({place.station, place.x, place.y});
+}
+
+}  // namespace symplant::app

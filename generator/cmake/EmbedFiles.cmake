@@ -1,0 +1,14 @@
+# Writes the texts of a folder's files into a C++ file, as `std::span<const PageFile> page_files()` of symplant::panel.
+# -DFOLDER=... -DFILES=a.js,b.css -DOUTPUT=...
+include(${CMAKE_CURRENT_LIST_DIR}/CppLiterals.cmake)
+string(REPLACE "," ";" files "${FILES}")
+set(rows "")
+foreach(file ${files})
+  symplant_cpp_literals(literals ${FOLDER}/${file})
+  string(APPEND rows "    {\"${file}\", ${literals}},\n")
+endforeach()
+file(
+  WRITE ${OUTPUT}
+  "// The files of the page as the program carries them.\n#include \"symplant/panel/page_files.hpp\"\n\nnamespace symplant::panel {\n"
+  "namespace {\n\nconstexpr PageFile kFiles[] = {\n${rows}};\n\n}  // namespace\n\n"
+  "std::span<const PageFile> page_files() { return kFiles; }\n\n}  // namespace symplant::panel\n")

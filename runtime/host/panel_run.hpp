@@ -1,0 +1,51 @@
+// The panel of a run: opens it from the options, and tells it of links and cycles.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "symplant/exec/cycle_meter.hpp"
+#include "symplant/host/links.hpp"
+#include "symplant/host/stage.hpp"
+#include "symplant/panel/panel.hpp"
+
+namespace symplant::host {
+
+/// What the panel of a run is opened with. All must outlive the panel.
+struct PanelInput {
+  const PlantProgram& program;
+  const RunOptions& options;
+  const trace::PlantNames& names;
+  const std::vector<bool>& carried;
+  const scenario::Scenario* scenario;  ///< may be null
+  const Links& links;
+  bool with_plc;
+  bool by_plc_clock;
+  bool real;            ///< in real time; else the panel sets the speed
+  std::string resumed;  ///< the name of the snapshot; empty: none
+};
+
+/// Opens the panel and prints its link on `out`; 0, or the exit code of a failure with a message on `err`. Nothing
+/// without the option.
+int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::ostream& err,
+               std::unique_ptr<panel::Panel>& panel);
+
+/// The JSON members `links` and `cycle` of the stream. For one thread; the meter may be null.
+class PanelStatus {
+ public:
+  PanelStatus(const Links& links, const exec::CycleMeter* meter) : links_(links), meter_(meter) {}
+
+  /// To be called about once a second. O(links and buckets).
+  std::string text();
+
+ private:
+  const Links& links_;
+  const exec::CycleMeter* meter_;
+  std::vector<std::uint64_t> requests_;  ///< at the last call
+  std::vector<double> since_;            ///< of each link: seconds without a request
+};
+
+}  // namespace symplant::host

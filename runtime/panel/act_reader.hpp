@@ -1,0 +1,64 @@
+// Reads what a client of the panel asks for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symplant/scenario/scenario.hpp"
+#include "symplant/trace/history.hpp"
+#include "symplant/trace/plant_names.hpp"
+
+namespace symplant::panel {
+
+/// One act of a request (docs/panel-interface.md).
+struct Act {
+  enum class Kind : std::uint8_t {
+    step,  ///< acts on the plant, as a step of a scenario
+    run,
+    freeze,
+    step_cycle,
+    step_change,
+    speed,
+    reset,
+    snapshot,
+    save,
+    restore,
+    forget,
+    exercise,
+    end_exercise,
+    session,
+  };
+  Kind kind = Kind::step;
+  scenario::Step step;
+  std::string name;  ///< of a snapshot, exercise or session
+  double speed = 1;  ///< 0: as fast as possible
+};
+
+struct ReadActs {
+  std::vector<Act> acts;
+  std::string error;     ///< empty: all of them can be read
+  bool is_form = false;  ///< the error is one of the form (400), not of the content (422)
+};
+
+/// Reads the bodies of requests. Not thread-safe. Construction is O(plant), read() O(body).
+class ActReader {
+ public:
+  /// `carried` as for read_scenario(). All must outlive it.
+  ActReader(const trace::PlantNames& names, const std::vector<bool>& carried, const trace::History& history);
+  ~ActReader();
+
+  ReadActs read(std::string_view body);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Whether a text is the name of a snapshot or session: 1 to 64 letters, digits, blanks, `_`, `-`, `.`, the first one
+/// not a `.` or a blank. Such a name is the name of a file in a folder, and no path.
+bool is_file_name(std::string_view name);
+
+}  // namespace symplant::panel

@@ -1,0 +1,102 @@
+// The panel of a run: shows and operates the plant in a browser.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/exec/stepper.hpp"
+#include "symplant/link/link.hpp"
+#include "symplant/panel/describe.hpp"
+#include "symplant/panel/exercises.hpp"
+#include "symplant/panel/options.hpp"
+#include "symplant/panel/stepping.hpp"
+#include "symplant/panel/view.hpp"
+#include "symplant/plant/plant.hpp"
+#include "symplant/scenario/player.hpp"
+#include "symplant/trace/finding_words.hpp"
+#include "symplant/trace/history.hpp"
+#include "symplant/trace/recorder.hpp"
+#include "symplant/why/explainer.hpp"
+
+namespace symplant::panel {
+
+/// The plant of a run, for its panel. All must outlive it.
+struct PanelPlant {
+  const trace::PlantNames& names;
+  plant::Plant& plant;
+  trace::Recorder& recorder;  ///< with motions
+  trace::History& history;
+  const why::Explainer& explainer;
+  std::span<const engine::Behaviour> behaviours;
+  const std::vector<bool>& carried;    ///< as for read_scenario()
+  const scenario::Scenario* scenario;  ///< played from the start; null: none
+  scenario::Player* player;            ///< that plays it
+  std::string scenario_name;
+  std::vector<ExerciseFile> exercises;
+  std::vector<LinkName> links;
+  View view;
+  std::uint64_t seed = 0;
+  tables::Time cycle = 0;     ///< as for Plant::reset()
+  bool with_plc = false;      ///< a link goes to a PLC
+  bool by_plc_clock = false;  ///< plant time follows a PLC's clock
+  bool paced = false;         ///< the run asks speed()
+  std::string resumed;        ///< the name of the snapshot with which the run began; empty: none
+};
+
+/// The plant was set to another state, which the history now has.
+struct Jump {
+  std::string_view what;  ///< `reset` or `restored`
+  std::string name;       ///< of the snapshot
+  tables::Time time;
+};
+
+/// Serves from construction to destruction. Its functions are for the threads that they name.
+class Panel {
+ public:
+  /// Opens the port and begins to serve. An error is of kind usage or environment.
+  static std::variant<std::unique_ptr<Panel>, link::LinkError> open(const PanelOptions& options, PanelPlant plant);
+  ~Panel();
+  Panel(const Panel&) = delete;
+  Panel& operator=(const Panel&) = delete;
+
+  /// The link to the page, with the token.
+  std::string link() const;
+
+  // --- for the thread of the plant
+  /// Advances the plant instead of Plant::advance_to(), and does what clients ask for.
+  exec::Stepper& stepper();
+  /// The time of the next step of the scenario that is played.
+  tables::Time next_step() const noexcept;
+  /// How many times as fast as the clock plant time is to run; 0: as fast as possible.
+  double speed() const noexcept;
+  /// The step that is being done.
+  Stepping stepping() const noexcept;
+
+  // --- for the thread that drains the recorder: all calls for one batch of records while it holds the lock
+  std::unique_lock<std::mutex> lock();
+  void before(const trace::Record& record);  ///< before History::apply()
+  void after(const trace::Record& record);   ///< after it
+  std::optional<Jump> note(const trace::Record& record);
+  /// The acts on the plant since the last call, as JSON objects, for the trace.
+  std::vector<std::string> take_acts();
+  void finding(const trace::FoundThing& found, const std::string& words);
+
+  /// Sets what is asked once a second for the keys `links` and `cycle` of the stream: JSON members. It is called by the
+  /// panel's thread until the next call. Null: there are none.
+  void set_status(std::function<std::string()> status);
+
+ private:
+  struct Parts;
+  explicit Panel(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace symplant::panel

@@ -1,0 +1,22 @@
+// What a step does to a plant between two instants, for scenarios and for the operator at the panel.
+#pragma once
+
+#include "symplant/plant/plant.hpp"
+#include "symplant/scenario/scenario.hpp"
+#include "symplant/trace/recorder.hpp"
+
+namespace symplant::scenario {
+
+/// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
+inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
+
+/// The first actions of a step: `set`, then `state`. For the thread that runs the plant; O(actions).
+void write_symbols(const Step& step, plant::Plant& plant) noexcept;
+
+/// The last actions of a step: `force`, then `release`, with notes about them. For the same thread; O(actions).
+void force_symbols(const Step& step, plant::Plant& plant, trace::Recorder& recorder) noexcept;
+
+/// Releases a symbol that is forced, with a note.
+void release(std::uint32_t symbol, plant::Plant& plant, trace::Recorder& recorder) noexcept;
+
+}  // namespace symplant::scenario

@@ -1,0 +1,62 @@
+// Writes the actions of a step as JSON.
+#include "symplant/scenario/step_text.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
+
+#include "symplant/trace/value_text.hpp"
+
+namespace symplant::scenario {
+namespace {
+
+using trace::json_string;
+
+/// Appends `"key":` and the texts in the brackets, with commas; nothing for no texts.
+void put_member(std::string& json, std::string_view key, std::string_view brackets,
+                const std::vector<std::string>& texts) {
+  if (texts.empty()) return;
+  json += fmt::format("{}\"{}\":{}{}{}", json.empty() ? "" : ",", key, brackets[0], fmt::join(texts, ","), brackets[1]);
+}
+
+template <class Row, class Text>
+std::vector<std::string> texts_of(const std::vector<Row>& rows, Text text) {
+  std::vector<std::string> texts;
+  texts.reserve(rows.size());
+  for (const Row& row : rows) texts.push_back(text(row));
+  return texts;
+}
+
+std::string location_json(const tables::PartLocation& at, const trace::PlantNames& names) {
+  const std::string name(names.location(at.location));
+  if (at.at == tables::kWhole) return json_string(name);
+  return json_string(fmt::format("{}@{}.{:03} mm", name, at.at / 1000, at.at % 1000));
+}
+
+}  // namespace
+
+std::string actions_json(const Step& step, const trace::PlantNames& names) {
+  const auto value_text = [&](const SymbolValue& value) {
+    return fmt::format("{}:{}", json_string(names.symbol(value.symbol)),
+                       trace::json_value(names.tables().symbols[value.symbol].type(), value.value));
+  };
+  std::string json;
+  put_member(json, "set", "{}", texts_of(step.set, value_text));
+  put_member(json, "state", "{}", texts_of(step.states, [&](const UnitState& unit) {
+               return fmt::format("{}:{}", json_string(names.unit(unit.unit)),
+                                  json_string(names.state(unit.unit, unit.state)));
+             }));
+  put_member(json, "put", "[]", texts_of(step.put, [&](const NewPart& part) {
+               return fmt::format(R"({{"at":{},"kind":{}}})", location_json(part.at, names),
+                                  json_string(names.part_kind(part.kind)));
+             }));
+  put_member(json, "take", "[]",
+             texts_of(step.take, [&](const tables::PartLocation& from) { return location_json(from, names); }));
+  put_member(json, "force", "{}", texts_of(step.force, value_text));
+  put_member(json, "release", "[]",
+             texts_of(step.release, [&](std::uint32_t symbol) { return json_string(names.symbol(symbol)); }));
+  return json;
+}
+
+}  // namespace symplant::scenario

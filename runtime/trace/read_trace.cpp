@@ -1,0 +1,175 @@
+// Reads a trace file back into records.
+#include "symplant/trace/read_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <istream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "symplant/trace/value_text.hpp"
+
+namespace symplant::trace {
+namespace {
+
+using Json = nlohmann::json;
+
+class TraceReader {
+ public:
+  explicit TraceReader(const PlantNames& names) : names_(names) {
+    const tables::PlantTables& tables = names.tables();
+    for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.emplace(names.symbol(s), s);
+    for (std::uint32_t l = 0; l < tables.material.locations(); ++l) locations_.emplace(names.location(l), l);
+    for (std::uint32_t k = 0; k < tables.material.kinds.size(); ++k) kinds_.emplace(names.part_kind(k), k);
+    locations_.emplace("out", tables::kOut);
+  }
+
+  ReadTrace run(std::istream& file) {
+    std::string line;
+    for (std::size_t number = 1; std::getline(file, line) && read_.error.empty(); ++number) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line.empty()) continue;
+      const Json json = Json::parse(line, nullptr, false);
+      std::string wrong = json.is_object() ? take(json, number == 1) : std::string("this is not a line of a trace");
+      if (!wrong.empty()) read_.error = fmt::format("line {}: {}", number, wrong);
+    }
+    if (!begun_ && read_.error.empty()) read_.error = "line 1: the file is empty";
+    if (!read_.records.empty()) read_.records.back().last = true;
+    return std::move(read_);
+  }
+
+ private:
+  /// What is wrong with a line; empty: nothing.
+  std::string take(const Json& json, bool first) {
+    if (json.contains("symplant-trace")) return take_header(json);
+    if (first || !begun_) return "a trace begins with a line with `symplant-trace`";
+    const auto time = json.find("t");
+    if (time == json.end() || !time->is_number_unsigned()) return "the key `t` is not a time in ns";
+    const auto at = time->get<tables::Time>();
+    const bool back = json.contains("reset") || json.contains("restored");
+    if (at < read_.end && !back) return "this time is before that of the line above";
+    if (at > read_.end && !read_.records.empty()) read_.records.back().last = true;
+    read_.end = at;
+    if (back) return set_back(json, at);
+    if (json.contains("symbol")) return take_change(json, at);
+    return json.contains("part") ? take_part(json, at) : std::string();  // other lines say nothing about the state
+  }
+
+  std::string take_header(const Json& json) {
+    if (json["symplant-trace"] != 1) return "this symplant reads version 1 of traces";
+    if (const auto hash = json.find("model_hash"); hash != json.end() && hash->is_string()) {
+      read_.model_hash = hash->get<std::string>();
+    }
+    begun_ = true;
+    if (!json.contains("values")) return "";
+    const auto time = json.find("t");
+    read_.begin = read_.end = time != json.end() && time->is_number_unsigned() ? time->get<tables::Time>() : 0;
+    return take_values(json["values"], read_.begin);
+  }
+
+  std::string set_back(const Json& json, tables::Time at) {
+    ++read_.set_back;
+    read_.records.clear();
+    read_.begin = at;
+    return json.contains("values") ? take_values(json["values"], at) : std::string();
+  }
+
+  std::string take_values(const Json& values, tables::Time at) {
+    if (!values.is_object()) return "`values` is not an object";
+    for (const auto& [name, value] : values.items()) {
+      if (std::string wrong = add_change(name, value, at); !wrong.empty()) return wrong;
+    }
+    return "";
+  }
+
+  std::string take_change(const Json& json, tables::Time at) {
+    if (!json["symbol"].is_string() || !json.contains("value")) return "a change has `symbol` and `value`";
+    return add_change(json["symbol"].get<std::string>(), json["value"], at);
+  }
+
+  std::string add_change(const std::string& name, const Json& value, tables::Time at) {
+    const auto found = symbols_.find(name);
+    if (found == symbols_.end()) return unknown(name);
+    const auto bits = value_of(names_.tables().symbols[found->second].type(), value);
+    if (!bits) return fmt::format("`{}` cannot have the value {}", name, value.dump());
+    read_.records.push_back({at, *bits, found->second});
+    return "";
+  }
+
+  std::string unknown(const std::string& name) {
+    if (read_.unknown++ == 0) read_.first_unknown = name;
+    return "";
+  }
+
+  static std::optional<std::uint64_t> value_of(tables::DataType type, const Json& value) {
+    if (type == tables::DataType::boolean) {
+      return value.is_boolean() ? std::optional<std::uint64_t>(value.get<bool>() ? 1 : 0) : std::nullopt;
+    }
+    if (is_real(type)) return real_of(value);
+    if (value.is_number_unsigned()) return value.get<std::uint64_t>();
+    if (value.is_number_integer()) return static_cast<std::uint64_t>(value.get<std::int64_t>());
+    if (!value.is_string()) return std::nullopt;
+    const std::string text = value.get<std::string>();
+    const char* const end = text.data() + text.size();
+    std::int64_t number = 0;
+    if (const auto [at, error] = std::from_chars(text.data(), end, number); error == std::errc() && at == end) {
+      return static_cast<std::uint64_t>(number);
+    }
+    std::uint64_t large = 0;
+    const auto [at, error] = std::from_chars(text.data(), end, large);
+    return error == std::errc() && at == end ? std::optional(large) : std::nullopt;
+  }
+
+  static std::optional<std::uint64_t> real_of(const Json& value) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (value.is_number()) return std::bit_cast<std::uint64_t>(value.get<double>());
+    if (value == "nan") return std::bit_cast<std::uint64_t>(std::numeric_limits<double>::quiet_NaN());
+    if (value == "inf") return std::bit_cast<std::uint64_t>(kInfinity);
+    return value == "-inf" ? std::optional(std::bit_cast<std::uint64_t>(-kInfinity)) : std::nullopt;
+  }
+
+  std::string take_part(const Json& json, tables::Time at) {
+    const auto kind = find(kinds_, json, "kind");
+    if (!json["part"].is_number_unsigned() || !json.contains("kind")) return "a part has a number and a `kind`";
+    if (!kind) return unknown(json["kind"].dump());
+    const bool moved = json.contains("from");
+    const bool arrived = json.contains("to");
+    const auto from = moved ? find(locations_, json, "from") : std::optional(tables::kNone);
+    const auto to = arrived ? find(locations_, json, "to") : std::optional(tables::kNone);
+    if (!from || !to) return unknown(json[from ? "to" : "from"].dump());
+    const auto x = json.find("x");
+    const bool by_hand = json.value("by", Json()) == "hand";
+    read_.records.push_back({at, json["part"].get<std::uint64_t>(), *kind, Record::Kind::part, {}, by_hand});
+    read_.records.push_back({at, pack_move(*from, *to),
+                             x != json.end() && x->is_number_unsigned() ? x->get<std::uint32_t>() : 0,
+                             Record::Kind::part_move});
+    return "";
+  }
+
+  using Index = std::unordered_map<std::string_view, std::uint32_t>;
+  static std::optional<std::uint32_t> find(const Index& index, const Json& json, const char* key) {
+    const auto value = json.find(key);
+    if (value == json.end() || !value->is_string()) return std::nullopt;
+    const auto found = index.find(value->get_ref<const std::string&>());
+    return found == index.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  const PlantNames& names_;
+  Index symbols_;
+  Index locations_;
+  Index kinds_;
+  ReadTrace read_;
+  bool begun_ = false;
+};
+
+}  // namespace
+
+ReadTrace read_trace(std::istream& file, const PlantNames& names) { return TraceReader(names).run(file); }
+
+}  // namespace symplant::trace

@@ -1,0 +1,35 @@
+// What must change for a condition to hold, or to hold no longer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symplant/condition/tree.hpp"
+#include "symplant/trace/plant_names.hpp"
+#include "symplant/why/conditions.hpp"
+#include "symplant/why/explanation.hpp"
+#include "symplant/why/state_view.hpp"
+
+namespace symplant::why {
+
+bool holds(const condition::Atom& atom, const StateView& view);
+bool holds(const Network& network, const StateView& view);
+
+/// What a network needs for the opposite truth: a tree of literals, none of which holds now. Of several sets of changes
+/// that are enough (`any`), each has no smaller one in it. A constant if no change is enough. At most kMostLiterals
+/// literals: of a larger tree the first ones.
+condition::Tree changes_of(const Network& network, const StateView& view);
+inline constexpr std::size_t kMostLiterals = 200;
+
+/// The unit, symbol or location that an atom reads.
+Reference reference_of(const condition::Atom& atom);
+
+/// The different atoms of a tree, in their order.
+std::vector<condition::Atom> atoms_of(const condition::Tree& tree);
+
+/// `L_P_AGV.P2 and not L_P_DOOR.OPEN1`, without what exceeds eight literals: `... and more`.
+std::string condition_text(const condition::Tree& tree, const trace::PlantNames& names);
+/// `L_P_AGV.P2`, `L_P_AGV_O_P1`, `SPEED > 5`, `CV1.part`, `CV1.parts >= 3`.
+std::string atom_text(const condition::Atom& atom, const trace::PlantNames& names);
+
+}  // namespace symplant::why
