@@ -53,3 +53,8 @@ test("The page asks for every module at once", () => {
   const html = text("index.html");
   for (const name of modules) if (name !== "main.js") assert.ok(html.includes('<link rel="modulepreload" href="' + name + '">'), name);
 });
+
+test("The program carries every file of the page", () => {
+  const list = readFileSync(join(kFolder, "../CMakeLists.txt"), "utf8");
+  for (const name of files) assert.match(list, new RegExp("\\b" + name.replace(".", "\\.") + "\\b"), name);
+});

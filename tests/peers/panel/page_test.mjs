@@ -126,6 +126,7 @@ const kTests = [
       await page.getByRole("combobox", {name: "Speed"}).selectOption("10");
       await page.getByRole("button", {name: "Play"}).click();
       await until("time passes", async () => await time.innerText() > "0:00:03.0");
+      assert.ok(await page.evaluate(() => symplant.store.t > 1e9), "no picture while it plays");
       await page.getByRole("button", {name: "Pause"}).click();
       await page.getByRole("slider", {name: "Time"}).fill("5000");
       await until("the middle", async () => await time.innerText() === "0:00:30.0");
