@@ -18,6 +18,7 @@ constexpr std::size_t kMostStreams = 8;
 constexpr std::uint32_t kLongestHeader = 8 * 1024;
 constexpr std::uint64_t kLongestBody = 64 * 1024;
 constexpr auto kWriteTime = seconds(10);
+constexpr std::size_t kMostWaiting = std::size_t{4} << 20;  ///< bytes that a client has not read
 
 constexpr std::string_view kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
@@ -62,12 +63,23 @@ void Connection::close() {
   shared_.connections.remove(shared_from_this());
 }
 
-void Connection::send(const std::shared_ptr<const std::string>& event) {
-  if (writing_) {
-    is_late_ = true;
-  } else {
-    write_event(event);
+std::shared_ptr<const std::string> Shared::picture() {
+  if (picture_ == nullptr) {
+    picture_ = std::make_shared<const std::string>("event: picture\ndata: " + source.picture() + "\n\n");
   }
+  return picture_;
+}
+
+void Connection::send(const std::shared_ptr<const std::string>& event) {
+  if (is_late_) return;
+  events_.push_back(event);
+  waiting_ += event->size();
+  if (waiting_ > kMostWaiting) {
+    is_late_ = true;
+    events_.clear();
+    waiting_ = 0;
+  }
+  write_next();
 }
 
 void Connection::read() {
@@ -154,7 +166,8 @@ void Connection::begin_stream() {
   stream_.expires_after(kWriteTime);
   http::async_write_header(stream_, *serializer_, [self = shared_from_this()](Error error, std::size_t) {
     self->writing_ = false;
-    error ? self->close() : self->write_picture();
+    self->is_late_ = true;
+    error ? self->close() : self->write_next();
   });
   watch();
 }
@@ -165,21 +178,21 @@ void Connection::watch() {
                                    [self = shared_from_this()](Error, std::size_t) { self->close(); });
 }
 
-void Connection::write_picture() {
-  write_event(std::make_shared<const std::string>("event: picture\ndata: " + shared_.source.picture() + "\n\n"));
-}
-
-void Connection::write_event(std::shared_ptr<const std::string> event) {
-  if (state_ != State::streaming) return;
+void Connection::write_next() {
+  if (state_ != State::streaming || writing_ || (!is_late_ && events_.empty())) return;
+  std::shared_ptr<const std::string> event = is_late_ ? shared_.picture() : events_.front();
+  if (!std::exchange(is_late_, false)) {
+    waiting_ -= event->size();
+    events_.pop_front();
+  }
   writing_ = true;
-  is_late_ = false;
   stream_.expires_after(kWriteTime);
   const asio::const_buffer bytes = asio::buffer(*event);
   asio::async_write(stream_, bytes, [self = shared_from_this(), event = std::move(event)](Error error, std::size_t) {
     self->writing_ = false;
     if (error) return self->close();
     self->stream_.expires_never();
-    if (self->is_late_) self->write_picture();
+    self->write_next();
   });
 }
 

@@ -7,6 +7,7 @@
 #include <boost/beast/http.hpp>
 #include <chrono>
 #include <cstddef>
+#include <deque>
 #include <list>
 #include <memory>
 #include <optional>
@@ -32,6 +33,14 @@ struct Shared {
   std::chrono::seconds request_time;
   std::list<std::shared_ptr<Connection>> connections;  ///< that idle for longest first
   std::size_t streams = 0;
+
+  /// The event `picture` as it is now; made once for all clients that need one at the same time.
+  std::shared_ptr<const std::string> picture();
+  /// To be called after each change of the source.
+  void forget_picture() { picture_ = nullptr; }
+
+ private:
+  std::shared_ptr<const std::string> picture_;
 };
 
 /// All of it is for the server's thread.
@@ -44,7 +53,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool is_idle() const { return state_ == State::reading; }
   bool is_stream() const { return state_ == State::streaming; }
   void close();
-  /// Sends changes to a client that reads in time; another one gets a picture when it has read what is on its way.
+  /// Sends an event after those that are on their way. A client that does not read them in time gets a picture instead
+  /// of all that it missed.
   void send(const std::shared_ptr<const std::string>& event);
 
  private:
@@ -58,8 +68,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void reply(Reply found);
   void begin_stream();
   void watch();
-  void write_picture();
-  void write_event(std::shared_ptr<const std::string> event);
+  void write_next();
 
   boost::beast::tcp_stream stream_;
   Shared& shared_;
@@ -72,7 +81,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool keep_alive_ = true;
   bool counted_ = false;  ///< among the streams
   bool writing_ = false;
-  bool is_late_ = false;
+  bool is_late_ = false;                                   ///< a picture is due
+  std::deque<std::shared_ptr<const std::string>> events_;  ///< that wait
+  std::size_t waiting_ = 0;                                ///< their bytes
   char ignored_ = 0;
 };
 

@@ -36,7 +36,8 @@ void Exercise::step_done(std::size_t step, bool failed, tables::Time time) {
   if (states_[step] != State::failed) states_[step] = failed ? State::failed : State::done;
   times_[step] = time;
   next_ = step + 1;
-  if (done.is_checked() && !failed) add_points(time, scenario().exercise->for_expectation, step_text(step));
+  if (done.is_checked() && !failed)
+    add_points(time, scenario().exercise->for_expectation, done.text.empty() ? does(step) : done.text);
 }
 
 void Exercise::requirement_violated(std::uint32_t requirement, tables::Time time) {
@@ -53,9 +54,9 @@ void Exercise::over(tables::Time time) {
   if (took_ <= rules.within) add_points(time, rules.for_time, "within " + trace::seconds(rules.within));
 }
 
-std::string Exercise::step_text(std::size_t step) const {
+/// What a step does or expects, for the trainer.
+std::string Exercise::does(std::size_t step) const {
   const scenario::Step& of = scenario().steps[step];
-  if (!of.text.empty()) return of.text;
   if (of.expect) {
     return (of.when == scenario::Step::When::wait ? "wait: " : "expect: ") + scenario::expectation_words(of, names_);
   }
@@ -90,7 +91,8 @@ void Exercise::put(std::string& json) const {
                                                              : "failed";
     put_comma(json);
     json += '{';
-    put_member(json, "text", step_text(i));
+    put_member(json, "text", scenario().steps[i].text);
+    put_member(json, "does", does(i));
     panel::put(json, R"(,"state":"{}","t":{}}})", state,
                states_[i] == State::pending ? "null" : std::to_string(times_[i]));
   }
@@ -107,9 +109,10 @@ void Exercise::put(std::string& json) const {
 void Exercise::add_cases(std::vector<trace::TestCase>& cases) const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (!scenario().steps[i].is_checked()) continue;
+    const std::string& text = scenario().steps[i].text;
     const bool failed = states_[i] != State::done;
     const char* const failure = !failed ? "" : states_[i] == State::failed ? "it did not hold" : "it was not reached";
-    cases.push_back({fmt::format("step {}: {}", i + 1, step_text(i)), times_[i], failure});
+    cases.push_back({fmt::format("step {}: {}", i + 1, text.empty() ? does(i) : text), times_[i], failure});
   }
   cases.push_back({fmt::format("score: {} of {}", score_, most()), since_ + std::max<tables::Time>(took_, 0), ""});
 }

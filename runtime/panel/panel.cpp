@@ -78,9 +78,9 @@ struct Panel::Parts final : Source {
   std::string changes() override {
     const std::lock_guard guard(mutex);
     std::string json = desk.changes();
-    if (!std::exchange(status_is_new, false) || status.empty()) return json;
-    if (json.empty()) return desk.beat() + "," + status + "}";
-    json.insert(json.size() - 1, "," + status);
+    if (!std::exchange(status_is_new, false)) return json;
+    if (json.empty()) json = desk.beat() + "}";
+    json.insert(json.size() - 1, status.empty() ? "" : "," + status);
     return json;
   }
 

@@ -52,6 +52,7 @@ Picture::Picture(const trace::PlantNames& names, const trace::History& history)
       history_(history),
       motions_(names.tables().units.size()),
       tracks_(names.tables().material.tracks.size()),
+      track_states_(names.tables(), history),
       devices_(names.tables().units.size()),
       symbols_(names.tables().symbols.size()),
       locations_(names.tables().material.locations()) {}
@@ -167,7 +168,14 @@ void Picture::put_track(std::string& json, std::uint32_t track) const {
     put_comma(json);
     put(json, "[{},{},{},{}]", part.number, part.kind, part.x, part.v);
   }
-  json += ']';
+  json += "],";
+  track_states_.put(json, track);
+}
+
+/// Stops and drives may have changed with any symbol or device.
+void Picture::look_at_tracks(tables::Time now) {
+  if (tracks_.empty() || !has_changes()) return;
+  track_states_.look(now, [this](std::uint32_t track) { locations_.mark(track); });
 }
 
 void Picture::put_place(std::string& json, std::uint32_t place) const {
@@ -177,7 +185,8 @@ void Picture::put_place(std::string& json, std::uint32_t place) const {
   }
 }
 
-void Picture::put_all(std::string& json, tables::Time now) const {
+void Picture::put_all(std::string& json, tables::Time now) {
+  look_at_tracks(now);
   put_array(json, "devices", motions_.size(), [&](std::uint32_t unit) { put_device(json, unit, now); });
   put_array(json, "symbols", symbols_.marked.size(), [&](std::uint32_t symbol) { put_symbol(json, symbol); });
   put_array(json, "tracks", tracks_.size(), [&](std::uint32_t track) { put_track(json, track); });
@@ -186,6 +195,7 @@ void Picture::put_all(std::string& json, tables::Time now) const {
 }
 
 void Picture::put_changes(std::string& json, tables::Time now) {
+  look_at_tracks(now);
   std::vector<std::uint32_t> tracks;
   std::vector<std::uint32_t> places;
   const auto first_place = static_cast<std::uint32_t>(tracks_.size());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "symplant/panel/track_state.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -29,7 +30,7 @@ class Picture {
 
   bool has_changes() const { return !(devices_.list.empty() && symbols_.list.empty() && locations_.list.empty()); }
   /// Appends the keys `devices`, `symbols`, `tracks` and `places` of all of them, as at plant time `now`. O(plant).
-  void put_all(std::string& json, tables::Time now) const;
+  void put_all(std::string& json, tables::Time now);
   /// Appends these keys of what changed since the last call, and forgets it. O(changes).
   void put_changes(std::string& json, tables::Time now);
   void forget_changes();
@@ -72,6 +73,7 @@ class Picture {
   void put_symbol(std::string& json, std::uint32_t symbol) const;
   void put_track(std::string& json, std::uint32_t track) const;
   void put_place(std::string& json, std::uint32_t place) const;
+  void look_at_tracks(tables::Time now);
   bool is_blocked(std::uint32_t unit, const plant::UnitView& view) const;
 
   const trace::PlantNames& names_;
@@ -79,6 +81,7 @@ class Picture {
   std::vector<Motion> motions_;
   std::vector<Track> tracks_;
   Track* track_ = nullptr;  ///< whose parts are being recorded
+  TrackStates track_states_;
   Marks devices_;
   Marks symbols_;
   Marks locations_;

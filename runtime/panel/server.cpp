@@ -81,6 +81,7 @@ struct Server::Parts {
     timer.async_wait([this, next](web::Error error) {
       if (error) return;
       if (++ticks % (1000 / kPeriod.count()) == 0) each_second();
+      shared.forget_picture();
       if (shared.streams != 0) send_changes();
       tick(next);
     });

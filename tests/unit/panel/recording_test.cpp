@@ -65,7 +65,7 @@ TEST_CASE("A part moves evenly from where it came to the end of its track") {
 {"t":1000000000,"part":1,"kind":"raw","from":"BELT","to":"BOX"}
 )");
   const Json begun = Json::parse(recording.picture_at(0));
-  CHECK(begun.at("tracks").at(0) == Json::parse("[0,[[1,0,100000,900000]]]"));
+  CHECK(begun.at("tracks").at(0) == Json::parse("[0,[[1,0,100000,900000]],[],[0]]"));
   const Json over = Json::parse(recording.picture_at(1'000'000'000));
   CHECK(over.at("tracks").at(0).at(1).empty());
   CHECK(over.at("places").at(0) == Json::parse("[[1,0]]"));

@@ -165,12 +165,17 @@ TEST_CASE("Parts on a track are shown with their speed, and where they stop") {
   drive.forward = "L_P_AGV.P2";
   drive.speed.speed = 500'000;
   track.drives.push_back(drive);
+  track.stops.push_back({1'000'000, "L_P_AGV.P2"});
   material.tracks.push_back(track);
   const PanelBench bench(plan);
   bench.act(R"({"put":{"at":"BELT@300 mm","kind":"raw"}})");
-  CHECK(bench.picture().at("tracks").at(0).at(1) == Json::parse("[[1,0,350000,0]]"));
+  const Json still = bench.picture().at("tracks").at(0);
+  CHECK(still.at(1) == Json::parse("[[1,0,350000,0]]"));
+  CHECK(still.at(2) == Json::parse("[false]"));
+  CHECK(still.at(3) == Json::parse("[0]"));
   const tables::Time begun = bench.act(R"({"state":{"L_P_AGV":"P2"}})");
-  CHECK(bench.picture().at("tracks").at(0) == Json::array({begun, Json::parse("[[1,0,350000,500000]]")}));
+  CHECK(bench.picture().at("tracks").at(0) ==
+        Json::array({begun, Json::parse("[[1,0,350000,500000]]"), Json::parse("[true]"), Json::parse("[500000]")}));
   bench.wait_for([&] { return bench.picture().at("tracks").at(0).at(1) == Json::parse("[[1,0,1000000,0]]"); });
   CHECK(bench.picture().at("tracks").at(0).at(0) == begun + 1300 * kMs);
 }
