@@ -1,4 +1,4 @@
-// The panel of a run: opens it from the options, and tells it of links and cycles.
+// The panel of a run: opens it from the options, and reports links and cycles to it.
 #pragma once
 
 #include <memory>

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <utility>
 
-#include "symplant/panel/desk.hpp"
-#include "symplant/panel/json_text.hpp"
-#include "symplant/panel/open_port.hpp"
-#include "symplant/panel/query.hpp"
-#include "symplant/panel/routes.hpp"
-#include "symplant/panel/server.hpp"
+#include "symplant/panel/operate/desk.hpp"
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/panel/web/open_port.hpp"
+#include "symplant/panel/web/query.hpp"
+#include "symplant/panel/web/routes.hpp"
+#include "symplant/panel/web/server.hpp"
 
 namespace symplant::panel {
 using link::LinkError;

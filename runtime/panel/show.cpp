@@ -5,9 +5,9 @@
 #include <thread>
 #include <utility>
 
-#include "symplant/panel/open_port.hpp"
-#include "symplant/panel/recording.hpp"
-#include "symplant/panel/server.hpp"
+#include "symplant/panel/recording/recording.hpp"
+#include "symplant/panel/web/open_port.hpp"
+#include "symplant/panel/web/server.hpp"
 
 namespace symplant::panel {
 

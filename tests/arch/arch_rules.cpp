@@ -23,8 +23,9 @@ constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 constexpr std::array<std::string_view, 20> kGenerator = {
     "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing", "infer",
     "model", "score", "convert", "lower",   "check", "findings", "emit",        "view",   "diff",    "app"};
-constexpr std::array<std::string_view, 12> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
-                                                       "exec",   "link",   "trace", "why",       "scenario", "host"};
+constexpr std::array<std::string_view, 13> kRuntime = {"tables",   "engine", "plant", "condition", "json",
+                                                       "share",    "exec",   "link",  "trace",     "why",
+                                                       "scenario", "panel",  "host"};
 
 /// The runtime layers that a layer of the generator may use.
 struct RuntimeUse {
@@ -45,7 +46,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"emit", " tables plant "},
     RuntimeUse{"view", " tables "},
     RuntimeUse{"diff", " tables "},
-    RuntimeUse{"app", " tables json link trace why scenario host "},
+    RuntimeUse{"app", " tables json link trace why scenario panel host "},
 };
 
 /// The layers that may include the headers of a third party.
@@ -55,6 +56,9 @@ struct ThirdParty {
 };
 constexpr std::array kThirdParties = {
     ThirdParty{"<boost/spirit", {"generator/address/", "generator/name/", "generator/read/", "runtime/condition/"}},
+    ThirdParty{"<boost/asio", {"generator/description/", "runtime/panel/web/"}},
+    ThirdParty{"<boost/beast", {"runtime/panel/web/"}},
+    ThirdParty{"<boost/lockfree", {"runtime/panel/operate/"}},
     ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
     ThirdParty{"<kainjow/", {"generator/emit/"}},
     ThirdParty{"<valijson/", {"runtime/json/"}},

@@ -52,7 +52,7 @@ TEST_CASE("Forces hold until they are released, one or all") {
   CHECK(bench.value("AGV_I_P1") == true);
 }
 
-TEST_CASE("A frozen plant stands still, does acts, and goes on") {
+TEST_CASE("A frozen plant does not move, does acts, and goes on") {
   const PanelBench bench;
   bench.act(R"({"set":{"L_P_AGV_O_P2":true}},{"freeze":true})");
   const tables::Time at = bench.picture().at("t");

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <list>
 
-#include "symplant/panel/page_files.hpp"
+#include "symplant/panel/web/page_files.hpp"
 #include "unit/panel/panel_bench.hpp"
 
 namespace symplant::test {

@@ -1,9 +1,9 @@
 // A trace in the panel: reading it back, and what is reconstructed of it.
-#include "symplant/panel/recording.hpp"
+#include "symplant/panel/recording/recording.hpp"
 
 #include <sstream>
 
-#include "symplant/panel/reconstruct.hpp"
+#include "symplant/panel/recording/reconstruct.hpp"
 #include "unit/panel/panel_bench.hpp"
 
 namespace symplant::test {

@@ -1,0 +1,250 @@
+// The state of a panel: records come in, pictures go out.
+#include "symplant/panel/operate/desk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/scenario/step_text.hpp"
+#include "symplant/scenario/verdict.hpp"
+
+namespace symplant::panel {
+namespace {
+
+constexpr std::size_t kMostFindings = 200;
+
+bool is_note(tables::FindingKind kind) {
+  return kind == tables::FindingKind::started_on_enabling || kind == tables::FindingKind::link_back;
+}
+
+}  // namespace
+
+Desk::Desk(Setup setup)
+    : setup_(std::move(setup)),
+      operator_(setup_.plant, setup_.recorder, setup_.player, setup_.seed, setup_.cycle),
+      picture_(setup_.names, setup_.history),
+      chart_(setup_.names, setup_.history),
+      reader_(setup_.names, setup_.carried, setup_.history),
+      snapshots_(setup_.folder, setup_.plant.save().size()),
+      session_(setup_.names, setup_.seed),
+      block_(setup_.plant.save().size()),
+      violations_(setup_.names.tables().requirements.size()),
+      playing_(setup_.scenario),
+      asked_player_(setup_.player),
+      play_(setup_.player != nullptr ? 1 : 0),
+      last_backtrack_(setup_.plant.now()) {
+  if (setup_.player != nullptr) setup_.player->note_steps();
+  if (playing_ != nullptr && playing_->exercise) {
+    const std::shared_ptr<const scenario::Scenario> unowned(std::shared_ptr<void>(), playing_);
+    exercise_ = std::make_shared<Exercise>(ExerciseFile{setup_.scenario_name, unowned}, setup_.names);
+    exercise_->begin(setup_.plant.now());
+  }
+  if (!setup_.resumed.empty()) {
+    picture_.load(setup_.plant);
+    session_.begin_again(std::make_shared<KeptState>(KeptState{trace::Snapshot::of(setup_.plant), 0, {}}));
+  }
+}
+
+plant::OwnedPlant& Desk::shadow() {
+  if (!shadow_) shadow_.emplace(setup_.names.tables(), setup_.behaviours);
+  return *shadow_;
+}
+
+void Desk::after(const trace::Record& record) {
+  picture_.apply(record);
+  ++revision_;
+}
+
+std::optional<SetBack> Desk::note(const trace::Record& record) {
+  ++revision_;
+  if (record.of == scenario::kForceNote) {
+    picture_.touch_symbol(static_cast<std::uint32_t>(record.value / 2));
+  } else if (record.of == scenario::kStepNote) {
+    step_noted(record);
+  } else if (record.of == kOverNote && exercise_ != nullptr && &exercise_->scenario() == playing_) {
+    exercise_->over(record.time);
+  } else if (record.of == kOrderNote) {
+    const auto found = pending_.find(static_cast<std::uint32_t>(record.value));
+    if (found == pending_.end()) return std::nullopt;
+    Pending pending = std::move(found->second);
+    pending_.erase(found);
+    return done(pending, record);
+  }
+  return std::nullopt;
+}
+
+void Desk::step_noted(const trace::Record& record) {
+  const auto index = static_cast<std::size_t>(record.value & 0xFFFF'FFFF);
+  if (playing_ == nullptr || index >= playing_->steps.size()) return;
+  const scenario::Step& step = playing_->steps[index];
+  const std::string actions = scenario::actions_json(step, setup_.names);
+  if (!actions.empty()) log(record.time, record.value >> scenario::kTurnBits, "scenario", actions, true);
+  const bool failed = (record.value & scenario::kStepFailed) != 0;
+  if (failed) step_failed(index, record.time);
+  if (exercise_ != nullptr && &exercise_->scenario() == playing_) exercise_->step_done(index, failed, record.time);
+}
+
+void Desk::step_failed(std::size_t step, tables::Time time) {
+  const why::Explanation words =
+      scenario::failure_words(*playing_, {step, 0, time, {}}, setup_.explainer, setup_.history, nullptr);
+  add_finding(time, "expectation failed", fmt::format("step {}", step + 1), "error", why::in_one_line(words));
+}
+
+void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {
+  if (is_step && by == "hand" && !members.empty()) new_acts_.push_back("{" + members + "}");
+  session_.add({time, turn, std::string(by), "{" + members + "}", is_step ? members : std::string()});
+}
+
+void Desk::finding(const trace::FoundThing& found, const std::string& words) {
+  ++revision_;
+  const bool violated = found.kind == tables::FindingKind::requirement_violated;
+  if (violated) {
+    Violation& violation = violations_[found.of.front()];
+    ++violation.count;
+    violation.since = found.time;
+    violation.changed = true;
+    if (exercise_ != nullptr) exercise_->requirement_violated(found.of.front(), found.time);
+  }
+  add_finding(found.time, trace::finding_name(found.kind), trace::name_of(found, setup_.names),
+              violated              ? "error"
+              : is_note(found.kind) ? "note"
+                                    : "warning",
+              words);
+}
+
+void Desk::add_finding(tables::Time time, std::string_view kind, std::string_view of, std::string_view severity,
+                       std::string_view text) {
+  std::string json;
+  put(json, "\"t\":{}", time);
+  put_member(json, "finding", kind);
+  put_member(json, "of", of);
+  put_member(json, "severity", severity);
+  put_member(json, "text", text);
+  findings_.push_back({time, std::move(json)});
+  if (findings_.size() <= kMostFindings) return;
+  findings_.pop_front();
+  ++first_finding_;
+}
+
+void Desk::put_clock(std::string& json) const {
+  const char* const state = ended_ ? "ended" : operator_.frozen() ? "frozen" : "running";
+  const double speed = this->speed();
+  put(json, R"({{"state":"{}","speed":{},"real_speed":{:.3g}}})", state,
+      speed == 0 ? "\"max\"" : fmt::format("{}", speed), real_speed_);
+}
+
+void Desk::put_findings(std::string& json, std::uint64_t from) const {
+  json += '[';
+  for (std::uint64_t n = std::max(from, first_finding_); n < first_finding_ + findings_.size(); ++n) {
+    put_comma(json);
+    put(json, "{{\"n\":{},{}}}", n, findings_[n - first_finding_].json);
+  }
+  json += ']';
+}
+
+void Desk::put_requirements(std::string& json, bool all) {
+  json += '[';
+  for (std::size_t r = 0; r < violations_.size(); ++r) {
+    Violation& violation = violations_[r];
+    if (!all && !violation.changed) continue;
+    put_comma(json);
+    json += '[';
+    if (!all) {
+      put(json, "{},", r);
+      violation.changed = false;
+    }
+    put(json, R"("{}",{},{}])", violation.count == 0 ? "ok" : "violated", violation.since, violation.count);
+  }
+  json += ']';
+}
+
+void Desk::put_description(std::string& json) const {
+  put_member(json, "plant", setup_.names.tables().name);
+  put(json, R"(,"model_hash":"{:016x}","mode":"live","acts":{},"with_plc":{},"speed":{},"files":{})",
+      setup_.plant.model_hash(), setup_.acts, setup_.with_plc, setup_.paced, snapshots_.has_folder());
+  put_exercises(json, setup_.exercises);
+}
+
+std::string Desk::picture() {
+  const tables::Time now = operator_.now();
+  std::string json = "{";
+  put(json, "\"rev\":{},\"t\":{}", revision_, now);
+  put_key(json, "clock");
+  put_clock(json);
+  picture_.put_all(json, now);
+  put_key(json, "findings");
+  put_findings(json, 0);
+  put_key(json, "requirements");
+  put_requirements(json, true);
+  put_key(json, "acts");
+  session_.put(json, session_.count() > kMostFindings ? session_.count() - kMostFindings : 0);
+  put_key(json, "snapshots");
+  snapshots_.put_all(json);
+  put_key(json, "exercise");
+  if (exercise_ != nullptr) {
+    exercise_->put(json);
+  } else {
+    json += "null";
+  }
+  return json + "}";
+}
+
+std::string Desk::changes() {
+  std::string json;
+  if (std::string clock; put_clock(clock), clock != sent_clock_) {
+    put_key(json, "clock");
+    json += clock;
+    sent_clock_ = std::move(clock);
+  }
+  const tables::Time now = operator_.now();
+  if (picture_.has_changes()) picture_.put_changes(json, now);
+  if (const std::uint64_t count = first_finding_ + findings_.size(); count != sent_findings_) {
+    put_key(json, "findings");
+    put_findings(json, sent_findings_);
+    sent_findings_ = count;
+  }
+  if (std::any_of(violations_.begin(), violations_.end(), [](const Violation& v) { return v.changed; })) {
+    put_key(json, "requirements");
+    put_requirements(json, false);
+  }
+  if (session_.count() != sent_acts_) {
+    put_key(json, "acts");
+    session_.put(json, sent_acts_);
+    sent_acts_ = session_.count();
+  }
+  if (snapshots_.version() != sent_snapshots_) {
+    put_key(json, "snapshots");
+    snapshots_.put_all(json);
+    sent_snapshots_ = snapshots_.version();
+  }
+  if (exercise_ != nullptr && (exercise_.get() != sent_of_ || exercise_->version() != sent_exercise_)) {
+    put_key(json, "exercise");
+    exercise_->put(json);
+    sent_of_ = exercise_.get();
+    sent_exercise_ = exercise_->version();
+  }
+  if (json.empty()) return json;
+  return beat() + "," + json + "}";
+}
+
+std::string Desk::beat() const { return fmt::format("{{\"rev\":{},\"t\":{}", revision_, operator_.now()); }
+
+void Desk::look_at_time(tables::Time every) {
+  const tables::Time now = operator_.now();
+  if (now < last_backtrack_) last_backtrack_ = now;
+  if (every == 0 || now < last_backtrack_ + every || operator_.frozen()) return;
+  last_backtrack_ = now;
+  offer_copy(Purpose::backtrack, "", std::make_shared<Group>());
+}
+
+void Desk::end() {
+  ended_ = true;
+  for (auto& [id, pending] : pending_) {
+    pending.group->waiting = 0;
+    pending.group->error = "the run has ended";
+    finish(pending.group);
+  }
+  pending_.clear();
+}
+
+}  // namespace symplant::panel

@@ -1,0 +1,200 @@
+// The state of a panel: what its clients see, and what they asked for.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "symplant/panel/answer.hpp"
+#include "symplant/panel/operate/act_reader.hpp"
+#include "symplant/panel/operate/exercises.hpp"
+#include "symplant/panel/operate/operator.hpp"
+#include "symplant/panel/operate/session.hpp"
+#include "symplant/panel/operate/snapshots.hpp"
+#include "symplant/panel/picture/chart.hpp"
+#include "symplant/panel/picture/picture.hpp"
+#include "symplant/plant/owned_plant.hpp"
+#include "symplant/trace/finding_words.hpp"
+#include "symplant/trace/history.hpp"
+#include "symplant/trace/recorder.hpp"
+#include "symplant/why/explainer.hpp"
+
+namespace symplant::panel {
+
+/// The plant was set to another state, which the history now has.
+struct SetBack {
+  std::string_view what;  ///< `reset` or `restored`
+  std::string name;       ///< of the snapshot
+  tables::Time time;
+};
+
+/// Not thread-safe: each caller holds a mutex. Two threads use it: the one that drains the recorder, and the panel's.
+class Desk {
+ public:
+  struct Setup {
+    const trace::PlantNames& names;
+    plant::Plant& plant;  ///< read before the run only
+    trace::Recorder& recorder;
+    trace::History& history;
+    const why::Explainer& explainer;
+    std::span<const engine::Behaviour> behaviours;
+    const std::vector<bool>& carried;
+    std::vector<ExerciseFile> exercises;
+    const scenario::Scenario* scenario;  ///< that is played from the start; may be null
+    scenario::Player* player;            ///< that plays it
+    std::string scenario_name;
+    std::string folder;  ///< for files; empty: none
+    std::uint64_t seed;
+    tables::Time cycle;
+    bool with_plc;        ///< then plant time is real time
+    bool by_plc_clock;    ///< then it cannot be set back
+    bool paced;           ///< the speed can be changed
+    bool acts;            ///< clients may act
+    std::string resumed;  ///< the name of the snapshot with which the run began; empty: none
+  };
+
+  explicit Desk(Setup setup);
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  Operator& plant_operator() { return operator_; }
+  const Operator& plant_operator() const { return operator_; }
+  /// How many times as fast as the clock plant time runs; 0: as fast as possible. For any thread.
+  double speed() const { return speed_.load(std::memory_order_relaxed); }
+  bool acts() const { return setup_.acts; }
+
+  // --- for the thread that drains the recorder, for each record in their order
+  void before(const trace::Record& record) { chart_.apply(record); }  ///< before History::apply()
+  void after(const trace::Record& record);                            ///< after it; not for notes
+  /// A note. Says whether the plant was set to another state.
+  std::optional<SetBack> note(const trace::Record& record);
+  /// The acts by hand on the plant since the last call, as JSON objects.
+  std::vector<std::string> take_acts() { return std::exchange(new_acts_, {}); }
+  void finding(const trace::FoundThing& found, const std::string& words);
+
+  // --- for the thread of the panel
+  void request(std::string_view body, Answered answered);
+  /// What request() would refuse now.
+  Answer check(std::string_view body);
+  void why(std::string_view name, Answered answered);
+  std::string chart(const ChartWish& wish) const { return chart_.text(wish, operator_.now()); }
+  /// The keys of the description that the desk knows.
+  void put_description(std::string& json) const;
+  /// The data of the event `picture`, and of `changes`; the latter is empty if there is nothing new.
+  std::string picture();
+  std::string changes();
+  /// The beginning of an event that has only the time, without the brace at its end.
+  std::string beat() const;
+  /// Keeps a backtrack if one is due; `every` 0: never. To be called about once a second.
+  void look_at_time(tables::Time every);
+  /// The session as a file of this kind: `scenario`, `session` or `junit`.
+  Answer session_file(std::string_view kind);
+  /// Real speed, for the clock of the stream.
+  void note_real_speed(double speed) { real_speed_ = speed; }
+  /// The run ends: answers every request that waits.
+  void end();
+  bool has_ended() const { return ended_; }
+
+ private:
+  enum class Purpose : std::uint8_t { act, control, snapshot, save, backtrack, why, restore, play };
+  /// A request whose orders are not all done.
+  struct Group {
+    Answered answered;
+    std::size_t waiting = 0;
+    tables::Time time = 0;
+    std::string body;
+    std::string error;
+  };
+  struct Pending {
+    Purpose purpose;
+    Order order;
+    std::string name;
+    std::vector<scenario::Step> steps;
+    std::shared_ptr<KeptState> state;
+    std::shared_ptr<Group> group;
+    std::shared_ptr<Exercise> exercise;
+    std::unique_ptr<scenario::Player> player;
+  };
+  struct Found {
+    tables::Time time;
+    std::string json;  ///< its members without `n`
+  };
+
+  std::string refusal(const std::vector<Act>& acts);
+  std::string refusal(const Act& act);
+  void carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group);
+  void order(Act act, const std::shared_ptr<Group>& group);
+  void at_once(const Act& act, const std::shared_ptr<Group>& group);
+  void offer(Pending pending);
+  void offer_copy(Purpose purpose, std::string name, const std::shared_ptr<Group>& group);
+  void offer_restore(std::shared_ptr<KeptState> state, std::string name, const std::shared_ptr<Group>& group);
+  void offer_exercise(const std::string& name, const std::shared_ptr<Group>& group);
+  void finish(const std::shared_ptr<Group>& group);
+  std::optional<SetBack> done(Pending& pending, const trace::Record& note);
+  std::optional<SetBack> set_back(const Pending& pending, tables::Time time);
+  void copied(Pending& pending, tables::Time time);
+  std::string explain(const std::string& name, tables::Time time);
+  void log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step);
+  void step_noted(const trace::Record& record);
+  void step_failed(std::size_t step, tables::Time time);
+  void add_finding(tables::Time time, std::string_view kind, std::string_view of, std::string_view severity,
+                   std::string_view text);
+  plant::OwnedPlant& shadow();
+  const ExerciseFile* exercise_file(std::string_view name) const;
+  void put_clock(std::string& json) const;
+  void put_findings(std::string& json, std::uint64_t from) const;
+  void put_requirements(std::string& json, bool all);
+  std::string save_session(const std::string& name);
+  std::string session_json() const;
+  std::string session_junit() const;
+
+  Setup setup_;
+  Operator operator_;
+  Picture picture_;
+  Chart chart_;
+  ActReader reader_;
+  Snapshots snapshots_;
+  Session session_;
+  std::optional<plant::OwnedPlant> shadow_;  ///< a plant into which copies of the state are restored
+  std::size_t block_ = 0;                    ///< the size of a state
+  std::map<std::uint32_t, Pending> pending_;
+  std::uint32_t next_id_ = 1;
+  std::atomic<double> speed_{1};
+  double real_speed_ = 1;
+
+  std::vector<std::string> new_acts_;
+  std::deque<Found> findings_;
+  std::uint64_t first_finding_ = 0;
+  struct Violation {
+    std::uint64_t count = 0;
+    tables::Time since = 0;
+    bool changed = false;
+  };
+  std::vector<Violation> violations_;
+  std::shared_ptr<Exercise> exercise_;        ///< that is played, or was played last
+  std::unique_ptr<scenario::Player> player_;  ///< of it
+  const scenario::Scenario* playing_;         ///< for the notes of steps
+  const scenario::Player* asked_player_;      ///< that the plant plays after all orders so far; null: none
+  std::uint64_t play_;                        ///< its number; 0: none
+  std::uint64_t plays_ = 1;
+
+  std::uint64_t revision_ = 0;
+  std::uint64_t sent_findings_ = 0;
+  std::uint64_t sent_acts_ = 0;
+  std::uint64_t sent_snapshots_ = 0;
+  std::uint64_t sent_exercise_ = 0;
+  const Exercise* sent_of_ = nullptr;
+  std::string sent_clock_;
+  tables::Time last_backtrack_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace symplant::panel

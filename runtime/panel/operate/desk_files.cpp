@@ -1,0 +1,86 @@
+// The state of a panel: the session as files.
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "symplant/panel/operate/desk.hpp"
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/trace/junit_xml.hpp"
+
+namespace symplant::panel {
+namespace {
+
+/// Writes a whole file, or leaves it unchanged; returns why not, or an empty text.
+std::string write_file(const std::string& path, std::string_view text) {
+  const std::string part = path + ".part";
+  errno = 0;
+  std::ofstream file(part, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(part, path, error);
+  if (file && !error) return "";
+  std::remove(part.c_str());
+  return fmt::format("cannot write `{}`: {}", path, error ? error.message() : std::strerror(errno));
+}
+
+}  // namespace
+
+std::string Desk::session_json() const {
+  std::string json = "{\"symplant-session\":1";
+  put_member(json, "plant", setup_.names.tables().name);
+  put(json, R"(,"model_hash":"{:016x}","seed":{},"t":{})", setup_.plant.model_hash(), setup_.seed, operator_.now());
+  put_key(json, "acts");
+  session_.put(json, 0);
+  put_key(json, "findings");
+  put_findings(json, 0);
+  put_key(json, "exercise");
+  if (exercise_ != nullptr) {
+    exercise_->put(json);
+  } else {
+    json += "null";
+  }
+  return json + "}\n";
+}
+
+std::string Desk::session_junit() const {
+  std::vector<trace::TestCase> cases;
+  if (exercise_ != nullptr) exercise_->add_cases(cases);
+  for (std::uint32_t r = 0; r < violations_.size(); ++r) {
+    const Violation& violation = violations_[r];
+    cases.push_back({fmt::format("requirement: {}", setup_.names.requirement(r)), violation.since,
+                     violation.count == 0 ? "" : fmt::format("violated, {} in all", violation.count)});
+  }
+  return trace::junit_xml(setup_.names.tables().name, cases, operator_.now());
+}
+
+Answer Desk::session_file(std::string_view kind) {
+  if (kind == "session") return {200, session_json()};
+  if (kind == "junit") return {200, session_junit()};
+  if (setup_.with_plc) {
+    return error_answer(422, "with a PLC the session cannot be played again: only the acts at the panel are known");
+  }
+  if (!session_.is_complete()) return error_answer(422, "the session has more than 100000 acts on the plant");
+  if (session_.from() != nullptr) {
+    return error_answer(422, "the session begins with a snapshot: save it to the folder of `--panel-files`");
+  }
+  return {200, session_.scenario("", operator_.now())};
+}
+
+/// Writes the files of a session; returns why not, or an empty text.
+std::string Desk::save_session(const std::string& name) {
+  std::string error = write_file(snapshots_.path(name, ".session.json"), session_json());
+  if (error.empty()) error = write_file(snapshots_.path(name, ".junit.xml"), session_junit());
+  if (!error.empty() || setup_.with_plc || !session_.is_complete()) return error;
+  const std::string start = name + ".start";
+  if (session_.from() != nullptr) {
+    error = trace::write_snapshot(snapshots_.path(start, ".snapshot"), setup_.names.tables().name,
+                                  session_.from()->snapshot);
+  }
+  if (!error.empty()) return error;
+  return write_file(snapshots_.path(name, ".scenario.json"), session_.scenario(start + ".snapshot", operator_.now()));
+}
+
+}  // namespace symplant::panel

@@ -1,0 +1,293 @@
+// The state of a panel: what its clients ask for.
+#include <algorithm>
+#include <fstream>
+#include <utility>
+
+#include "symplant/panel/operate/desk.hpp"
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/scenario/step_text.hpp"
+
+namespace symplant::panel {
+namespace {
+
+using Kind = Act::Kind;
+
+constexpr const char* kNoFolder = "this run has no folder for files; start it with `--panel-files DIR`";
+
+bool is_step(const Act& act) { return act.kind == Kind::step; }
+
+Order::Kind order_kind(Kind kind) {
+  switch (kind) {
+    case Kind::run:
+      return Order::Kind::run;
+    case Kind::freeze:
+      return Order::Kind::freeze;
+    case Kind::step_cycle:
+      return Order::Kind::step_cycle;
+    case Kind::step_change:
+      return Order::Kind::step_change;
+    case Kind::reset:
+      return Order::Kind::reset;
+    default:
+      return Order::Kind::act;
+  }
+}
+
+/// The act as JSON members, for the log.
+std::string members_of(const Act& act) {
+  const auto named = [&](const char* key) { return fmt::format("\"{}\":{}", key, trace::json_string(act.name)); };
+  switch (act.kind) {
+    case Kind::step:
+      return "";
+    case Kind::run:
+      return "\"run\":true";
+    case Kind::freeze:
+      return "\"freeze\":true";
+    case Kind::step_cycle:
+      return "\"step\":\"cycle\"";
+    case Kind::step_change:
+      return "\"step\":\"change\"";
+    case Kind::speed:
+      return act.speed == 0 ? "\"speed\":\"max\"" : fmt::format("\"speed\":{}", act.speed);
+    case Kind::reset:
+      return "\"reset\":true";
+    case Kind::snapshot:
+      return named("snapshot");
+    case Kind::save:
+      return named("save");
+    case Kind::restore:
+      return named("restore");
+    case Kind::forget:
+      return named("forget");
+    case Kind::exercise:
+      return named("exercise");
+    case Kind::end_exercise:
+      return "\"end\":\"exercise\"";
+    case Kind::session:
+      break;
+  }
+  return named("session");
+}
+
+}  // namespace
+
+const ExerciseFile* Desk::exercise_file(std::string_view name) const {
+  const auto found = std::find_if(setup_.exercises.begin(), setup_.exercises.end(),
+                                  [&](const ExerciseFile& file) { return file.name == name; });
+  return found == setup_.exercises.end() ? nullptr : &*found;
+}
+
+/// Why an act is not possible now; empty if it is.
+std::string Desk::refusal(const Act& act) {
+  switch (act.kind) {
+    case Kind::speed:
+      if (setup_.paced) return "";
+      return setup_.with_plc ? "with a PLC, plant time is real time: the speed cannot be changed"
+                             : "in the real-time cycle the speed cannot be changed; leave out `--clock real`";
+    case Kind::save:
+    case Kind::session:
+      return snapshots_.has_folder() ? "" : kNoFolder;
+    case Kind::exercise:
+      if (exercise_file(act.name) == nullptr) {
+        return fmt::format("there is no exercise `{}`; give its file with `--exercise FILE`", act.name);
+      }
+      [[fallthrough]];
+    case Kind::reset:
+      return setup_.by_plc_clock ? "plant time follows the PLC's clock, and cannot be set back" : "";
+    case Kind::restore: {
+      if (setup_.by_plc_clock) return "plant time follows the PLC's clock, and cannot be set back";
+      std::string error;
+      snapshots_.find(act.name, setup_.plant.model_hash(), block_, error);
+      return error;
+    }
+    default:
+      return "";
+  }
+}
+
+std::string Desk::refusal(const std::vector<Act>& acts) {
+  for (const Act& act : acts) {
+    if (std::string why = refusal(act); !why.empty()) return why;
+  }
+  return "";
+}
+
+Answer Desk::check(std::string_view body) {
+  const ReadActs read = reader_.read(body);
+  if (!read.error.empty()) return error_answer(read.is_form ? 400 : 422, read.error);
+  const std::string why = refusal(read.acts);
+  return why.empty() ? Answer{200, "{}"} : error_answer(422, why);
+}
+
+void Desk::request(std::string_view body, Answered answered) {
+  ReadActs read = reader_.read(body);
+  if (!read.error.empty()) return answered(error_answer(read.is_form ? 400 : 422, read.error));
+  if (const std::string why = refusal(read.acts); !why.empty()) return answered(error_answer(422, why));
+  if (ended_) return answered(error_answer(503, "the run has ended"));
+  if (pending_.size() + 2 * read.acts.size() > Operator::kMostOrders) {
+    return answered(error_answer(429, "too many acts wait for the plant; try again"));
+  }
+  const auto group = std::make_shared<Group>();
+  group->answered = std::move(answered);
+  group->time = operator_.now();
+  ++group->waiting;  // until all orders are offered
+  carry_out(std::move(read.acts), group);
+  --group->waiting;
+  finish(group);
+}
+
+/// Answers the request if all its orders are done.
+void Desk::finish(const std::shared_ptr<Group>& group) {
+  if (group->waiting != 0 || !group->answered) return;
+  const Answered answered = std::exchange(group->answered, nullptr);
+  if (!group->error.empty()) {
+    answered(error_answer(ended_ ? 503 : 422, group->error));
+  } else {
+    answered({200, group->body.empty() ? fmt::format("{{\"t\":{}}}", group->time) : group->body});
+  }
+}
+
+void Desk::carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group) {
+  for (std::size_t i = 0; i < acts.size();) {
+    if (!is_step(acts[i])) {
+      order(std::move(acts[i++]), group);
+      continue;
+    }
+    Pending pending{};  // all steps in a row take effect in one instant
+    pending.purpose = Purpose::act;
+    pending.order.kind = Order::Kind::act;
+    pending.group = group;
+    for (; i < acts.size() && is_step(acts[i]); ++i) pending.steps.push_back(std::move(acts[i].step));
+    offer(std::move(pending));
+  }
+}
+
+void Desk::order(Act act, const std::shared_ptr<Group>& group) {
+  switch (act.kind) {
+    case Kind::snapshot:
+      return offer_copy(Purpose::snapshot, act.name, group);
+    case Kind::save:
+      return offer_copy(Purpose::save, act.name, group);
+    case Kind::restore: {
+      std::string error;
+      return offer_restore(snapshots_.find(act.name, setup_.plant.model_hash(), block_, error), act.name, group);
+    }
+    case Kind::exercise:
+      return offer_exercise(act.name, group);
+    case Kind::speed:
+    case Kind::forget:
+    case Kind::session:
+      return at_once(act, group);
+    default:
+      break;
+  }
+  if (act.kind == Kind::end_exercise) {
+    asked_player_ = nullptr;
+    play_ = 0;
+  }
+  Pending pending{};
+  pending.purpose = act.kind == Kind::end_exercise ? Purpose::play : Purpose::control;
+  pending.name = members_of(act);
+  pending.order.kind = act.kind == Kind::end_exercise ? Order::Kind::play : order_kind(act.kind);
+  pending.group = group;
+  offer(std::move(pending));
+}
+
+/// What the thread of the plant has no part in.
+void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
+  if (act.kind == Kind::speed) speed_.store(act.speed, std::memory_order_relaxed);
+  if (act.kind == Kind::forget && !snapshots_.forget(act.name)) {
+    group->error = fmt::format("there is no snapshot `{}` in memory", act.name);
+  }
+  if (act.kind == Kind::session) group->error = save_session(act.name);
+  if (group->error.empty()) log(operator_.now(), 0, "hand", members_of(act), false);
+}
+
+void Desk::offer(Pending pending) {
+  const std::uint32_t id = next_id_++;
+  pending.order.id = id;
+  ++pending.group->waiting;
+  Pending& kept = pending_.emplace(id, std::move(pending)).first->second;
+  kept.order.steps = kept.steps;
+  operator_.offer(kept.order);
+}
+
+void Desk::offer_copy(Purpose purpose, std::string name, const std::shared_ptr<Group>& group) {
+  Pending pending{};
+  pending.purpose = purpose;
+  pending.name = std::move(name);
+  pending.group = group;
+  pending.order.kind = Order::Kind::copy;
+  pending.state = std::make_shared<KeptState>();
+  pending.state->snapshot.block.resize(block_);
+  pending.state->snapshot.model_hash = setup_.plant.model_hash();
+  pending.order.block = pending.state->snapshot.block;
+  if (asked_player_ != nullptr && purpose != Purpose::why) {
+    pending.state->play = play_;
+    pending.state->played = asked_player_->make_state();
+    pending.order.played = &*pending.state->played;
+  }
+  offer(std::move(pending));
+}
+
+void Desk::offer_restore(std::shared_ptr<KeptState> state, std::string name, const std::shared_ptr<Group>& group) {
+  Pending pending{};
+  pending.purpose = Purpose::restore;
+  pending.name = std::move(name);
+  pending.group = group;
+  pending.order.kind = Order::Kind::restore;
+  pending.order.block = state->snapshot.block;
+  if (state->played && state->play == play_) pending.order.played = &*state->played;
+  if (pending.order.played == nullptr) {
+    asked_player_ = nullptr;
+    play_ = 0;
+  }
+  pending.state = std::move(state);
+  offer(std::move(pending));
+}
+
+void Desk::offer_exercise(const std::string& name, const std::shared_ptr<Group>& group) {
+  const ExerciseFile& file = *exercise_file(name);
+  if (file.scenario->restore.empty()) {
+    Pending reset{};
+    reset.purpose = Purpose::control;
+    reset.order.kind = Order::Kind::reset;
+    reset.name = "\"reset\":true";
+    reset.group = group;
+    offer(std::move(reset));
+  } else {
+    trace::ReadSnapshot read = trace::read_snapshot(file.scenario->restore, setup_.plant.model_hash(), block_);
+    if (!read.error.empty()) {
+      group->error = std::move(read.error);
+      return;
+    }
+    offer_restore(std::make_shared<KeptState>(KeptState{std::move(read.snapshot), 0, {}}), file.scenario->restore,
+                  group);
+  }
+  Pending play{};
+  play.purpose = Purpose::play;
+  play.name = fmt::format("\"exercise\":{}", trace::json_string(name));
+  play.order.kind = Order::Kind::play;
+  play.group = group;
+  play.exercise = std::make_shared<Exercise>(file, setup_.names);
+  play.player = std::make_unique<scenario::Player>(*file.scenario, setup_.plant, setup_.recorder);
+  play.player->note_steps(true);
+  play.order.player = play.player.get();
+  asked_player_ = play.player.get();
+  play_ = ++plays_;
+  offer(std::move(play));
+}
+
+void Desk::why(std::string_view name, Answered answered) {
+  if (why::things_named(name, setup_.names).empty()) {
+    const std::string nearest = why::nearest_thing(name, setup_.names);
+    return answered(error_answer(
+        422, fmt::format("`{}` not found{}", name, nearest.empty() ? "" : "; did you mean `" + nearest + "`?")));
+  }
+  if (ended_) return answered(error_answer(503, "the run has ended"));
+  const auto group = std::make_shared<Group>();
+  group->answered = std::move(answered);
+  offer_copy(Purpose::why, std::string(name), group);
+}
+
+}  // namespace symplant::panel

@@ -1,0 +1,128 @@
+// Does the orders of the panel in the thread that runs the plant.
+#include "symplant/panel/operate/operator.hpp"
+
+#include <algorithm>
+
+#include "symplant/scenario/act.hpp"
+
+namespace symplant::panel {
+namespace {
+
+/// The most notes of an order: about itself, and about each force and release.
+std::size_t notes_of(const Order& order) noexcept {
+  std::size_t notes = 1;
+  for (const scenario::Step& step : order.steps) notes += step.force.size() + step.release.size();
+  return notes;
+}
+
+}  // namespace
+
+Operator::Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Player* player, std::uint64_t seed,
+                   tables::Time cycle)
+    : plant_(plant), recorder_(recorder), player_(player), seed_(seed), cycle_(cycle), now_(plant.now()) {}
+
+void Operator::go(Stepping stepping) noexcept {
+  stepping_ = stepping;
+  frozen_.store(false, std::memory_order_relaxed);
+}
+
+void Operator::stop() noexcept {
+  stepping_ = Stepping::none;
+  frozen_.store(true, std::memory_order_relaxed);
+}
+
+bool Operator::act(std::span<const scenario::Step> steps) noexcept {
+  bool well = true;
+  for (const scenario::Step& step : steps) {
+    scenario::write_symbols(step, plant_);
+    for (const scenario::NewPart& part : step.put) well = plant_.put(part.at, part.kind) && well;
+    for (const tables::PartLocation& from : step.take) well = plant_.take(from) && well;
+    scenario::force_symbols(step, plant_, recorder_);
+  }
+  acted_ = true;
+  return well;
+}
+
+/// False if it failed.
+bool Operator::carry_out(const Order& order) noexcept {
+  switch (order.kind) {
+    case Order::Kind::act:
+      return act(order.steps);
+    case Order::Kind::run:
+      go(Stepping::none);
+      return true;
+    case Order::Kind::freeze:
+      stop();
+      return true;
+    case Order::Kind::step_cycle:
+      go(Stepping::cycle);
+      return true;
+    case Order::Kind::step_change:
+      go(Stepping::change);
+      return true;
+    case Order::Kind::reset:
+      plant_.reset(seed_, cycle_);
+      if (player_ != nullptr) player_->begin_again();
+      over_noted_ = false;
+      break;
+    case Order::Kind::copy: {
+      const std::span<const std::byte> block = plant_.save();
+      std::copy(block.begin(), block.end(), order.block.begin());
+      if (order.played != nullptr) player_->save(*order.played);
+      return true;
+    }
+    case Order::Kind::restore:
+      if (!plant_.restore(order.block)) return false;
+      if (player_ != nullptr && order.played != nullptr) player_->restore(*order.played);
+      if (order.played == nullptr) player_ = nullptr;
+      over_noted_ = false;
+      break;
+    case Order::Kind::play:
+      player_ = order.player;
+      if (player_ != nullptr) player_->begin_again();
+      over_noted_ = false;
+      return true;
+  }
+  recorder_.take_over();
+  jumped_ = true;
+  return true;
+}
+
+void Operator::take_orders() noexcept {
+  while (orders_.read_available() != 0) {
+    const Order order = orders_.front();
+    if (!recorder_.has_room(notes_of(order))) return;  // the next cycle has room again
+    orders_.pop();
+    const bool well = carry_out(order);
+    recorder_.note(plant_.now(), kOrderNote,
+                   order.id + (well ? 0 : kOrderFailed) + (std::uint64_t{recorder_.turn()} << scenario::kTurnBits));
+  }
+}
+
+void Operator::advance(tables::Time time) noexcept {
+  begun_ = true;
+  jumped_ = acted_ = false;
+  if (player_ != nullptr) {
+    player_->advance_to(time);
+    if (!over_noted_ && player_->over()) over_noted_ = recorder_.note(plant_.now(), kOverNote, 0);
+  } else {
+    plant_.advance_to(time, &recorder_);
+    recorder_.next_turn();
+  }
+  now_.store(plant_.now(), std::memory_order_relaxed);
+}
+
+void Operator::advance_to(tables::Time time) noexcept {
+  const std::uint64_t before = recorder_.instants();
+  plant_.advance_before(time, observer());
+  take_orders();
+  advance(jumped_ ? plant_.now() : time);
+  if (stepping_ == Stepping::cycle || (stepping_ == Stepping::change && recorder_.instants() != before)) stop();
+}
+
+void Operator::hold() noexcept {
+  take_orders();
+  if (begun_ && (acted_ || jumped_)) advance(plant_.now());
+}
+
+}  // namespace symplant::panel

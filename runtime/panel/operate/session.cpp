@@ -1,0 +1,73 @@
+// What was done in a session.
+#include "symplant/panel/operate/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/tables/version.hpp"
+
+namespace symplant::panel {
+namespace {
+
+constexpr std::size_t kMostDeeds = 10'000;
+
+/// A time as a scenario writes it, exact.
+std::string time_text(tables::Time time) {
+  std::string text = fmt::format("{}.{:09}", time / tables::kSecond, time % tables::kSecond);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text + "s";
+}
+
+}  // namespace
+
+void Session::add(Deed deed) {
+  if (!deed.actions.empty()) {
+    if (steps_.size() < kMostSteps) {
+      steps_.push_back(deed);
+    } else {
+      is_complete_ = false;
+    }
+  }
+  deeds_.push_back(std::move(deed));
+  if (deeds_.size() > kMostDeeds) {
+    deeds_.pop_front();
+    ++first_;
+  }
+}
+
+void Session::begin_again(std::shared_ptr<const KeptState> from) {
+  steps_.clear();
+  is_complete_ = true;
+  from_ = std::move(from);
+}
+
+std::string Session::scenario(std::string_view restore, tables::Time end) const {
+  std::string text = fmt::format("// A session at the panel of symplant {}, plant {}.", tables::version(),
+                                 trace::json_string(names_.tables().name));
+  if (seed_ != 0) text += fmt::format(" Run it with --seed {}.", seed_);
+  text += "\n{\n  \"symplant-scenario\": 1,\n  \"steps\": [\n";
+  if (from_ != nullptr) text += fmt::format("    {{ \"restore\": {} }},\n", trace::json_string(restore));
+  const Deed* before = nullptr;
+  for (const Deed& step : steps_) {
+    if (before != nullptr && before->time == step.time && before->turn != step.turn) {
+      text += "    { \"plus\": \"0s\", \"instant\": true },\n";
+    }
+    text += fmt::format("    {{ \"at\": \"{}\", {} }},\n", time_text(step.time), step.actions);
+    before = &step;
+  }
+  return text + fmt::format("    {{ \"at\": \"{}\" }}\n  ]\n}}\n", time_text(end));
+}
+
+void Session::put(std::string& json, std::uint64_t from) const {
+  json += '[';
+  for (std::uint64_t n = std::max(from, first_); n < count(); ++n) {
+    const Deed& deed = deeds_[n - first_];
+    put_comma(json);
+    panel::put(json, R"({{"n":{},"t":{},"by":"{}","act":{}}})", n, deed.time, deed.by, deed.json);
+  }
+  json += ']';
+}
+
+}  // namespace symplant::panel

@@ -1,0 +1,58 @@
+// What was done in a session, so that it can be played again.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symplant/panel/operate/snapshots.hpp"
+#include "symplant/trace/plant_names.hpp"
+
+namespace symplant::panel {
+
+/// Something that was done, by hand or by a scenario.
+struct Deed {
+  tables::Time time = 0;
+  std::uint64_t turn = 0;  ///< equal for what took effect in one instant
+  std::string by;          ///< `hand` or `scenario`
+  std::string json;        ///< an object: the act
+  std::string actions;     ///< its members if it is a step of a scenario; else empty
+};
+
+/// The acts since the start of a run. Used by one thread at a time.
+class Session {
+ public:
+  static constexpr std::size_t kMostSteps = 100'000;  ///< of the scenario; more are not kept
+
+  Session(const trace::PlantNames& names, std::uint64_t seed) : names_(names), seed_(seed) {}
+
+  void add(Deed deed);
+  /// The plant begins again at time 0, or at a state: the scenario begins again.
+  void begin_again(std::shared_ptr<const KeptState> from);
+
+  /// The state with which the scenario begins; null: the initial one.
+  const std::shared_ptr<const KeptState>& from() const { return from_; }
+  /// A scenario that does the same, until `end`. `restore`: the name of the file of from(). O(acts).
+  std::string scenario(std::string_view restore, tables::Time end) const;
+  /// False if there were more than kMostSteps steps, so that scenario() is not complete.
+  bool is_complete() const { return is_complete_; }
+
+  /// Appends the acts from number `from` on, for the stream.
+  void put(std::string& json, std::uint64_t from) const;
+  /// The number of acts so far.
+  std::uint64_t count() const { return first_ + deeds_.size(); }
+
+ private:
+  const trace::PlantNames& names_;
+  std::uint64_t seed_;
+  std::deque<Deed> deeds_;   ///< the latest, of any kind
+  std::uint64_t first_ = 0;  ///< the number of the first of them
+  std::vector<Deed> steps_;  ///< since the plant began again
+  bool is_complete_ = true;
+  std::shared_ptr<const KeptState> from_;
+};
+
+}  // namespace symplant::panel

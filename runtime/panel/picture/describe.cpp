@@ -1,0 +1,296 @@
+// The description of a plant for the panel's clients.
+#include "symplant/panel/picture/describe.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "symplant/condition/compare.hpp"
+#include "symplant/link/link.hpp"
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/tables/lists.hpp"
+#include "symplant/tables/names.hpp"
+
+namespace symplant::panel {
+namespace {
+
+using tables::kNone;
+
+std::string_view actuation_name(tables::Actuation actuation) {
+  switch (actuation) {
+    case tables::Actuation::latched:
+      return "latched";
+    case tables::Actuation::bistable:
+      return "bistable";
+    case tables::Actuation::held:
+      return "held";
+    case tables::Actuation::spring:
+      break;
+  }
+  return "spring";
+}
+
+/// A station: a line and a process.
+struct Station {
+  std::string_view line;
+  std::string_view process;
+};
+
+/// The stations of a plant and those of its devices.
+struct Stations {
+  std::vector<Station> stations;
+  std::vector<std::uint32_t> of_unit;
+  std::vector<std::string_view> labels;  ///< of units: the path within the station
+};
+
+/// `LINE_PROC_DEV` or `LINE_PROC_DEV.FACET`, divided at its separators.
+Stations stations_by_path(const trace::PlantNames& names) {
+  Stations found;
+  std::map<std::string_view, std::uint32_t> known;
+  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) {
+    const std::string_view path = names.unit(unit);
+    const std::size_t line_end = path.find('_');
+    const std::size_t station_end = line_end == path.npos ? path.npos : path.find('_', line_end + 1);
+    const std::string_view station = station_end == path.npos ? std::string_view() : path.substr(0, station_end);
+    const auto [place, added] = known.try_emplace(station, static_cast<std::uint32_t>(found.stations.size()));
+    if (added) {
+      found.stations.push_back(station.empty() ? Station{}
+                                               : Station{station.substr(0, line_end), station.substr(line_end + 1)});
+    }
+    found.of_unit.push_back(place->second);
+    found.labels.push_back(station.empty() ? path : path.substr(station_end + 1));
+  }
+  return found;
+}
+
+Stations stations_of(const trace::PlantNames& names, const View& view) {
+  if (view.devices.empty()) return stations_by_path(names);
+  Stations found;
+  const std::vector<std::string_view> texts = tables::split_names(view.stations);
+  for (std::size_t i = 0; i + 1 < texts.size(); i += 2) found.stations.push_back({texts[i], texts[i + 1]});
+  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) {
+    const Station& station = found.stations[view.devices[unit].station];
+    const std::string_view path = names.unit(unit);
+    const std::size_t begin = station.line.size() + station.process.size() + 2;
+    const bool within = path.starts_with(station.line) && path.size() > begin &&
+                        path.substr(station.line.size() + 1).starts_with(station.process);
+    found.of_unit.push_back(view.devices[unit].station);
+    found.labels.push_back(within ? path.substr(begin) : path);
+  }
+  return found;
+}
+
+void put_stations(std::string& json, const Stations& stations) {
+  put_key(json, "stations");
+  json += '[';
+  for (const Station& station : stations.stations) {
+    put_comma(json);
+    json += '{';
+    const std::string_view between = station.line.empty() || station.process.empty() ? "" : " ";
+    put_member(json, "name", std::string(station.line).append(between).append(station.process));
+    put_member(json, "line", station.line);
+    put_member(json, "process", station.process);
+    json += '}';
+  }
+  json += ']';
+}
+
+void put_device(std::string& json, std::uint32_t unit, const trace::PlantNames& names, const Stations& stations,
+                const View& view) {
+  const tables::TypeRow& type = names.tables().types[names.tables().units[unit].type];
+  json += '{';
+  put_member(json, "name", names.unit(unit));
+  put_member(json, "label", stations.labels[unit]);
+  put(json, ",\"station\":{}", stations.of_unit[unit]);
+  put_key(json, "states");
+  json += '[';
+  for (const std::string_view state : names.states(unit)) {
+    put_comma(json);
+    put_text(json, state);
+  }
+  put(json, "],\"rest\":{},\"actuation\":\"{}\",\"operations\":[", index_or_null(type.rest, tables::kNoState),
+      actuation_name(type.actuation));
+  std::vector<std::uint32_t> events;
+  std::size_t operation = 0;
+  for (const std::uint32_t symbol : names.symbols_of(unit)) {
+    if (!names.is_operation(symbol)) {
+      events.push_back(symbol);
+      continue;
+    }
+    put_comma(json);
+    put(json, "{{\"symbol\":{},\"to\":{}}}", symbol,
+        index_or_null(type.operation_targets[operation++], tables::kNoState));
+  }
+  json += ']';
+  put_indexes(json, "events", events);
+  if (!view.devices.empty() && view.devices[unit].x != kNotPlaced) {
+    put(json, ",\"view\":{{\"x\":{},\"y\":{}}}", view.devices[unit].x, view.devices[unit].y);
+  }
+  json += '}';
+}
+
+/// What drives each event, as the interface names it.
+std::vector<std::string_view> drivers_of(const tables::PlantTables& tables) {
+  std::vector<std::string_view> drivers(tables.symbols.size(), "none");
+  for (std::size_t s = 0; s < drivers.size(); ++s) {
+    const tables::SymbolRow& row = tables.symbols[s];
+    if (row.direction() == tables::Direction::event && row.moved()) drivers[s] = "device";
+  }
+  for (const tables::SensorRow& sensor : tables.material.sensors) drivers[sensor.symbol] = "parts";
+  for (const tables::FollowRow& follow : tables.follows) drivers[follow.symbol] = "follow";
+  for (const tables::SharedAddress& shared : tables.shared_addresses) {
+    if (drivers[shared.symbol] == "none") drivers[shared.symbol] = drivers[shared.leader];
+  }
+  return drivers;
+}
+
+/// The link of a symbol; kNone if it is on none.
+std::uint32_t link_of(const tables::PlantTables& tables, std::uint32_t symbol, const std::vector<LinkName>& links) {
+  if (tables.symbols[symbol].form() == tables::AddressForm::none) return kNone;
+  const std::uint32_t controller = tables::controller_of(tables, symbol);
+  const auto carries = [&](const LinkName& link) {
+    return link.carries == link::kAllControllers || link.carries == controller;
+  };
+  const auto found = std::find_if(links.begin(), links.end(), carries);
+  return found == links.end() ? kNone : static_cast<std::uint32_t>(found - links.begin());
+}
+
+void put_symbols(std::string& json, const trace::PlantNames& names, const std::vector<LinkName>& links) {
+  const tables::PlantTables& tables = names.tables();
+  const std::vector<std::string_view> drivers = drivers_of(tables);
+  put_key(json, "symbols");
+  json += '[';
+  for (std::uint32_t symbol = 0; symbol < tables.symbols.size(); ++symbol) {
+    const tables::SymbolRow& row = tables.symbols[symbol];
+    const bool operation = names.is_operation(symbol);
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", names.symbol(symbol));
+    put_member(json, "address", names.address(symbol));
+    put(json, R"(,"type":"{}","direction":"{}","device":{},"driver":)", condition::type_name(row.type()),
+        operation ? "operation" : "event", index_or_null(row.unit, kNone));
+    if (operation) {
+      json += "null";
+    } else {
+      put_text(json, drivers[symbol]);
+    }
+    put(json, ",\"link\":{}", index_or_null(link_of(tables, symbol, links), kNone));
+    put_member(json, "list", names.cite(symbol));
+    put(json, ",\"inverted\":{}}}", row.inverted());
+  }
+  json += ']';
+}
+
+void put_sensors(std::string& json, const tables::MaterialTables& material, const tables::Rows& rows, bool on_track) {
+  put_key(json, "sensors");
+  json += '[';
+  for (const tables::SensorRow& sensor : material.sensors.subspan(rows.first, rows.count)) {
+    put_comma(json);
+    put(json, "{{\"symbol\":{}", sensor.symbol);
+    if (on_track) put(json, ",\"at\":{}", sensor.at);
+    json += '}';
+  }
+  json += ']';
+}
+
+void put_track(std::string& json, const tables::MaterialTables& material, std::uint32_t track) {
+  const tables::TrackRow& row = material.tracks[track];
+  put(json, ",\"kind\":\"track\",\"length\":{},\"drives\":[", row.length);
+  std::int64_t from = 0;
+  for (const tables::DriveRow& drive : material.drives.subspan(row.drives.first, row.drives.count)) {
+    put_comma(json);
+    put(json, "{{\"from\":{},\"until\":{}}}", from, drive.until);
+    from = drive.until;
+  }
+  json += "],\"stops\":[";
+  for (const tables::StopRow& stop : material.stops.subspan(row.stops.first, row.stops.count)) {
+    put_comma(json);
+    put(json, "{{\"at\":{}}}", stop.at);
+  }
+  json += ']';
+  put_sensors(json, material, row.sensors, true);
+  json += ",\"ends\":[";
+  for (const tables::EndRow& end : material.ends.subspan(row.ends.first, row.ends.count)) {
+    put_comma(json);
+    put(json, "{{\"to\":{}}}", index_or_null(end.to, tables::kOut));
+  }
+  json += ']';
+}
+
+std::string location_text(const tables::PartLocation& at) {
+  std::string text = "{\"location\":" + index_or_null(at.location, tables::kOut);
+  if (at.at != tables::kWhole) put(text, ",\"at\":{}", at.at);
+  return text + "}";
+}
+
+void put_material(std::string& json, const trace::PlantNames& names) {
+  const tables::MaterialTables& material = names.tables().material;
+  put_key(json, "locations");
+  json += '[';
+  for (std::uint32_t location = 0; location < material.locations(); ++location) {
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", names.location(location));
+    if (material.is_track(location)) {
+      put_track(json, material, location);
+    } else {
+      const tables::PlaceRow& place = material.places[material.place_of(location)];
+      put(json, ",\"kind\":\"place\",\"holds\":{}", place.holds);
+      put_sensors(json, material, place.sensors, false);
+    }
+    json += '}';
+  }
+  json += "],\"transfers\":[";
+  for (std::uint32_t i = 0; i < material.transfers.size(); ++i) {
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", names.transfer(i));
+    put(json, ",\"from\":{},\"to\":{}}}", location_text(material.transfers[i].from),
+        location_text(material.transfers[i].to));
+  }
+  json += "],\"part_kinds\":[";
+  for (std::uint32_t kind = 0; kind < material.kinds.size(); ++kind) {
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", names.part_kind(kind));
+    put(json, ",\"length\":{}}}", material.kinds[kind].length);
+  }
+  json += ']';
+}
+
+}  // namespace
+
+void put_plant(std::string& json, const trace::PlantNames& names, const View& view,
+               const std::vector<LinkName>& links) {
+  const tables::PlantTables& tables = names.tables();
+  const Stations stations = stations_of(names, view);
+  put_stations(json, stations);
+  put_key(json, "devices");
+  json += '[';
+  for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
+    put_comma(json);
+    put_device(json, unit, names, stations, view);
+  }
+  json += ']';
+  put_symbols(json, names, links);
+  put_material(json, names);
+  put_key(json, "requirements");
+  json += '[';
+  for (std::uint32_t r = 0; r < tables.requirements.size(); ++r) {
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", names.requirement(r));
+    put(json, ",\"kind\":\"{}\"}}",
+        tables.requirements[r].kind == tables::RequirementRow::Kind::never ? "never" : "expect");
+  }
+  json += "],\"links\":[";
+  for (const LinkName& link : links) {
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", link.url);
+    put_member(json, "controller", link.controller);
+    json += '}';
+  }
+  json += ']';
+}
+
+}  // namespace symplant::panel

@@ -1,0 +1,226 @@
+// What the plant looks like now, as JSON.
+#include "symplant/panel/picture/picture.hpp"
+
+#include <algorithm>
+
+#include "symplant/panel/picture/json_text.hpp"
+
+namespace symplant::panel {
+namespace {
+
+using trace::Record;
+
+enum : unsigned { kIsMoving = 1, kIsMidway = 2, kIsDisabled = 4, kIsFrozen = 8 };
+enum : unsigned { kIsForced = 1 };
+
+unsigned flags_of(const plant::UnitView& view) {
+  return (view.moving ? kIsMoving : 0U) | (view.stopped_midway ? kIsMidway : 0U) | (view.disabled ? kIsDisabled : 0U) |
+         (view.frozen ? kIsFrozen : 0U);
+}
+
+/// Whether the time of a move runs.
+bool runs(const plant::UnitView& view) { return view.moving && !view.stopped_midway && !view.disabled && !view.frozen; }
+
+/// Appends an array of `count` arrays, whose content `put_one` appends by their number.
+template <class PutOne>
+void put_array(std::string& json, std::string_view key, std::size_t count, PutOne put_one) {
+  put_key(json, key);
+  json += '[';
+  for (std::size_t i = 0; i < count; ++i) {
+    put_comma(json);
+    json += '[';
+    put_one(static_cast<std::uint32_t>(i));
+    json += ']';
+  }
+  json += ']';
+}
+
+/// The same for some rows of a table, with their indexes first.
+template <class PutOne>
+void put_some(std::string& json, std::string_view key, const std::vector<std::uint32_t>& rows, PutOne put_one) {
+  if (rows.empty()) return;
+  put_array(json, key, rows.size(), [&](std::uint32_t i) {
+    put(json, "{},", rows[i]);
+    put_one(rows[i]);
+  });
+}
+
+}  // namespace
+
+Picture::Picture(const trace::PlantNames& names, const trace::History& history)
+    : names_(names),
+      history_(history),
+      motions_(names.tables().units.size()),
+      tracks_(names.tables().material.tracks.size()),
+      track_states_(names.tables(), history),
+      devices_(names.tables().units.size()),
+      symbols_(names.tables().symbols.size()),
+      locations_(names.tables().material.locations()) {}
+
+void Picture::apply(const Record& record) {
+  switch (record.kind) {
+    case Record::Kind::change:
+      symbols_.mark(record.of);
+      if (const std::uint32_t unit = names_.tables().symbols[record.of].unit; unit != tables::kNone) {
+        devices_.mark(unit);  // its commands may have changed
+      }
+      break;
+    case Record::Kind::unit:
+      devices_.mark(record.of);
+      set_motion(record);
+      break;
+    case Record::Kind::part_move: {
+      const std::uint32_t from = static_cast<std::uint32_t>(record.value >> 32);
+      const std::uint32_t to = static_cast<std::uint32_t>(record.value);
+      const bool changed = from == tables::kNone && to == tables::kNone;
+      for (std::uint32_t location = 0; location < locations_.marked.size(); ++location) {
+        // Parts of tracks have other records.
+        const bool concerned = changed || location == from || location == to;
+        if (concerned && !names_.tables().material.is_track(location)) locations_.mark(location);
+      }
+      break;
+    }
+    case Record::Kind::track:
+      track_ = &tracks_[record.of];
+      track_->at = record.time;
+      track_->parts.clear();
+      locations_.mark(record.of);
+      break;
+    case Record::Kind::part_at:
+      track_->parts.push_back({record.value, record.of, 0, 0});
+      break;
+    case Record::Kind::part_speed:
+      track_->parts.back().x = static_cast<std::int64_t>(record.value);
+      track_->parts.back().v = static_cast<std::int32_t>(record.of);
+      break;
+    default:
+      break;
+  }
+}
+
+/// A record has what is left of a move. Its whole time is the same at its begin; a move that stopped and goes on keeps
+/// it; one that turned round has come as far in the time left as the other one had.
+void Picture::set_motion(const Record& record) {
+  Motion& motion = motions_[record.of];
+  const Motion before = motion;
+  const plant::UnitView view = trace::unpack_unit(record.value);
+  motion = {record.time, trace::remaining_of(record.value), 0, view.state, view.target, runs(view)};
+  if (!view.moving) return;
+  const tables::Time left = before.remaining - (before.runs ? std::min(record.time - before.at, before.remaining) : 0);
+  motion.whole = motion.remaining;
+  if (before.whole == 0) return;
+  if (before.from == view.state && before.to == view.target) motion.whole = std::max(before.whole, motion.remaining);
+  if (before.from == view.target && before.to == view.state && left < before.whole) {
+    const double travelled = static_cast<double>(before.whole - left) / static_cast<double>(before.whole);
+    motion.whole =
+        std::max(motion.remaining, static_cast<tables::Time>(static_cast<double>(motion.remaining) / travelled));
+  }
+}
+
+void Picture::load(const plant::Plant& plant) {
+  for (std::uint32_t unit = 0; unit < motions_.size(); ++unit) {
+    const plant::UnitView view = plant.unit(unit);
+    motions_[unit] = {plant.now(), view.remaining, view.whole, view.state, view.target, runs(view)};
+    devices_.mark(unit);
+  }
+  for (std::uint32_t track = 0; track < tracks_.size(); ++track) {
+    tracks_[track] = {plant.now(), {}};
+    for (std::uint32_t i = 0; i < plant.parts(track); ++i) {
+      const plant::PartView part = plant.part(track, i);
+      const plant::PartMotion motion = plant.motion(track, i);
+      tracks_[track].parts.push_back({part.number, part.kind, motion.v, motion.x});
+    }
+  }
+  for (std::uint32_t symbol = 0; symbol < symbols_.marked.size(); ++symbol) symbols_.mark(symbol);
+  for (std::uint32_t location = 0; location < locations_.marked.size(); ++location) locations_.mark(location);
+}
+
+/// Whether an operation is on that leads elsewhere, and the unit does not move.
+bool Picture::is_blocked(std::uint32_t unit, const plant::UnitView& view) const {
+  if (runs(view)) return false;
+  const tables::TypeRow& type = names_.tables().types[names_.tables().units[unit].type];
+  std::size_t operation = 0;
+  for (const std::uint32_t symbol : names_.symbols_of(unit)) {
+    if (!names_.is_operation(symbol)) continue;
+    const std::uint8_t target = type.operation_targets[operation++];
+    if (target != view.state && history_.commands(symbol)) return true;
+  }
+  return false;
+}
+
+void Picture::put_device(std::string& json, std::uint32_t unit, tables::Time now) const {
+  const plant::UnitView view = history_.unit(unit);
+  const Motion& motion = motions_[unit];
+  const tables::Time passed = runs(view) ? std::min(now - motion.at, motion.remaining) : 0;
+  put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state, flags_of(view),
+      is_blocked(unit, view) ? 1 : 0, history_.unit_since(unit), view.moving ? motion.remaining - passed : 0,
+      view.moving ? motion.whole : 0);
+}
+
+void Picture::put_symbol(std::string& json, std::uint32_t symbol) const {
+  json += trace::json_value(names_.tables().symbols[symbol].type(), history_.value(symbol));
+  put(json, ",{},{}", history_.forced_since(symbol) >= 0 ? +kIsForced : 0U, history_.since(symbol));
+}
+
+void Picture::put_track(std::string& json, std::uint32_t track) const {
+  put(json, "{},[", tracks_[track].at);
+  for (const PartSpot& part : tracks_[track].parts) {
+    put_comma(json);
+    put(json, "[{},{},{},{}]", part.number, part.kind, part.x, part.v);
+  }
+  json += "],";
+  track_states_.put(json, track);
+}
+
+/// Stops and drives may have changed with any symbol or device.
+void Picture::look_at_tracks(tables::Time now) {
+  if (tracks_.empty() || !has_changes()) return;
+  track_states_.look(now, [this](std::uint32_t track) { locations_.mark(track); });
+}
+
+void Picture::put_place(std::string& json, std::uint32_t place) const {
+  for (const trace::History::Part& part : history_.parts_at(static_cast<std::uint32_t>(tracks_.size()) + place)) {
+    put_comma(json);
+    put(json, "[{},{}]", part.number, part.kind);
+  }
+}
+
+void Picture::put_all(std::string& json, tables::Time now) {
+  look_at_tracks(now);
+  put_array(json, "devices", motions_.size(), [&](std::uint32_t unit) { put_device(json, unit, now); });
+  put_array(json, "symbols", symbols_.marked.size(), [&](std::uint32_t symbol) { put_symbol(json, symbol); });
+  put_array(json, "tracks", tracks_.size(), [&](std::uint32_t track) { put_track(json, track); });
+  put_array(json, "places", locations_.marked.size() - tracks_.size(),
+            [&](std::uint32_t place) { put_place(json, place); });
+}
+
+void Picture::put_changes(std::string& json, tables::Time now) {
+  look_at_tracks(now);
+  std::vector<std::uint32_t> tracks;
+  std::vector<std::uint32_t> places;
+  const auto first_place = static_cast<std::uint32_t>(tracks_.size());
+  for (const std::uint32_t location : locations_.list) {
+    if (location < first_place) {
+      tracks.push_back(location);
+    } else {
+      places.push_back(location - first_place);
+    }
+  }
+  put_some(json, "devices", devices_.list, [&](std::uint32_t unit) { put_device(json, unit, now); });
+  put_some(json, "symbols", symbols_.list, [&](std::uint32_t symbol) { put_symbol(json, symbol); });
+  put_some(json, "tracks", tracks, [&](std::uint32_t track) { put_track(json, track); });
+  put_some(json, "places", places, [&](std::uint32_t place) {
+    json += '[';
+    put_place(json, place);
+    json += ']';
+  });
+  forget_changes();
+}
+
+void Picture::forget_changes() {
+  devices_.clear();
+  symbols_.clear();
+  locations_.clear();
+}
+
+}  // namespace symplant::panel

@@ -1,0 +1,90 @@
+// What the plant looks like now, as JSON: whole, or what changed since the last time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "symplant/panel/picture/track_state.hpp"
+#include "symplant/plant/plant.hpp"
+#include "symplant/trace/history.hpp"
+#include "symplant/trace/plant_names.hpp"
+#include "symplant/trace/record.hpp"
+
+namespace symplant::panel {
+
+/// Follows the records of a run next to a History, with what that does not have: the times of moves, and the speeds of
+/// parts. Used by one thread at a time. apply() is O(1), O(parts) for the parts of a track.
+class Picture {
+ public:
+  /// Both must outlive it.
+  Picture(const trace::PlantNames& names, const trace::History& history);
+
+  /// To be called after History::apply().
+  void apply(const trace::Record& record);
+  /// To be called after History::load(): everything counts as changed. O(plant).
+  void load(const plant::Plant& plant);
+  /// The symbol is forced, or no longer, or a malfunction decides its value.
+  void touch_symbol(std::uint32_t symbol) { symbols_.mark(symbol); }
+
+  bool has_changes() const { return !(devices_.list.empty() && symbols_.list.empty() && locations_.list.empty()); }
+  /// Appends the keys `devices`, `symbols`, `tracks` and `places` of all of them, as at plant time `now`. O(plant).
+  void put_all(std::string& json, tables::Time now);
+  /// Appends these keys of what changed since the last call, and forgets it. O(changes).
+  void put_changes(std::string& json, tables::Time now);
+  void forget_changes();
+
+ private:
+  struct Marks {
+    explicit Marks(std::size_t count) : marked(count) {}
+    void mark(std::uint32_t index) {
+      if (!marked[index]) list.push_back(index);
+      marked[index] = true;
+    }
+    void clear() {
+      for (const std::uint32_t index : list) marked[index] = false;
+      list.clear();
+    }
+    std::vector<bool> marked;
+    std::vector<std::uint32_t> list;
+  };
+  struct Motion {
+    tables::Time at = 0;  ///< when `remaining` was read
+    tables::Time remaining = 0;
+    tables::Time whole = 0;  ///< 0: it does not move
+    std::uint8_t from = 0;
+    std::uint8_t to = 0;
+    bool runs = false;  ///< not stopped midway, disabled or frozen
+  };
+  struct PartSpot {
+    std::uint64_t number;
+    std::uint32_t kind;
+    std::int32_t v;
+    std::int64_t x;
+  };
+  struct Track {
+    tables::Time at = 0;
+    std::vector<PartSpot> parts;
+  };
+
+  void set_motion(const trace::Record& record);
+  void put_device(std::string& json, std::uint32_t unit, tables::Time now) const;
+  void put_symbol(std::string& json, std::uint32_t symbol) const;
+  void put_track(std::string& json, std::uint32_t track) const;
+  void put_place(std::string& json, std::uint32_t place) const;
+  void look_at_tracks(tables::Time now);
+  bool is_blocked(std::uint32_t unit, const plant::UnitView& view) const;
+
+  const trace::PlantNames& names_;
+  const trace::History& history_;
+  std::vector<Motion> motions_;
+  std::vector<Track> tracks_;
+  Track* track_ = nullptr;  ///< whose parts are being recorded
+  TrackStates track_states_;
+  Marks devices_;
+  Marks symbols_;
+  Marks locations_;
+};
+
+}  // namespace symplant::panel

@@ -1,0 +1,192 @@
+// Adds to the records of a trace what it does not hold.
+#include "symplant/panel/recording/reconstruct.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace symplant::panel {
+namespace {
+
+using trace::Record;
+
+/// The states of devices, from their events and operations.
+class States {
+ public:
+  explicit States(const trace::PlantNames& names)
+      : names_(names),
+        events_(names.tables().units.size()),
+        operations_(events_.size()),
+        last_(events_.size(), kUnknown) {}
+
+  void change(std::uint32_t symbol, bool on) {
+    const tables::SymbolRow& row = names_.tables().symbols[symbol];
+    if (row.unit == tables::kNone || row.type() != tables::DataType::boolean) return;
+    const tables::UnitRow& unit = names_.tables().units[row.unit];
+    const bool operation = row.direction() == tables::Direction::operation;
+    const std::uint32_t first = operation ? unit.operation_bit : unit.event_bit;
+    std::uint64_t& word = (operation ? operations_ : events_)[row.unit];
+    const std::uint64_t bit = std::uint64_t{1} << (row.index - first);
+    word = on != row.inverted() ? word | bit : word & ~bit;
+    touched_.insert(row.unit);
+  }
+
+  /// Calls `add(unit, view)` for each device that is in another state than at the last call.
+  template <class Add>
+  void end_instant(Add add) {
+    for (const std::uint32_t unit : touched_) {
+      const plant::UnitView view = view_of(unit);
+      const std::uint64_t word = trace::pack_unit(view);
+      if (std::exchange(last_[unit], word) != word) add(unit, word);
+    }
+    touched_.clear();
+  }
+
+ private:
+  static constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+
+  plant::UnitView view_of(std::uint32_t unit) const {
+    const tables::UnitRow& row = names_.tables().units[unit];
+    const tables::TypeRow& type = names_.tables().types[row.type];
+    std::uint64_t of_states = 0;
+    for (const tables::EventMasks& enter : type.enter) of_states |= enter.on;
+    const std::uint64_t on = events_[unit] & of_states;
+    for (std::uint8_t state = 0; state < type.states; ++state) {
+      if (type.enter[state].on == on) return {state, state, false, false, false, false, 0, 0, 0};
+    }
+    const std::uint8_t from =
+        last_[unit] == kUnknown ? static_cast<std::uint8_t>(row.initial) : static_cast<std::uint8_t>(last_[unit]);
+    std::uint8_t to = from;
+    for (std::uint8_t operation = 0; operation < type.operations; ++operation) {
+      const bool commands = (operations_[unit] >> operation & 1) != 0;
+      if (commands && type.operation_targets[operation] != tables::kNoState) to = type.operation_targets[operation];
+    }
+    return {from, to, true, false, false, false, 0, 0, 0};
+  }
+
+  const trace::PlantNames& names_;
+  std::vector<std::uint64_t> events_;
+  std::vector<std::uint64_t> operations_;
+  std::vector<std::uint64_t> last_;  ///< pack_unit
+  std::set<std::uint32_t> touched_;
+};
+
+/// A part on a track, from when to when.
+struct Stay {
+  std::uint64_t number = 0;
+  std::uint32_t kind = 0;
+  tables::Time from = 0;
+  tables::Time to = tables::kNever;
+  std::int64_t x = 0;  ///< at `from`, um
+  std::int32_t v = 0;
+};
+
+/// The parts on tracks, which move evenly to the end of their track.
+class Stays {
+ public:
+  Stays(const std::vector<Record>& records, const trace::PlantNames& names) : names_(names) {
+    Record part{};
+    for (const Record& record : records) {
+      if (record.kind == Record::Kind::part) part = record;
+      if (record.kind == Record::Kind::part_move) add(trace::part_record(part, record));
+    }
+    for (auto& [track, stays] : by_track_) {
+      const std::int64_t length = names.tables().material.tracks[track].length;
+      for (Stay& stay : stays) {
+        if (stay.to == tables::kNever || stay.to <= stay.from) continue;
+        const double seconds = static_cast<double>(stay.to - stay.from) / 1e9;
+        stay.v = static_cast<std::int32_t>(static_cast<double>(length - stay.x) / seconds);
+      }
+    }
+  }
+
+  /// Appends the records of a track's parts at a time, from the front.
+  void append(std::uint32_t track, tables::Time time, std::vector<Record>& records) const {
+    const auto found = by_track_.find(track);
+    if (found == by_track_.end()) return;
+    std::vector<std::pair<std::int64_t, const Stay*>> parts;
+    for (const Stay& stay : found->second) {
+      if (stay.from > time || stay.to <= time) continue;
+      parts.emplace_back(
+          stay.x + static_cast<std::int64_t>(static_cast<double>(stay.v) * static_cast<double>(time - stay.from) / 1e9),
+          &stay);
+    }
+    std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    records.push_back({time, parts.size(), track, Record::Kind::track});
+    for (const auto& [x, stay] : parts) {
+      records.push_back({time, stay->number, stay->kind, Record::Kind::part_at});
+      records.push_back(
+          {time, static_cast<std::uint64_t>(x), static_cast<std::uint32_t>(stay->v), Record::Kind::part_speed});
+    }
+  }
+
+ private:
+  bool is_track(std::uint32_t location) const {
+    return location != tables::kOut && location != tables::kNone && names_.tables().material.is_track(location);
+  }
+
+  void add(const trace::PartRecord& part) {
+    if (part.changed()) return;
+    if (const auto open = open_.find(part.number); open != open_.end()) {
+      by_track_[open->second.first][open->second.second].to = part.time;
+      open_.erase(open);
+    }
+    if (!is_track(part.to)) return;
+    std::vector<Stay>& stays = by_track_[part.to];
+    open_[part.number] = {part.to, stays.size()};
+    stays.push_back({part.number, part.kind, part.time, tables::kNever, part.x, 0});
+  }
+
+  const trace::PlantNames& names_;
+  std::map<std::uint32_t, std::vector<Stay>> by_track_;
+  std::map<std::uint64_t, std::pair<std::uint32_t, std::size_t>> open_;  ///< a part -> its stay
+};
+
+/// Sets the times of moves: from a record of a device that moves to its next one.
+void set_times(std::vector<Record>& records) {
+  std::map<std::uint32_t, std::size_t> moves;  ///< a device -> its record
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (records[i].kind != Record::Kind::unit) continue;
+    if (const auto open = moves.find(records[i].of); open != moves.end()) {
+      plant::UnitView view = trace::unpack_unit(records[open->second].value);
+      view.remaining = records[i].time - records[open->second].time;
+      records[open->second].value = trace::pack_motion(view);
+      moves.erase(open);
+    }
+    if (trace::unpack_unit(records[i].value).moving) moves[records[i].of] = i;
+  }
+}
+
+}  // namespace
+
+std::vector<Record> reconstruct(std::vector<Record> records, const trace::PlantNames& names) {
+  const Stays stays(records, names);
+  States states(names);
+  std::vector<Record> all;
+  all.reserve(records.size() * 2);
+  std::set<std::uint32_t> tracks;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Record& record = records[i];
+    all.push_back(record);
+    all.back().last = false;
+    if (record.kind == Record::Kind::change) states.change(record.of, record.value != 0);
+    if (record.kind == Record::Kind::part_move) {
+      for (const auto location :
+           {static_cast<std::uint32_t>(record.value >> 32), static_cast<std::uint32_t>(record.value)}) {
+        if (location < names.tables().material.tracks.size()) tracks.insert(location);
+      }
+    }
+    if (i + 1 < records.size() && records[i + 1].time == record.time) continue;
+    states.end_instant([&](std::uint32_t unit, std::uint64_t word) {
+      all.push_back({record.time, word, unit, Record::Kind::unit});
+    });
+    for (const std::uint32_t track : tracks) stays.append(track, record.time, all);
+    tracks.clear();
+    all.back().last = true;
+  }
+  set_times(all);
+  return all;
+}
+
+}  // namespace symplant::panel

@@ -1,0 +1,106 @@
+// May this request look, and may it act?
+#include "symplant/panel/web/access.hpp"
+
+#include <arpa/inet.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include "symplant/link/net/host_port.hpp"
+#include "symplant/panel/picture/json_text.hpp"
+
+namespace symplant::panel {
+namespace {
+
+constexpr std::size_t kShortestToken = 32;
+constexpr std::size_t kLongestToken = 256;
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+bool is_ip_address(std::string_view text) {
+  std::array<unsigned char, sizeof(in6_addr)> bytes{};
+  const std::string name(text);
+  return inet_pton(AF_INET, name.c_str(), bytes.data()) == 1 || inet_pton(AF_INET6, name.c_str(), bytes.data()) == 1;
+}
+
+bool is_loopback_host(std::string_view host) {
+  return equal_ignoring_case(host, "localhost") || host == "::1" || (is_ip_address(host) && host.starts_with("127."));
+}
+
+/// A header `Host` as name and port; an IPv6 address is in brackets.
+struct HostHeader {
+  std::string_view name;
+  std::string_view port;
+};
+
+HostHeader split_host(std::string_view header) {
+  const std::size_t bracket = header.starts_with('[') ? header.find(']') : header.npos;
+  const std::size_t colon = header.find(':', bracket == header.npos ? 0 : bracket);
+  HostHeader split{header.substr(0, colon), colon == header.npos ? "80" : header.substr(colon + 1)};
+  if (bracket != header.npos) split.name = header.substr(1, bracket - 1);
+  return split;
+}
+
+std::string machine_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
+}
+
+}  // namespace
+
+Access::Access(std::string host, std::uint16_t port, std::string token)
+    : host_(std::move(host)),
+      port_(port),
+      token_(std::move(token)),
+      machine_(machine_name()),
+      is_loopback_(is_loopback_host(host_)) {}
+
+bool Access::is_known_host(std::string_view name) const {
+  return equal_ignoring_case(name, "localhost") || is_ip_address(name) || equal_ignoring_case(name, host_) ||
+         (!machine_.empty() && equal_ignoring_case(name, machine_));
+}
+
+bool Access::is_own(const Claim& claim) const {
+  const HostHeader host = split_host(claim.host);
+  if (!is_known_host(host.name) || host.port != std::to_string(port_)) return false;
+  return claim.origin.empty() || equal_ignoring_case(claim.origin, "http://" + std::string(claim.host));
+}
+
+bool Access::has_token(const Claim& claim) const {
+  constexpr std::string_view kScheme = "Bearer ";
+  if (!claim.authorization.starts_with(kScheme)) return false;
+  const std::string_view given = claim.authorization.substr(kScheme.size());
+  unsigned difference = given.size() == token_.size() ? 0 : 1;
+  for (std::size_t i = 0; i < token_.size(); ++i) {
+    const char c = i < given.size() ? given[i] : '\0';
+    difference |= static_cast<unsigned>(static_cast<unsigned char>(c) ^ static_cast<unsigned char>(token_[i]));
+  }
+  return difference == 0;
+}
+
+std::string Access::url() const {
+  const bool everywhere = host_ == "0.0.0.0" || host_ == "::";
+  const std::string& host = everywhere && !machine_.empty() ? machine_ : host_;
+  return "http://" + link::net::format_host_port({host, port_}) + "/";
+}
+
+std::string random_token() {
+  std::random_device random;  // on Linux that of the system
+  std::string token;
+  for (int i = 0; i < 4; ++i) put(token, "{:08x}", static_cast<std::uint32_t>(random()));
+  return token;
+}
+
+bool is_token(std::string_view text) {
+  return text.size() >= kShortestToken && text.size() <= kLongestToken &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+         });
+}
+
+}  // namespace symplant::panel

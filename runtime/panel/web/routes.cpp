@@ -1,0 +1,138 @@
+// From a request to its answer.
+#include "symplant/panel/web/routes.hpp"
+
+#include <chrono>
+
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/panel/web/page_files.hpp"
+#include "symplant/tables/version.hpp"
+
+namespace symplant::panel {
+namespace {
+
+constexpr int kMostPosts = 100;  ///< in a second
+constexpr std::string_view kApi = "/api/v1/";
+
+Reply error_reply(int status, std::string_view what) { return {Reply::Kind::now, error_answer(status, what)}; }
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/// A part of a target without its escapes; false if one is not valid.
+bool decode(std::string_view text, bool plus_is_blank, std::string& decoded) {
+  decoded.clear();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += plus_is_blank && text[i] == '+' ? ' ' : text[i];
+      continue;
+    }
+    if (i + 2 >= text.size()) return false;
+    const int high = hex_digit(text[i + 1]);
+    const int low = hex_digit(text[i + 2]);
+    if (high < 0 || low < 0) return false;
+    decoded += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return true;
+}
+
+const PageFile* page_file(std::string_view path) {
+  if (path == "/") path = "/index.html";
+  for (const PageFile& file : page_files()) {
+    if (path.substr(1) == file.name) return &file;
+  }
+  return nullptr;
+}
+
+std::string_view content_type_of(std::string_view name) {
+  if (name.ends_with(".html")) return "text/html; charset=utf-8";
+  if (name.ends_with(".css")) return "text/css; charset=utf-8";
+  if (name.ends_with(".svg")) return "image/svg+xml";
+  return "text/javascript; charset=utf-8";
+}
+
+}  // namespace
+
+bool split_target(std::string_view target, std::string& path, std::map<std::string, std::string>& query) {
+  const std::size_t mark = target.find('?');
+  if (!decode(target.substr(0, mark), false, path)) return false;
+  std::string_view rest = mark == target.npos ? std::string_view() : target.substr(mark + 1);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('&'), rest.size());
+    const std::string_view pair = rest.substr(0, end);
+    const std::size_t equals = std::min(pair.find('='), pair.size());
+    std::string key;
+    std::string value;
+    if (!decode(pair.substr(0, equals), true, key)) return false;
+    if (!decode(equals < pair.size() ? pair.substr(equals + 1) : std::string_view(), true, value)) return false;
+    query[key] = value;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return true;
+}
+
+Routes::Routes(Source& source, const Access& access) : source_(source), access_(access), run_(random_token()) {}
+
+Reply Routes::answer(const Request& request, const Answered& later) {
+  if (!access_.is_own(request.claim)) {
+    return error_reply(403, "this address is not that of the panel: use the link that the program printed");
+  }
+  if (request.method == "GET") return get(request, later);
+  if (request.method == "POST") return post(request, later);
+  return error_reply(405, "only GET and POST are possible");
+}
+
+Reply Routes::description() {
+  std::string json = "{\"symplant-panel\":1";
+  put_member(json, "version", tables::version());
+  put_member(json, "run", run_);
+  source_.put_description(json);
+  return {Reply::Kind::now, {200, json + "}"}};
+}
+
+Reply Routes::get(const Request& request, const Answered& later) {
+  std::string path;
+  std::map<std::string, std::string> query;
+  if (!split_target(request.target, path, query)) return error_reply(400, "the address has an invalid escape");
+  if (const PageFile* file = page_file(path)) {
+    return {Reply::Kind::now, {200, ""}, content_type_of(file->name), file->text};
+  }
+  if (!path.starts_with(kApi)) return error_reply(404, "there is nothing at this address");
+  if (access_.look_needs_token() && !access_.has_token(request.claim)) {
+    return error_reply(401, "looking needs the token: use the link that the program printed");
+  }
+  const std::string_view what = std::string_view(path).substr(kApi.size());
+  if (what == "plant") return description();
+  if (what == "stream") return {Reply::Kind::stream, {}};
+  if (what == "picture") return {Reply::Kind::now, {200, source_.picture()}};
+  if (what == "openapi.json") return {Reply::Kind::now, {200, ""}, "application/json", openapi()};
+  std::optional<Reply> reply = source_.get(what, query, later);
+  return reply ? std::move(*reply) : error_reply(404, "there is nothing at this address");
+}
+
+Reply Routes::post(const Request& request, const Answered& later) {
+  const std::string_view path = request.target;
+  if (path != "/api/v1/acts" && path != "/api/v1/check") return error_reply(404, "there is nothing at this address");
+  if (!request.content_type.starts_with("application/json")) {
+    return error_reply(400, "the Content-Type of an act is application/json");
+  }
+  if (!access_.has_token(request.claim)) {
+    return error_reply(401, "acts need the token: use the link that the program printed");
+  }
+  if (!source_.acts()) return error_reply(403, "this panel only shows the plant");
+  if (request.run != run_) {
+    return error_reply(409, "the program was started again since this page was loaded: load it again");
+  }
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  const std::int64_t second = std::chrono::duration_cast<std::chrono::seconds>(now).count();
+  if (second != second_) acts_ = 0;
+  second_ = second;
+  if (++acts_ > kMostPosts) return error_reply(429, "more than 100 acts in a second; try again");
+  source_.post(path.substr(kApi.size()), request.body, later);
+  return {Reply::Kind::later, {}};
+}
+
+}  // namespace symplant::panel

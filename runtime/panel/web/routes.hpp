@@ -1,0 +1,80 @@
+// From a request to its answer, independent of the network.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "symplant/panel/answer.hpp"
+#include "symplant/panel/web/access.hpp"
+
+namespace symplant::panel {
+
+struct Request {
+  std::string_view method;
+  std::string_view target;  ///< path and query
+  Claim claim;
+  std::string_view run;  ///< X-Symplant-Run
+  std::string_view content_type;
+  std::string_view body;
+};
+
+/// What a request gets.
+struct Reply {
+  enum class Kind : std::uint8_t {
+    now,     ///< `answer`, with `content_type`
+    later,   ///< the function given to answer() is called
+    stream,  ///< the stream of the plant's state
+  };
+  Kind kind = Kind::now;
+  Answer answer = {};
+  std::string_view content_type = "application/json";
+  std::string_view content = {};  ///< a file of the page, instead of `answer.body`
+  std::string file_name = {};     ///< to be stored under this name; empty: shown
+};
+
+/// The interface of docs/panel-interface.md over a desk, or over a recording.
+class Source {
+ public:
+  virtual ~Source() = default;
+  /// The answer of GET /api/v1/plant without its first keys, which are the same for all.
+  virtual void put_description(std::string& json) = 0;
+  virtual bool acts() const = 0;
+  /// Any other path of the interface; nothing if there is none.
+  virtual std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query,
+                                   const Answered& later) = 0;
+  virtual void post(std::string_view path, std::string_view body, const Answered& later) = 0;
+  /// The events of the stream: `picture`, and `changes` (empty: nothing new).
+  virtual std::string picture() = 0;
+  virtual std::string changes() = 0;
+};
+
+/// Checks access, and finds what a request asks for. For the panel's thread.
+class Routes {
+ public:
+  Routes(Source& source, const Access& access);
+
+  /// `later` may be called by another thread, once, if the reply says so; also before answer() returns.
+  Reply answer(const Request& request, const Answered& later);
+
+  /// Another text after each start.
+  const std::string& run() const { return run_; }
+
+ private:
+  Reply get(const Request& request, const Answered& later);
+  Reply post(const Request& request, const Answered& later);
+  Reply description();
+
+  Source& source_;
+  const Access& access_;
+  std::string run_;
+  std::int64_t second_ = 0;  ///< of the clock, in which `acts_` were asked for
+  int acts_ = 0;
+};
+
+/// Divides a target into its path and its query, decoded; false if an escape is not valid.
+bool split_target(std::string_view target, std::string& path, std::map<std::string, std::string>& query);
+
+}  // namespace symplant::panel
