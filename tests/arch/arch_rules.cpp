@@ -23,7 +23,7 @@ constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 constexpr std::array<std::string_view, 20> kGenerator = {
     "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing", "infer",
     "model", "score", "convert", "lower",   "check", "findings", "emit",        "view",   "diff",    "app"};
-constexpr std::array<std::string_view, 12> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
+constexpr std::array<std::string_view, 12> kRuntime = {"tables", "engine", "plant", "condition", "json",     "share",
                                                        "exec",   "link",   "trace", "why",       "scenario", "host"};
 
 /// The runtime layers that a layer of the generator may use.
