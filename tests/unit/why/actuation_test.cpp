@@ -59,6 +59,17 @@ TEST_CASE("A spring is held by its command") {
         "RET when it is off\n");
 }
 
+TEST_CASE("A spring reaches its rest state without a command") {
+  const DescribedPlant plant(
+      with_prefix({"CYL_I_ADV", "CYL_I_RET", "CYL_O_ADV", "GATE_I_SHUT", "GATE_O_OPEN"}),
+      R"("devices": {"L_P_GATE": {"transitions": [{"from": "SHUT", "to": "OPEN", "when": "L_P_CYL.RET"}]}})");
+  Asked asked(plant);
+  asked.set("CYL_O_ADV").to(500).to(1500).set("GATE_O_OPEN").to(2000);
+  CHECK(contains(asked.why("GATE"),
+                 "\n    L_P_CYL has been in ADV since 1.5 s: %QX2 (operation ADV, symbols.csv:4) has "
+                 "been on since 0.5 s, and goes to RET when it is off\n"));
+}
+
 TEST_CASE("A custom behavior that asks for states is named") {
   const DescribedPlant plant(with_prefix({"ARM_I_A1", "ARM_I_B2", "ARM_O_B2"}),
                              R"("devices": {"L_P_ARM": {"behaviour": "Picker"}})");

@@ -40,6 +40,12 @@ TEST_CASE("Everything with a name is found, without regard to case") {
   CHECK(kind_of("APART") == Kind::requirement);
   CHECK(kind_of("bin") == Kind::location);
   CHECK(kind_of("infeed") == Kind::source);
+  tables::PlantTables facets = plant.rows;
+  const std::string unit_names{"L_P_A.X\0L_P_A.Y\0L_P_AB.X\0", 25};
+  const std::vector<tables::UnitRow> units(3);
+  facets.unit_names = unit_names;
+  facets.units = units;
+  CHECK(why::things_named("l_p_a", trace::PlantNames(facets)).size() == 2);
   CHECK(why::things_named("L_P", names).empty());
   CHECK(why::nearest_thing("L_P_AGW", names) == "L_P_AGV");
   CHECK(why::nearest_thing("inpheed", names) == "infeed");

@@ -12,6 +12,7 @@ DescribedPlant track(const std::string& members, const std::string& more = "",
     rows.push_back({name, "", "BOOL", "FALSE", "%QX" + std::to_string(rows.size())});
   }
   rows.push_back({"SPEED", "", "INT", "0", "%QW9"});
+  rows.push_back({"SLOW", "", "REAL", "0.7", "%QD40"});
   rows.push_back({"EYE", "", "BOOL", "FALSE", "%IX0"});
   rows.push_back({"NEST", "", "BOOL", "FALSE", "%IX1"});
   return {rows, R"("material": {"kinds": {"raw": {"length": "200 mm"}, "tall": {"length": "200 mm"}},
@@ -92,12 +93,19 @@ TEST_CASE("Drives that face each other, are commanded in both directions, or hav
   CHECK(contains(asked.why("CV"), "does not move: its drive is off, `forward` needs FWD, `backward` needs BWD\n"));
 }
 
+TEST_CASE("A speed below one micrometer per second is none") {
+  const DescribedPlant plant = track("", "", R"([{"forward": "not FWD", "speed": {"of": "SLOW", "unit": "1 um/s"}}])");
+  Asked asked(plant);
+  asked.put("CV", 700).to(1000);
+  CHECK(contains(asked.why("CV"), "does not move: the speed of its drive is 0\n        SLOW has been 0.7 since"));
+}
+
 TEST_CASE("A sensor names the part that it sees, or the nearest one and why that does not come") {
   const DescribedPlant plant = track(R"(, "sensors": [{"symbol": "EYE", "at": "1 m", "kinds": ["tall"]}])",
                                      R"(, "places": {"BOX": {"sensors": [{"symbol": "NEST"}]}})");
   Asked asked(plant);
   CHECK(asked.why("EYE") ==
-        "EYE has been off since the start, PLC input %IX0, symbol EYE (symbols.csv:7): it sees parts of kind tall at "
+        "EYE has been off since the start, PLC input %IX0, symbol EYE (symbols.csv:8): it sees parts of kind tall at "
         "CV@1000 mm\n"
         "    CV has no part: nothing brings parts there\n");
   asked.put("CV", 500, 1).put("CV", 1500).to(0);

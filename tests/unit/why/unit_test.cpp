@@ -95,7 +95,9 @@ TEST_CASE("Commands to several states are a conflict") {
 TEST_CASE("A disabled device names what disables it, and why that is there") {
   const DescribedPlant cell(with_prefix(kCell), R"("devices": {"L_P_MC": {"disables": {"RUN2": ["L_P_AGV"]}}})");
   Asked asked(cell);
-  asked.set("MC_O_RUN2").to(0).to(1000).set("MC_O_RUN2", 0).set("AGV_O_P2").to(1200);
+  asked.set("MC_O_RUN2").to(0).to(1000);
+  CHECK(contains(asked.why("AGV"), "disabled by L_P_MC in RUN2 since 1 s, none of its operations has been on\n"));
+  asked.set("MC_O_RUN2", 0).set("AGV_O_P2").to(1200);
   CHECK(asked.why("AGV") ==
         "L_P_AGV has been in P1, disabled by L_P_MC in RUN2 since 1 s, %QX3 (operation P2, symbols.csv:5) has been on "
         "since 1.2 s\n"
@@ -121,6 +123,36 @@ TEST_CASE("A state that is several transitions away is reached through the next 
                  "but `when` needs L_P_T.C3\n"
                  "    L_P_T has been in A1 since the start, and goes to C3 through B2: %QX3 "
                  "(operation B2, symbols.csv:5) has never been on\n"));
+}
+
+TEST_CASE("Only the transitions toward the state in question are named") {
+  const DescribedPlant plant(
+      with_prefix({"T_I_A1", "T_I_B2", "T_I_C3", "T_I_D4", "T_O_B2", "T_O_C3", "T_O_D4", "GATE_I_SHUT", "GATE_O_OPEN"}),
+      R"("devices": {"L_P_T": {"only": true, "transitions": [{"from": "A1", "to": "B2"}, {"from": "A1", "to": "D4"},
+                                                             {"from": "D4", "to": "A1", "automatic": true, "after": "1s"},
+                                                             {"from": "B2", "to": "C3"}]},
+                     "L_P_GATE": {"transitions": [{"from": "SHUT", "to": "OPEN", "when": "L_P_T.C3"}]}})");
+  Asked asked(plant);
+  asked.set("GATE_O_OPEN").to(1000);
+  CHECK(contains(asked.why("GATE"),
+                 "\n    L_P_T has been in A1 since the start, and goes to C3 through B2: %QX4 "
+                 "(operation B2, symbols.csv:6) has never been on\n"));
+  CHECK(contains(asked.why("T_I_D4"),
+                 "\n    L_P_T has been in A1 since the start: %QX6 (operation D4, symbols.csv:8) "
+                 "has never been on\n"));
+}
+
+TEST_CASE("A command that must hold for a time does not conflict before") {
+  const DescribedPlant plant(with_prefix({"MC_I_IDLE1", "MC_I_RUN2", "MC_O_RUN2", "MC_O_IDLE1"}),
+                             R"("devices": {"L_P_MC": {
+      "transitions": [{"from": "IDLE1", "to": "RUN2", "after": "700ms"}]}})");
+  Asked asked(plant);
+  asked.set("MC_O_RUN2").set("MC_O_IDLE1").to(0).to(500);
+  CHECK(contains(asked.why("MC"),
+                 "%QX2 (operation RUN2, symbols.csv:4) has been on since the start, and has an effect "
+                 "in 0.2 s\n"));
+  asked.to(700);
+  CHECK(contains(asked.why("MC"), "obeys none of them, %QX2 (operation RUN2"));
 }
 
 TEST_CASE("A state to which no transition leads is named") {
