@@ -93,7 +93,7 @@ TEST_CASE("Drives that face each other, are commanded in both directions, or hav
   CHECK(contains(asked.why("CV"), "does not move: its drive is off, `forward` needs FWD, `backward` needs BWD\n"));
 }
 
-TEST_CASE("A speed below one micrometer per second is none") {
+TEST_CASE("A speed below one micrometer per second is 0") {
   const DescribedPlant plant = track("", "", R"([{"forward": "not FWD", "speed": {"of": "SLOW", "unit": "1 um/s"}}])");
   Asked asked(plant);
   asked.put("CV", 700).to(1000);
