@@ -43,12 +43,12 @@ symplant_planted_bug(engine draw_counter_shared_by_transitions
   "  Record& record = records_[general_row(unit).first_record + (BUG ? 0 : type.record_of[transition])];")
 
 symplant_planted_bug(engine stopped_unit_still_disables
-  "      state.flags |= kDisabled;"
-  "      state.flags |= kDisabled; if (BUG && (state.flags & kMoving) != 0) { general_states_[position].position = state.state; for (const tables::DisableRow& d : tables_.disables) { if (d.by != unit || d.state != state.state) continue; ++general_states_[index_.general.position_of(d.unit)].disabled_by; if ((units_[d.unit].flags & kHalted) == 0) halt_times(d.unit); units_[d.unit].flags |= kDisabled; touch(d.unit); } }")
+  "      this->disable(unit);"
+  "      this->disable(unit); if (BUG && (state.flags & kMoving) != 0) { general_states_[position].position = state.state; for (const tables::DisableRow& d : tables_.disables) { if (d.by != unit || d.state != state.state) continue; ++general_states_[index_.general.position_of(d.unit)].disabled_by; if ((units_[d.unit].flags & kHalted) == 0) halt_times(d.unit); units_[d.unit].flags |= kDisabled; touch(d.unit); } }")
 
 symplant_planted_bug(engine no_round_after_enabling
-  "      resume_times(unit);"
-  "      resume_times(unit); if (BUG) continue;")
+  "      suspects_ |= suspect(tables::FindingKind::started_on_enabling);"
+  "      suspects_ |= suspect(tables::FindingKind::started_on_enabling); if (BUG) continue;")
 
 symplant_planted_bug(engine watch_expires_one_instant_late
   "  if (!met && head_->now < monitor.deadline) return false;"
@@ -93,8 +93,8 @@ symplant_planted_bug(engine spring_returns_by_any_transition
 
 # Of inverted symbols, `while`, `weight`, overruns and symbols that follow a condition.
 symplant_planted_bug(engine force_of_an_inverted_symbol_is_a_level
-  "      const bool on = (value != 0) != has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit);"
-  "      const bool on = (value != 0) != (!BUG && has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit));")
+  "      const bool on = (to.value != 0) != has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit);"
+  "      const bool on = (to.value != 0) != (!BUG && has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit));")
 
 symplant_planted_bug(engine move_without_a_command_has_no_while
   "  if (n == kNoTransition) n = transition_without_command(type, state.state, state.target);"
@@ -159,6 +159,86 @@ symplant_planted_bug(engine facing_drives_do_not_stop
 symplant_planted_bug(engine work_changes_the_first_part_only
   "    work_on(location, i, row);"
   "    if (!BUG || !any) work_on(location, i, row);")
+
+# Of malfunctions.
+symplant_planted_bug(engine slower_changes_a_move_in_progress
+  "void Malfunctions::slow(std::uint32_t unit) noexcept { engine_.units_[unit].flags |= kSlowed | kGeneral; }"
+  "void Malfunctions::slow(std::uint32_t unit) noexcept { UnitState& state = engine_.units_[unit]; state.flags |= kSlowed | kGeneral; if (BUG && (state.flags & (kMoving | kTimed)) == (kMoving | kTimed)) engine_.set_wheel(unit, later(state.due, state.due - now())); }")
+
+symplant_planted_bug(engine slowed_unit_stays_on_the_fast_path
+  "  for_values(number, [this](std::uint32_t symbol, std::uint64_t) { override_again(symbol); });
+}
+
+void Malfunctions::release("
+  "  for_values(number, [this](std::uint32_t symbol, std::uint64_t) { override_again(symbol); });
+  if (BUG && kind == MalfunctionKind::slower) for_units(number, [this](std::uint32_t unit, std::uint8_t) { if (tables_.units[unit].general == 0 && engine_.index_.types[tables_.units[unit].type].plain) engine_.units_[unit].flags &= static_cast<std::uint16_t>(~kGeneral); });
+}
+
+void Malfunctions::release(")
+
+symplant_planted_bug(engine slower_rounds_too_early
+  "  const Wide product = static_cast<Wide>(time) * factor / 1000;"
+  "  const Wide product = BUG ? static_cast<Wide>(time) / 1000 * factor : static_cast<Wide>(time) * factor / 1000;")
+
+symplant_planted_bug(engine total_time_of_a_slowed_move_is_the_tables
+  "  if ((slowed_[unit / 64] & bit_in_word(unit)) == 0) return time;"
+  "  if (BUG || (slowed_[unit / 64] & bit_in_word(unit)) == 0) return time;")
+
+symplant_planted_bug(engine remedied_by_what_held_before_the_start
+  "    seen_.mark(number);
+  }
+  active_[head_->active++]"
+  "    seen_.mark(number);
+    if (BUG && row(number).unless != tables::kNone && engine_.truth(row(number).unless)) { state.wishes = kEnds; head_->pending = 1; }
+  }
+  active_[head_->active++]")
+
+symplant_planted_bug(engine time_of_a_flicker_drawn_twice
+  "  override_again(row(number).subject);
+  set_next();"
+  "  override_again(row(number).subject);
+  if (BUG && state.shows == 0) state.flickers = after(number, row(number).every, MalfunctionStream::every);
+  set_next();")
+
+symplant_planted_bug(engine malfunction_hides_a_force
+  "  if (!engine_.is_forced(symbol)) engine_.override_symbol(symbol, override_of(symbol));"
+  "  if (BUG || !engine_.is_forced(symbol)) engine_.override_symbol(symbol, override_of(symbol));")
+
+symplant_planted_bug(engine malfunction_that_started_first_wins
+  "      if (address_of(other) == address) to = {Override::Kind::value, true, value};"
+  "      if (address_of(other) == address && (!BUG || to.kind == Override::Kind::none)) to = {Override::Kind::value, true, value};")
+
+symplant_planted_bug(engine flicker_shows_the_opposite_of_the_model
+  "      to.value ^= 1;"
+  "      if (BUG) to.kind = Override::Kind::opposite; else to.value ^= 1;")
+
+symplant_planted_bug(engine started_on_enabling_after_a_malfunction
+  "  if (!disabled) engine_.enable(unit, 0);"
+  "  if (!disabled) { engine_.enable(unit, BUG ? kEnabledNow : 0); if (BUG) engine_.suspects_ |= suspect(tables::FindingKind::started_on_enabling); }")
+
+symplant_planted_bug(engine one_of_two_stuck_malfunctions_ends_both
+  "--engine_.general_state(unit).disabled_by != 0 : is_stuck(unit);"
+  "--engine_.general_state(unit).disabled_by != 0 : !BUG && is_stuck(unit);")
+
+symplant_planted_bug(engine malfunction_starts_while_its_condition_holds
+  "    if (begins && state.active == 0 && state.by_itself != now()) state.wishes |= kStarts;"
+  "    if ((BUG ? holds : begins) && state.active == 0 && state.by_itself != now()) state.wishes |= kStarts;")
+
+symplant_planted_bug(engine malfunction_that_has_lasted_becomes_another
+  "    } else if (state.due <= now()) {
+      end(number, By::end);
+    } else if (state.becomes <= now()) {
+      become(number);"
+  "    } else if (state.due <= now() && (!BUG || state.becomes > now())) {
+      end(number, By::end);
+    } else if (state.becomes <= now()) {
+      become(number);")
+
+symplant_planted_bug(engine chance_not_drawn_after_an_end
+  "    state.due = after(number, row(number).chance, MalfunctionStream::chance);
+  } else {"
+  "    state.due = BUG && by != By::end ? tables::kNever : after(number, row(number).chance, MalfunctionStream::chance);
+  } else {")
 
 symplant_planted_layer(engine ${PROJECT_SOURCE_DIR}/runtime/engine)
 add_executable(property_mutants $<TARGET_OBJECTS:property_main> $<TARGET_OBJECTS:symplant_engine_planted>)
