@@ -31,10 +31,12 @@ inline constexpr std::uint32_t kTurnNote = 0xFFFF'FFFF;
 /// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
 inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 
-/// The `of` of a note before that of a failed step: its value is the index of a part in Step::put that has no room, or
-/// kTakeNote more than an index in Step::take with no part.
+/// The `of` of a note before that of a failed step: its value is the index of a part in Step::put that has no room,
+/// kTakeNote more than an index in Step::take with no part, or kStartNote more than an index in Step::start with a
+/// malfunction that cannot start.
 inline constexpr std::uint32_t kHandNote = 0xFFFF'FFFD;
 inline constexpr std::uint64_t kTakeNote = std::uint64_t{1} << 32;
+inline constexpr std::uint64_t kStartNote = std::uint64_t{2} << 32;
 
 /// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
 /// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
@@ -70,6 +72,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   tables::Time time_of(const Step& step) const noexcept;
   bool act(const Step& step) noexcept;
   bool act_by_hand(const Step& step) noexcept;
+  bool change_malfunctions(const Step& step) noexcept;
   void note_force(std::uint32_t symbol, bool forced) noexcept;
   void advance_plant(tables::Time time) noexcept;
   void set(const SymbolValue& value) noexcept;

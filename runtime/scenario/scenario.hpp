@@ -54,12 +54,15 @@ struct Step {
   std::vector<tables::PartLocation> take;  ///< it fails if there is no part
   std::vector<SymbolValue> force;
   std::vector<std::uint32_t> release;
+  std::vector<std::uint32_t> stop;   ///< malfunctions, as tables::MalfunctionNumbers numbers them
+  std::vector<std::uint32_t> start;  ///< those it fails for if too many ordinary ones are active
+  bool starts_ordinary = false;      ///< one of `start` is an ordinary one
   std::optional<Expectation> expect;
   std::size_t line = 0;    ///< in the file, from 1
   std::uint32_t file = 0;  ///< index in Scenario::files
 
   /// Whether it can fail.
-  bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty(); }
+  bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty() || starts_ordinary; }
 };
 
 /// Steps that are done several times: from `begin` to before `end`, which differ. Two of them are apart, or one is

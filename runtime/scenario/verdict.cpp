@@ -8,6 +8,7 @@
 #include <set>
 
 #include "symplant/scenario/evaluate.hpp"
+#include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/value_text.hpp"
 
@@ -51,6 +52,9 @@ std::string hand_words(const Step& step, const trace::PlantNames& names) {
   }
   for (const tables::PartLocation& at : step.take) {
     text += fmt::format("{}a part at {}", text.empty() ? "" : ", ", location_text(at, names));
+  }
+  for (const std::uint32_t malfunction : step.start) {
+    text += fmt::format("{}malfunction `{}`", text.empty() ? "" : ", ", names.malfunction(malfunction));
   }
   return text;
 }
@@ -121,7 +125,11 @@ std::vector<std::string> hand_parts(const Scenario& scenario, std::size_t at, st
   std::vector<std::string> parts;
   std::set<std::uint32_t> locations;
   for (const std::uint64_t hand : hands) {
-    if (hand >= kTakeNote) {
+    if (hand >= kStartNote) {
+      parts.push_back(fmt::format("malfunction `{}` cannot start at {}: {} ordinary ones are active",
+                                  names.malfunction(step.start[hand - kStartNote]), seconds(time),
+                                  tables::kMostOrdinaryMalfunctions));
+    } else if (hand >= kTakeNote) {
       const tables::PartLocation& from = step.take[hand - kTakeNote];
       parts.push_back(fmt::format("no part to take at {} at {}", taken_from(from, names), seconds(time)));
       locations.insert(from.location);
@@ -198,6 +206,7 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
                                   force->second.line));
     }
   }
+  for (std::string& words : trace::malfunction_words(names, history)) parts.push_back(std::move(words));
   return parts;
 }
 

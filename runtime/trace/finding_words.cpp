@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/trace/requirement_units.hpp"
 #include "symplant/trace/value_text.hpp"
 
@@ -47,13 +48,19 @@ std::string_view inverted(std::uint32_t symbol, const PlantNames& names) {
   return names.tables().symbols[symbol].inverted() ? ", inverted" : "";
 }
 
-/// The units that disable a unit now: `EXLINE_MB_DOOR in OPEN1`.
+/// The units and malfunctions that disable a unit now: `EXLINE_MB_DOOR in OPEN1`.
 std::string disablers(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   for (const tables::DisableRow& row : names.tables().disables) {
     const plant::UnitView by = history.unit(row.by);
     if (row.unit != unit || by.moving || by.state != row.state) continue;
     text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", names.unit(row.by), names.state(row.by, row.state));
+  }
+  const tables::MalfunctionNumbers numbers(names.tables());
+  for (const History::Malfunction& one : history.malfunctions()) {
+    const bool sticks = numbers.kind(one.number) == tables::MalfunctionKind::stuck;
+    if (!sticks || !numbers.names_unit(one.number, unit)) continue;
+    text += fmt::format("{}malfunction `{}`", text.empty() ? "" : ", ", names.malfunction(one.number));
   }
   return text;
 }
@@ -236,6 +243,7 @@ std::vector<std::string> of_requirement(const FoundThing& found, const PlantName
                                 value_text(names.tables().symbols[symbol].type(), history.value(symbol)),
                                 seconds(since)));
   }
+  for (std::string& words : malfunction_words(names, history)) parts.push_back(std::move(words));
   return parts;
 }
 
@@ -317,6 +325,15 @@ std::string unit_words(std::uint32_t unit, const PlantNames& names, const Histor
   return fmt::format("{} has been in {}{} {}{}", names.unit(unit), state_words(unit, names, history),
                      by.empty() ? "" : " by " + by, since_words(history.unit_since(unit)),
                      led_here(unit, names, history));
+}
+
+std::vector<std::string> malfunction_words(const PlantNames& names, const History& history) {
+  std::vector<std::string> words;
+  for (const History::Malfunction& one : history.malfunctions()) {
+    words.push_back(
+        fmt::format("malfunction `{}` is active {}", names.malfunction(one.number), since_words(one.since)));
+  }
+  return words;
 }
 
 std::string location_words(std::uint32_t location, const PlantNames& names, const History& history) {

@@ -49,6 +49,8 @@ std::string since_words(tables::Time changed);
 std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history);
 
 /// The parts at a location: `FIXTURE has part 11 (raw) since 3.2 s`.
+/// "malfunction `clamp 1 sluggish` is active since 2 s", for each active one.
+std::vector<std::string> malfunction_words(const PlantNames& names, const History& history);
 std::string location_words(std::uint32_t location, const PlantNames& names, const History& history);
 
 /// What happened, which operations led to it, what to check. For a violated requirement one more part for each unit in

@@ -74,6 +74,9 @@ void History::apply(const Record& record) {
     part_ = record;
   } else if (record.kind == Record::Kind::part_move) {
     move_part(part_record(part_, record));
+  } else if (record.kind == Record::Kind::malfunction) {
+    std::erase_if(malfunctions_, [&](const Malfunction& one) { return one.number == record.of; });
+    if (record.more) malfunctions_.push_back({record.of, record.time});
   }
 }
 

@@ -34,6 +34,8 @@ class PlantNames {
   }
   std::string_view part_kind(std::uint32_t kind) const { return part_kinds_[kind]; }
   std::string_view transfer(std::uint32_t transfer) const { return transfers_[transfer]; }
+  /// As tables::MalfunctionNumbers numbers them: a written name, or that of an ordinary one, `EXLINE_MB_AGV stuck`.
+  std::string malfunction(std::uint32_t number) const;
   /// A member of an instantaneous loop, as Finding::of numbers it.
   std::string_view loop_member(std::uint32_t of) const;
   /// A link of the run.
@@ -70,6 +72,7 @@ class PlantNames {
   std::vector<std::string_view> part_kinds_;
   std::vector<std::string_view> transfers_;
   std::vector<std::string_view> work_;
+  std::vector<std::string_view> malfunctions_;
   std::vector<Link> links_;
   std::vector<std::uint32_t> first_states_;  ///< by type: the index of its first state in states_
   mutable std::once_flag grouped_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 #include "symplant/tables/names.hpp"
@@ -12,6 +13,7 @@ namespace symplant::trace {
 
 TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed)
     : tables_(tables),
+      plant_names_(tables),
       file_(std::move(file)),
       head_(fmt::format(R"({{"symplant-trace":1,"plant":{},"model_hash":"{:016x}","seed":{})", json_string(tables.name),
                         model_hash, seed)) {
@@ -53,10 +55,19 @@ void TraceFile::put_part(const PartRecord& part) {
   file_.put("}\n");
 }
 
+void TraceFile::put_malfunction(const Record& record) {
+  static constexpr std::array<std::string_view, 6> kBy{"scenario", "hand", "condition", "chance", "becomes", "end"};
+  put_time(record.time);
+  file_.put(fmt::format(R"(,"malfunction":{},"active":{},"by":"{}"}})",
+                        json_string(plant_names_.malfunction(record.of)), record.more, kBy[record.value]));
+  file_.put("\n");
+}
+
 void TraceFile::write(const Record& record) {
   if (!file_.is_open()) return;
   if (record.kind == Record::Kind::part) part_ = record;
   if (record.kind == Record::Kind::part_move) put_part(part_record(part_, record));
+  if (record.kind == Record::Kind::malfunction) put_malfunction(record);
   if (record.kind != Record::Kind::change) return;
   put_time(record.time);
   file_.put(names_[record.of]);

@@ -18,7 +18,7 @@ class TraceFile {
   /// Writes the header. Errors are in error().
   TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed);
 
-  /// Writes a record of a change, or of a part; ignores others. O(line).
+  /// Writes a record of a change, of a part or of a malfunction; ignores others. O(line).
   void write(const Record& record);
   /// To be called between two instants: starts a new part if the file is full. Its header has `part`, counted from 1,
   /// the time `t`, and all `values` that are not off or 0, so that each part can be read alone. O(1); O(symbols) for a
@@ -31,8 +31,10 @@ class TraceFile {
  private:
   void put_time(tables::Time time);
   void put_part(const PartRecord& part);
+  void put_malfunction(const Record& record);
 
   const tables::PlantTables& tables_;
+  PlantNames plant_names_;
   OutputFile file_;
   std::string head_;                    ///< the header of every part, without its closing brace
   std::vector<std::string> names_;      ///< by symbol: the text between time and value
