@@ -33,6 +33,8 @@ std::string reader_name(const LinkView& view, const host::SymbolReader& reader) 
       return "work " + view.of->plant.material.work[reader.index].name;
     case host::SymbolReader::Kind::source:
       return "source " + view.of->plant.material.sources[reader.index].name;
+    case host::SymbolReader::Kind::malfunction:
+      return "malfunction " + view.of->plant.malfunctions[reader.index].name;
     case host::SymbolReader::Kind::unit:
     case host::SymbolReader::Kind::behavior:
       break;
