@@ -85,6 +85,23 @@ symplant_planted_bug(model braces_in_the_end_of_a_track_stay
   "    edit(track.ends[i].to, here / \"end\" / i / \"to\");"
   "    if (!BUG) edit(track.ends[i].to, here / \"end\" / i / \"to\");")
 
+# Of malfunctions.
+symplant_planted_bug(scenario malfunction_that_is_stopped_and_started_stays_active
+  "  for (const std::uint32_t malfunction : step.stop) plant_.stop_malfunction(malfunction, By::scenario);"
+  "  for (const std::uint32_t malfunction : step.stop) { if (!BUG || step.start.empty()) plant_.stop_malfunction(malfunction, By::scenario); }")
+
+symplant_planted_bug(description slower_without_its_decimals
+  "      given_.factor = static_cast<std::uint32_t>(thousandths);"
+  "      given_.factor = static_cast<std::uint32_t>(BUG && thousandths > 1000 ? std::floor(thousandths / 1000) * 1000 : thousandths);")
+
+symplant_planted_bug(description unless_is_not_read
+  "    given_.becomes = GivenBecomes{fixed_time(*becomes, \"after\", here), text_or_empty(*becomes, \"unless\"),"
+  "    given_.becomes = GivenBecomes{fixed_time(*becomes, \"after\", here), BUG ? std::string() : text_or_empty(*becomes, \"unless\"),")
+
+symplant_planted_bug(model pattern_of_a_malfunction_names_one_device
+  "          units.push_back(u);"
+  "          if (!BUG || units.empty()) units.push_back(u);")
+
 set(objects "")
 foreach(layer generator/description generator/model generator/text runtime/scenario)
   get_filename_component(name ${layer} NAME)
