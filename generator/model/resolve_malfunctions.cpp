@@ -2,6 +2,7 @@
 #include "model/resolve_malfunctions.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -159,15 +160,16 @@ class MalfunctionResolver {
   void resolve_forces(const description::GivenMalfunction& given, const Pointer& here, Malfunction& malfunction) {
     if (malfunction.kind != MalfunctionKind::force) return;
     if (given.force.empty()) faults_.add(here, "this malfunction gives no symbol a value; name at least one");
+    std::map<std::uint32_t, std::uint32_t> by_leader;
     for (const auto& [name, given_value] : given.force) {
       const Pointer at = here / std::string_view(name);
       const std::uint32_t found = symbol(name, at);
       if (found == kNone) continue;
       const auto number = value(found, given_value, at);
       if (!number) continue;
-      for (const tables::MalfunctionForce& other : malfunction.forces) {
-        if (!share_address(other.symbol, found)) continue;
-        faults_.add(at, ticked(name) + " and " + ticked(plant_.symbols[other.symbol].name()) +
+      const auto [other, is_new] = by_leader.try_emplace(leader(found), found);
+      if (!is_new) {
+        faults_.add(at, ticked(name) + " and " + ticked(plant_.symbols[other->second].name()) +
                             " are on one address; name one of them");
       }
       malfunction.forces.push_back({found, *number});
@@ -176,11 +178,8 @@ class MalfunctionResolver {
               [](const auto& a, const auto& b) { return a.symbol < b.symbol; });
   }
 
-  bool share_address(std::uint32_t a, std::uint32_t b) const {
-    const auto leader = [&](std::uint32_t s) {
-      return plant_.symbols[s].leader == kNone ? s : plant_.symbols[s].leader;
-    };
-    return leader(a) == leader(b);
+  std::uint32_t leader(std::uint32_t symbol) const {
+    return plant_.symbols[symbol].leader == kNone ? symbol : plant_.symbols[symbol].leader;
   }
 
   void resolve_flicker(const description::GivenMalfunction& given, const Pointer& here, Malfunction& malfunction) {
