@@ -1,7 +1,9 @@
 // Rows of the malfunctions.
 #include "emit/malfunction_rows.hpp"
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "emit/row_writer.hpp"
@@ -56,11 +58,14 @@ std::string malfunction_force_rows(const lower::EngineTables& tables, const mode
   return rows.take();
 }
 
+/// Blanks are written as `_`: `eye blind` becomes `eye_blind`.
 std::string malfunction_constant_rows(const model::PlantModel& plant) {
   RowWriter rows;
   text::IdentifierScope scope;
   for (std::size_t m = 0; m < plant.malfunctions.size(); ++m) {
-    rows.text("  ").text(scope.unique(plant.malfunctions[m].name)).text(" = ").number(m).text(",\n");
+    std::string name = plant.malfunctions[m].name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    rows.text("  ").text(scope.unique(name)).text(" = ").number(m).text(",\n");
   }
   return rows.take();
 }

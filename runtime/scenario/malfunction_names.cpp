@@ -4,6 +4,7 @@
 #include "symplant/scenario/table_names.hpp"
 #include "symplant/tables/ascii.hpp"
 #include "symplant/tables/malfunction_numbers.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/tables/nearest.hpp"
 
 namespace symplant::scenario {
@@ -39,7 +40,7 @@ std::optional<std::uint32_t> TableNames::malfunction(std::string_view name) cons
 /// Among the written ones; if the name ends as that of an ordinary one, also among the devices or symbols.
 std::string TableNames::nearest_malfunction(std::string_view name) const {
   tables::NearestName nearest(name);
-  for (std::uint32_t i = 0; i < names_.tables().malfunctions.size(); ++i) nearest.offer(names_.malfunction(i));
+  for (const std::string_view written : tables::split_names(names_.tables().malfunctions.names)) nearest.offer(written);
   std::string found(nearest.name());
   if (!found.empty()) return found;
   const std::string wanted = tables::to_upper(name);

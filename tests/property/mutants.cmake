@@ -195,10 +195,10 @@ symplant_planted_bug(engine remedied_by_what_held_before_the_start
 
 symplant_planted_bug(engine time_of_a_flicker_drawn_twice
   "  override_again(row(number).subject);
-  set_next();"
+}"
   "  override_again(row(number).subject);
   if (BUG && state.shows == 0) state.flickers = after(number, row(number).every, MalfunctionStream::every);
-  set_next();")
+}")
 
 symplant_planted_bug(engine malfunction_hides_a_force
   "  if (!engine_.is_forced(symbol)) engine_.override_symbol(symbol, override_of(symbol));"

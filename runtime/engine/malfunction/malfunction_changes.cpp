@@ -93,10 +93,10 @@ void Malfunctions::end(std::uint32_t number, By by) noexcept {
 }
 
 void Malfunctions::note(std::uint32_t number, bool active, By by) noexcept {
-  set_next();
   engine_.head_->waits |= kActed;
   engine_.suspects_ |= kMalfunctionsChanged;
   const bool outside = by == By::hand || by == By::scenario;
+  if (outside) set_next();
   if (changes_.size < (outside ? kMostByHand : most_changes_)) changes_.add({number, active, by});
 }
 
@@ -109,6 +109,7 @@ void Malfunctions::begin() noexcept {
   if (head_->next > now() && head_->pending == 0) return;
   head_->pending = 0;
   for (std::uint32_t m = 0; m < written_; ++m) begin_one(m);
+  set_next();
 }
 
 /// What ends an active one comes first; it then does nothing else in this instant.
@@ -145,7 +146,6 @@ void Malfunctions::flicker(std::uint32_t number) noexcept {
   state.flickers =
       state.shows != 0 ? later(now(), row(number).shows) : after(number, row(number).every, MalfunctionStream::every);
   override_again(row(number).subject);
-  set_next();
 }
 
 /// A malfunction starts by its condition once at a time, so that those of several cannot start each other for ever.

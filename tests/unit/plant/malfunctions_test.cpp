@@ -7,7 +7,7 @@ namespace {
 /// A vehicle, a spring, and a sensor that no unit drives.
 const std::vector<std::string> kHall = {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1", "PE_I_PART", "BTN_I_RESET"};
 
-TEST_CASE("A slower device needs more time for moves that begin, not for the one under way") {
+TEST_CASE("A slower device needs more time for moves that begin, not for one in progress") {
   const FaultyTables tables(kHall, R"({"name":"slow","of":"L_P_AGV","slower":3})");
   BenchPlant plant(tables);
   plant.to(0).set("AGV_O_P2", 1).to(100);
@@ -18,7 +18,7 @@ TEST_CASE("A slower device needs more time for moves that begin, not for the one
   CHECK(plant.changes() == "3000:AGV_I_P2=0 3000:AGV_O_P2=0 3000:AGV_O_P1=1 6000:AGV_I_P1=1");
 }
 
-TEST_CASE("A device that turns round needs the longer time for the way back") {
+TEST_CASE("A device that turns round needs the longer time to return") {
   const FaultyTables tables({"CYL_O_ADV", "CYL_I_ADV", "CYL_I_RET"}, R"({"name":"slow","of":"L_P_CYL","slower":4})");
   BenchPlant plant(tables);
   plant.set("CYL_O_ADV", 1).to(0).to(500);
@@ -43,7 +43,7 @@ TEST_CASE("Several factors apply one after the other, each rounded down") {
   CHECK(ordinary.plant.next_due() == 9'003);  // 2001 -> 3001 -> 9003: those of the description first
 }
 
-TEST_CASE("The default travel time and the way of a spring are longer, too") {
+TEST_CASE("The default travel time and the return of a spring are longer, too") {
   const FaultyTables tables({"CYL_O_ADV", "CYL_I_ADV", "CYL_I_RET"}, R"({"name":"slow","of":"L_P_CYL","slower":4})");
   BenchPlant plant(tables);
   plant.start("slow").set("CYL_O_ADV", 1).to(0).to(3999);
@@ -295,7 +295,8 @@ TEST_CASE("A plant restored from a block has its malfunctions; one without them 
   CHECK(act(other) == act(plant));
 }
 
-TEST_CASE("The state hash tells active malfunctions apart, and is that of a plant without once they ended") {
+TEST_CASE(
+    "The state hash is another for each active malfunction, and that of a plant without malfunctions after their end") {
   const BenchTables tables(kHall);
   BenchPlant plant(tables);
   plant.to(1000);
@@ -320,7 +321,7 @@ TEST_CASE("A reset ends all malfunctions") {
   CHECK_FALSE(plant.on("PE_I_PART"));
 }
 
-TEST_CASE("A view tells since when a malfunction is active and when it changes by itself") {
+TEST_CASE("A view shows since when a malfunction is active and when it changes by itself") {
   const FaultyTables tables(kHall, R"({"name":"loose","flicker":{"symbol":"L_P_PE_I_PART","every":"3s","for":"1s"},
                                        "lasts":"3500ms"},{"name":"cable","lose":true,"chance":"9s"})");
   BenchPlant plant(tables);

@@ -104,9 +104,14 @@ class Play {
       turn_ = record.value;
       return;
     }
+    if (record.kind == trace::Record::Kind::note && record.of == scenario::kHandNote) {
+      hands_.push_back(record.value);
+      return;
+    }
     if (record.kind == trace::Record::Kind::note) {
       const auto parts = scenario::failure_parts(scenario_, record.of, turn_, static_cast<tables::Time>(record.value),
-                                                 {}, names_, history_);
+                                                 hands_, names_, history_);
+      hands_.clear();
       for (const std::string& part : parts) failures_ += (&part == &parts.front() ? "" : "; ") + part;
       failures_ += "\n";
       return;
@@ -128,6 +133,7 @@ class Play {
   const BenchTables& tables_;
   const Files files_;
   std::uint64_t turn_ = 0;
+  std::vector<std::uint64_t> hands_;  ///< what failed by hand in the step whose failure is next
   trace::PlantNames names_;
   trace::History history_;
   scenario::Scenario scenario_;
