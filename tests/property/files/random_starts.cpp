@@ -45,7 +45,7 @@ void add_starts(Dice& dice, const model::PlantModel& plant, const reference::Wor
     // It begins again.
     if (!step.stop.empty() && dice.percent(40)) step.start.push_back(step.stop.front());
   }
-  if (!too_many || plant.units.size() < 33 || !dice.percent(10)) return;
+  if (!too_many || plant.units.size() < 33 || !dice.percent(25)) return;
   for (std::uint32_t i = 0; i < 66; ++i) {
     step.start.push_back(reference::malfunction_name(plant, static_cast<std::uint32_t>(plant.malfunctions.size()) + i));
   }
