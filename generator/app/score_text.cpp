@@ -131,7 +131,7 @@ std::string score_text(const score::Counts& counts) {
                         number(counts.of(Verdict::parts), "sensor of parts", "sensors of parts"));
   if (counts.of(Verdict::follow) != 0) text += fmt::format(", {} by `follow`", counts.of(Verdict::follow));
   if (counts.of(Verdict::condition) != 0)
-    text += fmt::format(", {} read by `material` or `follow`", counts.of(Verdict::condition));
+    text += fmt::format(", {} read by `material`, `follow` or `malfunctions`", counts.of(Verdict::condition));
   return text;
 }
 

@@ -15,6 +15,7 @@
 
 #include "description/duration.hpp"
 #include "description/links.hpp"
+#include "description/malfunctions.hpp"
 #include "description/material.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
@@ -174,6 +175,7 @@ struct Description {
   std::vector<DeviceDescription> devices;
   std::vector<GivenFollow> follow;
   GivenMaterial material;
+  std::vector<GivenMalfunction> malfunctions;
   std::vector<GivenRequirement> requirements;
   std::vector<LinkDescription> links;
   GivenCheck check;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "description/json_entry.hpp"
+#include "description/malfunction_entry.hpp"
 #include "description/material_entry.hpp"
 #include "read/io_words.hpp"
 #include "read/readers.hpp"
@@ -87,6 +88,8 @@ class PlantFileReader {
     }
     if (const Json* material = member(root_, "material"))
       file_.description.material = material_entry(*material, faults_);
+    if (const Json* malfunctions = member(root_, "malfunctions"))
+      file_.description.malfunctions = malfunction_entries(*malfunctions, faults_);
     read_requirements();
     read_links();
     read_check();

@@ -91,7 +91,7 @@ struct Difference {
   std::array<std::size_t, 2> rows{};  ///< how many symbols were compared: old, new
   std::vector<DeviceChange> devices;  ///< in the order of the new plant, then the removed ones
   std::vector<Cause> device_causes;
-  std::vector<ItemChange> plant;                           ///< requirements, followed conditions, material, name
+  std::vector<ItemChange> plant;  ///< requirements, followed conditions, material, malfunctions, name
   std::array<std::optional<std::uint64_t>, 2> model_hash;  ///< nothing for a plant with errors
   std::optional<bool> same_model;  ///< compared without the names of the plants; nothing if not comparable
 

@@ -12,6 +12,7 @@
 
 #include "description/description.hpp"
 #include "model/condition_text.hpp"
+#include "view/malfunction_words.hpp"
 #include "view/material_words.hpp"
 #include "view/words.hpp"
 
@@ -196,6 +197,9 @@ std::vector<Item> plant_items(const model::PlantModel& plant) {
         {"follows", std::string(plant.symbols[follow.symbol].name()), model::condition_text(follow.condition, plant)});
   }
   add_material(plant, items);
+  for (const model::Malfunction& malfunction : plant.malfunctions) {
+    items.push_back({"malfunction", malfunction.name, view::malfunction_text(malfunction, plant)});
+  }
   return items;
 }
 

@@ -24,7 +24,7 @@ struct Item {
 /// All that `symplant model` shows of a device, in its order. O(model).
 std::vector<Item> items_of(const model::PlantModel& plant, const model::Unit& unit);
 
-/// What the plant has besides devices: requirements, followed conditions, material.
+/// What the plant has besides devices: requirements, followed conditions, material, malfunctions.
 std::vector<Item> plant_items(const model::PlantModel& plant);
 
 /// What differs, in the order of `after`, then what was lost. O(n log n).

@@ -11,8 +11,8 @@
 namespace symplant::emit {
 namespace {
 
-constexpr std::array<std::string_view, 10> kReaderKinds{"unit", "condition", "requirement", "follow", "drive",
-                                                        "stop", "end",       "transfer",    "work",   "source"};
+constexpr std::array<std::string_view, 11> kReaderKinds{
+    "unit", "condition", "requirement", "follow", "drive", "stop", "end", "transfer", "work", "source", "malfunction"};
 constexpr std::array<std::string_view, 5> kComparisons{"less", "less_equal", "equal", "greater_equal", "greater"};
 constexpr std::array<std::string_view, 3> kNumberKinds{"signed_integer", "unsigned_integer", "real"};
 

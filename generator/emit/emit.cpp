@@ -13,6 +13,7 @@
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
 #include "emit/link_rows.hpp"
+#include "emit/malfunction_rows.hpp"
 #include "emit/material_rows.hpp"
 #include "emit/render.hpp"
 #include "emit/rows.hpp"
@@ -33,13 +34,26 @@ void add_rows(View& view, const std::string& key, bool any, RowSource source) {
   }
 }
 
-/// Names of locations and kinds, and the class with their functions, if there are any.
+/// The class from which that of the plant is derived.
+void add_base(View& view, const model::PlantModel& plant) {
+  const bool parts = !plant.material.empty();
+  std::string base = parts ? "PartsPlant" : "NamedPlant";
+  std::string arguments = parts ? "Symbol, Location, PartKind" : "Symbol";
+  if (!plant.malfunctions.empty()) {
+    arguments = fmt::format("symplant::plant::{}<{}>, Malfunction", base, arguments);
+    base = "MalfunctionsPlant";
+  }
+  view.texts["plant_base"] = std::move(base);
+  view.texts["plant_arguments"] = std::move(arguments);
+  view.lists["malfunctions"];
+  if (plant.malfunctions.empty()) return;
+  view.lists["malfunctions"].push_back({{{"malfunction_constant_rows", malfunction_constant_rows(plant)}}, {}});
+}
+
+/// Names of locations and kinds, if there are any.
 void add_parts(View& view, const model::Material& material) {
-  const bool parts = !material.empty();
-  view.texts["plant_base"] = parts ? "PartsPlant" : "NamedPlant";
-  view.texts["plant_enumerations"] = parts ? "Symbol, Location, PartKind" : "Symbol";
   view.lists["parts"];
-  if (!parts) return;
+  if (material.empty()) return;
   view.lists["parts"].push_back({{{"location_constant_rows", location_constant_rows(material)},
                                   {"part_kind_constant_rows", part_kind_constant_rows(material)}},
                                  {}});
@@ -66,6 +80,7 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   add_rows(view, "accessor_rows", !plant.units.empty(), std::move(by_name.plant));
   add_rows(view, "symbol_constant_rows", !plant.symbols.empty(),
            [&tables](RowWriter& rows) { symbol_constant_rows(rows, tables); });
+  add_base(view, plant);
   add_parts(view, plant.material);
   texts["type_rows"] = type_rows(tables, plant, classes, texts["namespace"]);
   texts["link_count"] = std::to_string(plant.description->links.size());

@@ -119,8 +119,12 @@ constexpr auto kKeys = std::to_array<Key>({
 
     {"symbol_constant_rows", "", false, "enumerators of Symbol"},
     {"plant_base", "", false,
-     "the class from which the plant class is derived: NamedPlant, or PartsPlant if it has parts"},
-    {"plant_enumerations", "", false, "its template arguments: enumerations of plant_gen.hpp"},
+     "the class from which the plant class is derived: NamedPlant, PartsPlant if it has parts, MalfunctionsPlant if it "
+     "has malfunctions"},
+    {"plant_arguments", "", false,
+     "its template arguments: enumerations of plant_gen.hpp, or the class without malfunctions"},
+    {"malfunctions", "", true, "one item if the plant has written malfunctions, else empty"},
+    {"malfunction_constant_rows", "malfunctions", false, "enumerators of Malfunction"},
     {"parts", "", true, "one item if the plant has a material flow, else empty"},
     {"location_constant_rows", "parts", false, "enumerators of Location"},
     {"part_kind_constant_rows", "parts", false, "enumerators of PartKind"},

@@ -102,6 +102,14 @@ std::vector<std::string> random_time_readers(const lower::EngineTables& tables, 
       }
     }
   }
+  for (std::size_t m = 0; m < tables.malfunctions.rows.size(); ++m) {
+    const tables::MalfunctionRow& row = tables.malfunctions.rows[m];
+    for (const tables::Time time : {row.every, row.chance, row.lasts}) {
+      if (time >= 0) continue;
+      std::string& reader = readers[static_cast<std::size_t>(-1 - time)];
+      if (reader.empty()) reader = fmt::format("malfunction {}", plant.malfunctions[m].name);
+    }
+  }
   for (std::size_t s = 0; s < tables.material.sources.size(); ++s) {
     const tables::Time every = tables.material.sources[s].every;
     if (every >= 0) continue;
@@ -157,6 +165,14 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
       case tables::ReaderKind::source:
         readers.push_back(material_reader(row, tables, plant));
         break;
+      case tables::ReaderKind::malfunction: {
+        const model::Malfunction& malfunction = plant.malfunctions[row.reader];
+        const bool unless = row.reader_input == 1;
+        readers.push_back(
+            fmt::format("{}, {}: {}", malfunction.name, unless ? "unless" : "when",
+                        short_condition_text(unless ? *malfunction.unless : *malfunction.condition, plant)));
+        break;
+      }
     }
     ++index;
   }

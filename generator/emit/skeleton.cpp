@@ -76,6 +76,7 @@ class Skeleton {
         "\"free\" },");
     material();
     requirements();
+    malfunctions();
     links();
     check_section();
     line("  \"symbols\": [" + list_reference() + "],");
@@ -200,6 +201,18 @@ class Skeleton {
     }
     line("  // Requirements on every run of the plant; a violation makes `symplant run` fail:");
     line("  // \"requirements\": " + one_line(list) + ",");
+  }
+
+  /// Of a device that moves on a command, so that a malfunction of it shows.
+  void malfunctions() {
+    const std::vector<Commanded> samples = commanded();
+    if (samples.empty()) return;
+    const model::Unit& unit = plant_.units[samples[0].unit];
+    const Json list{
+        {{"name", fmt::format("{} sluggish", unit.path)}, {"of", unit.path}, {"slower", 3}, {"lasts", "1min"}}};
+    line(
+        "  // Malfunctions that a scenario starts by their names, besides the ordinary ones of each device and input:");
+    line("  // \"malfunctions\": " + one_line(list) + ",");
   }
 
   void links() {

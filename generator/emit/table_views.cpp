@@ -9,6 +9,7 @@
 
 #include "emit/condition_rows.hpp"
 #include "emit/encode.hpp"
+#include "emit/malfunction_rows.hpp"
 #include "emit/material_rows.hpp"
 #include "emit/rows.hpp"
 
@@ -104,6 +105,21 @@ void add_conditions(TableViews& views, const lower::EngineTables& tables, const 
              follow_rows(tables, plant));
 }
 
+void add_malfunctions(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
+  if (plant.malfunctions.empty()) return;
+  views.nested_rows("rows", "kMalfunctions", "tables::MalfunctionRow",
+                    "A malfunction: kind, its devices or symbols (first, count), how many times slower (thousandths), "
+                    "symbol or controller, every and for (ns), condition, chance and lasts (ns), becomes: after (ns), "
+                    "which one, unless (condition). Times below 0 are random.",
+                    malfunction_rows(tables));
+  views.nested_rows("units", "kMalfunctionUnits", "tables::MalfunctionUnit",
+                    "A device of a malfunction: device, state.", malfunction_unit_rows(tables, plant));
+  views.nested_rows("forces", "kMalfunctionForces", "tables::MalfunctionForce",
+                    "A symbol of a malfunction: symbol, value.", malfunction_force_rows(tables, plant));
+  views.nested_texts("names", "kMalfunctionNames", "The malfunctions' names.", tables.malfunctions.names);
+  views.nested("malfunctions");
+}
+
 void add_material(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
   const model::Material& material = plant.material;
   const lower::Material& rows = tables.material;
@@ -186,6 +202,7 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
   views.rows("overruns", "kOverruns", "tables::OverrunRow",
              "A device whose commands against its end are found: device, time (ns).", overrun_rows(tables, plant));
   add_material(views, tables, plant);
+  add_malfunctions(views, tables, plant);
   views.rows("behaviour_units", "kBehaviourUnits", "tables::BehaviourUnit",
              "A device with a custom behavior: device, class, its inputs (first, count), its values (first, count).",
              behaviour_unit_rows(tables, plant));

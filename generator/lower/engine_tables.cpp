@@ -35,6 +35,8 @@ tables::MaterialTables Material::tables() const {
   };
 }
 
+tables::MalfunctionTables Malfunctions::tables() const { return {rows, units, forces, names}; }
+
 tables::PlantTables EngineTables::tables() const {
   return {
       .name = name,
@@ -59,6 +61,7 @@ tables::PlantTables EngineTables::tables() const {
       .overruns = overruns,
       .material = material.tables(),
       .part_watches = part_watches,
+      .malfunctions = malfunctions.tables(),
       .behaviour_units = behaviour_units,
       .behaviour_values = behaviour_values,
       .operation_bits = operation_bits,

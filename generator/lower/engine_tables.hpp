@@ -49,6 +49,16 @@ struct Material {
   tables::MaterialTables tables() const;
 };
 
+/// The malfunctions, as tables::MalfunctionTables.
+struct Malfunctions {
+  std::vector<tables::MalfunctionRow> rows;
+  std::vector<tables::MalfunctionUnit> units;
+  std::vector<tables::MalfunctionForce> forces;
+  std::string names;
+
+  tables::MalfunctionTables tables() const;
+};
+
 /// Movable; `tables()` points into it.
 struct EngineTables {
   std::string name;
@@ -73,6 +83,7 @@ struct EngineTables {
   std::vector<tables::OverrunRow> overruns;
   Material material;
   std::vector<tables::ValueWatch> part_watches;
+  Malfunctions malfunctions;
   std::vector<tables::BehaviourUnit> behaviour_units;
   std::vector<std::uint32_t> behaviour_values;
   std::uint32_t operation_bits = 0;

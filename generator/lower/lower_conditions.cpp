@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "lower/lower_malfunctions.hpp"
 #include "lower/lower_material.hpp"
 #include "symplant/condition/truth_table.hpp"
 
@@ -38,7 +39,7 @@ class ConditionLowering {
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) lower_unit(u);
     for (std::uint32_t r = 0; r < plant_.requirements.size(); ++r) lower_requirement(r);
     for (std::uint32_t f = 0; f < plant_.follows.size(); ++f) lower_follow(f);
-    lower_flow();
+    lower_rest();
     add_inner_tables();
     sort_watches();
   }
@@ -68,15 +69,15 @@ class ConditionLowering {
     add_condition(plant_.follows[f].condition, tables::ReaderKind::follow, f, 0);
   }
 
-  void lower_flow() {
-    if (plant_.material.empty()) return;
-    const auto add = [this](const condition::Tree& tree, tables::ReaderKind kind, std::uint32_t row,
-                            std::uint8_t input) {
+  void lower_rest() {
+    const AddCondition add = [this](const condition::Tree& tree, tables::ReaderKind kind, std::uint32_t row,
+                                    std::uint8_t input) {
       const std::uint32_t position = next_condition();
       add_condition(tree, kind, row, input);
       return position;
     };
-    lower_material(plant_, add, tables_);
+    if (!plant_.material.empty()) lower_material(plant_, add, tables_);
+    lower_malfunctions(plant_, add, tables_);
   }
 
   /// The counter of the parts at a location, of a kind or of all.

@@ -1,11 +1,12 @@
 // Lowers the material flow: its elements as rows, in their order.
 #include "lower/lower_material.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "lower/random_time.hpp"
 
 namespace symplant::lower {
 namespace {
@@ -102,24 +103,10 @@ class MaterialLowering {
 
   void lower_source(const model::Source& source) {
     const std::uint32_t when = condition(source.condition, tables::ReaderKind::source, size_of(rows_.sources));
-    rows_.sources.push_back({source.to, add_all(rows_.source_kinds, source.kinds), source.first, every(source),
+    rows_.sources.push_back({source.to, add_all(rows_.source_kinds, source.kinds), source.first,
+                             source.every ? lower_time(*source.every, tables_) : 0,
                              source.count.value_or(tables::kAnyNumber), when});
     add_name(rows_.source_names, source.name);
-  }
-
-  tables::Time every(const model::Source& source) {
-    using Kind = description::Duration::Kind;
-    if (!source.every) return 0;
-    if (source.every->kind == Kind::fixed) return source.every->a;
-    const auto kind =
-        source.every->kind == Kind::uniform ? tables::RandomTime::Kind::uniform : tables::RandomTime::Kind::normal;
-    std::vector<tables::RandomTime>& times = tables_.random_times;
-    const auto equal = [&](const tables::RandomTime& time) {
-      return time.kind == kind && time.a == source.every->a && time.b == source.every->b;
-    };
-    auto found = std::find_if(times.begin(), times.end(), equal);
-    if (found == times.end()) found = times.insert(times.end(), {kind, source.every->a, source.every->b});
-    return -1 - static_cast<tables::Time>(found - times.begin());
   }
 
   const model::Material& material_;

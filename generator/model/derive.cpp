@@ -15,6 +15,7 @@
 #include "model/material/resolve.hpp"
 #include "model/pair_units.hpp"
 #include "model/relations.hpp"
+#include "model/resolve_malfunctions.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
 #include "model/symbol_settings.hpp"
@@ -211,6 +212,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   made.report(faults);
   report_lacks(plant, faults);
   evidence.driven_twice = find_shared_addresses(plant);
+  resolve_malfunctions(plant, faults);
   resolve_links(plant, links, faults);
   check_view(plant, faults);
   return derived;

@@ -12,6 +12,7 @@
 #include "address/address.hpp"
 #include "description/description.hpp"
 #include "model/controller_link.hpp"
+#include "model/malfunction.hpp"
 #include "model/material.hpp"
 #include "name/name_parser.hpp"
 #include "name/symbol_reader.hpp"
@@ -229,7 +230,8 @@ struct PlantModel {
   std::vector<Requirement> requirements;
   std::vector<Follow> follows;  ///< sorted by symbol
   Material material;
-  std::vector<ControllerLink> links;  ///< by controller: the settings of its link, given or default
+  std::vector<Malfunction> malfunctions;  ///< as in the description
+  std::vector<ControllerLink> links;      ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};
 
   /// For messages: the pattern of the built-in rule, or the name of the custom one.

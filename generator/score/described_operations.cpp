@@ -1,4 +1,4 @@
-// Walks the conditions of the material flow and of inputs that follow.
+// Walks the conditions of the material flow, of inputs that follow and of malfunctions.
 #include "score/described_operations.hpp"
 
 #include <optional>
@@ -27,6 +27,10 @@ class ReadOperations {
     for (const model::Work& work : material.work) add(work.condition);
     for (const model::Source& source : material.sources) add(source.condition);
     for (const model::Follow& follow : plant_.follows) add(follow.condition);
+    for (const model::Malfunction& malfunction : plant_.malfunctions) {
+      add(malfunction.condition);
+      add(malfunction.unless);
+    }
     return std::move(read_);
   }
 

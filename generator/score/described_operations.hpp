@@ -1,4 +1,4 @@
-// Operations that the description uses to move parts and to switch inputs.
+// Operations that the description uses to move parts, to switch inputs and to start or end malfunctions.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace symplant::score {
 
-/// For each symbol: whether a condition of `material` or `follow` reads it, or a state that it commands, and it is an
-/// operation. O(symbols + conditions).
+/// For each symbol: whether a condition of `material`, `follow` or `malfunctions` reads it, or a state that it
+/// commands, and it is an operation. O(symbols + conditions).
 std::vector<bool> described_operations(const model::PlantModel& plant);
 
 }  // namespace symplant::score

@@ -18,6 +18,7 @@
 #include "view/html_kinds.hpp"
 #include "view/html_material.hpp"
 #include "view/json_writer.hpp"
+#include "view/malfunction_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -56,6 +57,7 @@ class DataWriter {
       json_.row(visible(requirement.name), visible(requirement_text(requirement, plant_)));
     });
     write_page_material(scene_, json_);
+    write_malfunctions();
     json_.key("symbols");
     json_.begin_array();
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
@@ -83,6 +85,14 @@ class DataWriter {
     for (std::size_t i = 0; i < shown.size(); ++i) {
       if (shown[i]) symbol_positions_[i] = next++;
     }
+  }
+
+  void write_malfunctions() {
+    if (plant_.malfunctions.empty()) return;
+    json_.key("malfunctions");
+    json_.array(plant_.malfunctions, [&](const model::Malfunction& malfunction) {
+      json_.row(visible(malfunction.name), visible(malfunction_text(malfunction, plant_)));
+    });
   }
 
   void write_head() {
@@ -123,7 +133,7 @@ class DataWriter {
     json_.value(static_cast<int>(symbol.type));
     json_.value(visible(symbol.row->vendor_address));
     json_.value(visible(symbol.row->iec_address));
-    json_.value(symbol.initial == 0 ? std::string() : initial_value_text(symbol));
+    json_.value(symbol.initial == 0 ? std::string() : value_text(symbol.type, symbol.initial));
     json_.value(symbol.unit == kNone ? -1 : unit_positions_[symbol.unit]);
     json_.value(static_cast<int>(symbol.unmodelled));
     if (symbol.leader != kNone) json_.value(visible(plant_.symbols[symbol.leader].name()));

@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <bit>
-#include <cmath>
-
 #include "check/rule.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
@@ -13,7 +10,9 @@
 #include "view/cross_references.hpp"
 #include "view/duration_json.hpp"
 #include "view/json_writer.hpp"
+#include "view/malfunction_json.hpp"
 #include "view/material_json.hpp"
+#include "view/value_json.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -23,18 +22,6 @@ using model::kNone;
 
 void write_names(const std::vector<std::uint32_t>& side, const model::PlantModel& plant, JsonWriter& json) {
   json.array(side, [&](std::uint32_t index) { json.value(plant.symbols[index].name()); });
-}
-
-/// The exact initial value: integers beyond 2^53, NaN and infinities are strings.
-void write_value(const model::Symbol& symbol, JsonWriter& json) {
-  using tables::DataType;
-  if (symbol.type == DataType::boolean) return json.value(symbol.initial != 0);
-  const std::string text = initial_value_text(symbol);
-  if (symbol.type == DataType::real || symbol.type == DataType::lreal) {
-    const auto value = std::bit_cast<double>(symbol.initial);
-    return std::isfinite(value) ? json.value(value) : json.value(text);
-  }
-  return text.size() < 16 ? json.literal(text) : json.value(text);
 }
 
 class UnitWriter {
@@ -200,7 +187,7 @@ void write_symbol(const model::Symbol& symbol, const model::PlantModel& plant, J
   json.member("address", symbol.row->vendor_address);
   json.member("iec_address", symbol.row->iec_address);
   json.key("initial");
-  write_value(symbol, json);
+  write_value(symbol.type, symbol.initial, json);
   json.key("unit");
   if (symbol.unit == kNone) {
     json.null();
@@ -260,6 +247,7 @@ void write_model(const Scene& scene, JsonWriter& json) {
     json.end_object();
   });
   write_material(plant, json);
+  write_malfunctions(plant, json);
   json.key("symbols");
   json.array(plant.symbols, [&](const model::Symbol& symbol) { write_symbol(symbol, plant, json); });
   json.key("internal_rows");

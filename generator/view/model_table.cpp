@@ -9,6 +9,7 @@
 #include "diag/visible_text.hpp"
 #include "model/condition_text.hpp"
 #include "view/cross_references.hpp"
+#include "view/malfunction_words.hpp"
 #include "view/material_words.hpp"
 #include "view/words.hpp"
 
@@ -42,6 +43,13 @@ class TableWriter {
     if (const std::vector<std::string> material = material_lines(plant_); !material.empty()) {
       line("material");
       for (const std::string& each : material) line("  " + each);
+      text_.add("\n");
+    }
+    if (!plant_.malfunctions.empty()) {
+      line("malfunctions");
+      for (const model::Malfunction& malfunction : plant_.malfunctions) {
+        line("  " + malfunction.name + ": " + malfunction_text(malfunction, plant_));
+      }
       text_.add("\n");
     }
     add_counts();

@@ -185,21 +185,21 @@ std::string requirement_text(const model::Requirement& requirement, const model:
                      time_text(requirement.within));
 }
 
-std::string initial_value_text(const model::Symbol& symbol) {
+std::string value_text(tables::DataType type, std::uint64_t value) {
   using tables::DataType;
-  switch (symbol.type) {
+  switch (type) {
     case DataType::boolean:
-      return symbol.initial == 0 ? "FALSE" : "TRUE";
+      return value == 0 ? "FALSE" : "TRUE";
     case DataType::real:
     case DataType::lreal:
-      return fmt::format("{}", std::bit_cast<double>(symbol.initial));
+      return fmt::format("{}", std::bit_cast<double>(value));
     case DataType::sint:
     case DataType::int_:
     case DataType::dint:
     case DataType::lint:
-      return fmt::format("{}", static_cast<std::int64_t>(symbol.initial));
+      return fmt::format("{}", static_cast<std::int64_t>(value));
     default:
-      return fmt::format("{}", symbol.initial);
+      return fmt::format("{}", value);
   }
 }
 

@@ -40,8 +40,8 @@ std::vector<std::pair<std::uint32_t, bool>> switched(const model::Unit& unit, st
 /// "never COND", or "after COND, expect COND within 5 s".
 std::string requirement_text(const model::Requirement& requirement, const model::PlantModel& plant);
 
-/// The initial value, numeric or BOOL, from the column Initial of the list.
-std::string initial_value_text(const model::Symbol& symbol);
+/// A value, numeric or BOOL, as in the column Initial of a list.
+std::string value_text(tables::DataType type, std::uint64_t value);
 
 /// The spring returns of a `spring` unit that its transitions do not contain. Their travel time is that of the first
 /// commanded transition, else the default travel time.

@@ -1,41 +1,16 @@
 // Folds comparisons: integers by exact arithmetic, reals as doubles.
 #include "symplant/condition/compare.hpp"
 
-#include <array>
 #include <bit>
 #include <string_view>
+
+#include "symplant/condition/type_info.hpp"
 
 namespace symplant::condition {
 namespace {
 
 using tables::Comparison;
 using tables::DataType;
-
-struct TypeInfo {
-  std::string_view name;
-  int bits;
-  tables::NumberKind kind;
-};
-/// In the order of tables::DataType.
-constexpr std::array<TypeInfo, 15> kTypes{{
-    {"BOOL", 1, tables::NumberKind::unsigned_integer},
-    {"SINT", 8, tables::NumberKind::signed_integer},
-    {"INT", 16, tables::NumberKind::signed_integer},
-    {"DINT", 32, tables::NumberKind::signed_integer},
-    {"LINT", 64, tables::NumberKind::signed_integer},
-    {"USINT", 8, tables::NumberKind::unsigned_integer},
-    {"UINT", 16, tables::NumberKind::unsigned_integer},
-    {"UDINT", 32, tables::NumberKind::unsigned_integer},
-    {"ULINT", 64, tables::NumberKind::unsigned_integer},
-    {"BYTE", 8, tables::NumberKind::unsigned_integer},
-    {"WORD", 16, tables::NumberKind::unsigned_integer},
-    {"DWORD", 32, tables::NumberKind::unsigned_integer},
-    {"LWORD", 64, tables::NumberKind::unsigned_integer},
-    {"REAL", 32, tables::NumberKind::real},
-    {"LREAL", 64, tables::NumberKind::real},
-}};
-
-const TypeInfo& info_of(DataType type) { return kTypes[static_cast<std::size_t>(type)]; }
 
 /// Negative, 0 or positive, as `a` is less than, equal to or greater than `b`; a `huge` number exceeds all others.
 int order(const WholeNumber& a, const WholeNumber& b) {

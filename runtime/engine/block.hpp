@@ -16,11 +16,18 @@ struct BlockHead {
   std::uint64_t seed;
   tables::Time cycle;
   tables::Time now;
-  std::uint32_t started;       ///< 0: the first instant, at time 0, has not run yet
-  std::uint32_t acted;         ///< 1: an outside action (force, set_state, ...) happened since the last instant
+  std::uint32_t waits;  ///< kNotStarted, kActed, kMayChange; 0: only what is due and what is written changes it
+  std::uint32_t unused;
   std::uint64_t shown;         ///< 1: the initial events were reported before the first instant
   std::uint64_t event_forces;  ///< number of forced BOOL events
   Wheel wheel;
+};
+
+/// BlockHead::waits
+enum : std::uint32_t {
+  kNotStarted = 1 << 0,  ///< the first instant, at time 0, has not run yet
+  kActed = 1 << 1,       ///< an outside action (force, set_state, ...) happened since the last instant
+  kMayChange = 1 << 2,   ///< constant: the plant has written malfunctions
 };
 
 /// A word of BOOL operations, in addition to its levels.

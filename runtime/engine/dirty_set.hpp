@@ -11,6 +11,12 @@ namespace symplant::engine {
 
 constexpr std::uint64_t bit_in_word(std::uint32_t bit) noexcept { return std::uint64_t{1} << (bit % 64); }
 
+constexpr std::uint64_t with_bit(std::uint64_t word, std::uint32_t bit, bool on) noexcept {
+  return on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
+}
+
+constexpr void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept { word = with_bit(word, bit, on); }
+
 /// A list of fixed capacity. The capacity covers the worst case: add() does not check it.
 template <class T>
 struct List {

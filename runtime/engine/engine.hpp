@@ -15,6 +15,7 @@
 #include "symplant/engine/event_changes.hpp"
 #include "symplant/engine/finding_ring.hpp"
 #include "symplant/engine/instant.hpp"
+#include "symplant/engine/malfunction/malfunctions.hpp"
 #include "symplant/engine/mark_range.hpp"
 #include "symplant/engine/material/flow.hpp"
 #include "symplant/engine/planes.hpp"
@@ -27,7 +28,8 @@ namespace symplant::engine {
 
 class Engine {
   friend class BehaviourView;  // what a custom behavior sees and does is part of the engine
-  friend class Flow;           // so is the material flow
+  friend class Flow;           // so are the material flow
+  friend class Malfunctions;   // and malfunctions
 
  public:
   /// Constructs an engine and all its arrays in the memory of `arena`; null if the arena only counts.
@@ -49,6 +51,12 @@ class Engine {
   void set_quality(std::size_t behaviour, bool well) noexcept;
   bool put(const tables::PartLocation& to, std::uint32_t kind) noexcept;
   bool take(const tables::PartLocation& from) noexcept;
+  bool start_malfunction(std::uint32_t number, MalfunctionChange::By by) noexcept {
+    return malfunctions_.start(number, by);
+  }
+  bool stop_malfunction(std::uint32_t number, MalfunctionChange::By by) noexcept {
+    return malfunctions_.stop(number, by);
+  }
   bool restore(std::span<const std::byte> block) noexcept;
 
   // What Plant shows; its comments define it. All symbols are after forces.
@@ -71,6 +79,7 @@ class Engine {
   std::span<const std::byte> save() const noexcept { return {reinterpret_cast<const std::byte*>(head_), block_size_}; }
   const UnitState& unit(std::uint32_t unit) const noexcept { return units_[unit]; }
   const Flow& flow() const noexcept { return flow_; }
+  const Malfunctions& malfunctions() const noexcept { return malfunctions_; }
   /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
   tables::Time remaining(std::uint32_t unit) const noexcept {
     const UnitState& state = units_[unit];
@@ -84,7 +93,7 @@ class Engine {
   // position() sets all other members.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
   Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
-      : tables_(plant_tables), behaviours_(code), flow_(*this) {}
+      : tables_(plant_tables), behaviours_(code), flow_(*this), malfunctions_(*this) {}
   void position(Arena& arena) noexcept;
   void position_names(Arena& arena) noexcept;
   void place_block(Arena& arena) noexcept;
@@ -97,6 +106,7 @@ class Engine {
   void wait_for_sample(std::uint32_t word) noexcept;
   void write_shared(std::uint32_t bit, bool on) noexcept;
   void write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
+  void override_symbol(std::uint32_t symbol, const Override& to) noexcept;
   void requeue() noexcept;
   void see_events() noexcept;
   void touch_readers(tables::Direction direction, std::uint32_t slot) noexcept;
@@ -133,6 +143,9 @@ class Engine {
   bool only_fast_steps() const noexcept;
   void queue_due(tables::Time time, bool fast) noexcept;
   void queue_other(std::uint32_t entry) noexcept;
+  void advance_waiting(tables::Time target, bool at_target, Observer* observer) noexcept;
+  tables::Time next_instant(tables::Time limit) noexcept;
+  void waiting_instant(tables::Time time, bool sample, Observer* observer) noexcept;
 
   // the fast path (engine_fast.cpp)
   bool depart_fast(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint64_t on) noexcept;
@@ -187,6 +200,8 @@ class Engine {
                      std::uint16_t transition) noexcept;
   tables::Time after(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                      std::uint16_t transition) noexcept;
+  tables::Time takes_otherwise(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                               std::uint8_t target, std::uint16_t transition) noexcept;
   tables::Time takes_by_behaviour(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                                   std::uint8_t target, std::uint16_t transition) noexcept;
   tables::Time after_by_behaviour(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
@@ -237,6 +252,8 @@ class Engine {
   bool looks_at_conditions(std::uint32_t unit) const noexcept;
   void settle_conditions() noexcept;
   void settle_disables() noexcept;
+  void disable(std::uint32_t unit) noexcept;
+  bool enable(std::uint32_t unit, std::uint16_t flags) noexcept;
 
   // the end of an instant (engine_close.cpp)
   void close_instant() noexcept;
@@ -275,6 +292,7 @@ class Engine {
   std::span<const Behaviour> behaviours_;
   EngineIndex index_;
   Flow flow_;
+  Malfunctions malfunctions_;
 
   // --- in the flat block, from `head` on
   BlockHead* head_;
@@ -332,10 +350,11 @@ class Engine {
   bool unseen_events_;             ///< no event is forced, watched by a condition, or on a shared address
   bool reported_any_;              ///< this instant has a finding
   bool first_;                     ///< this is the first instant, and some symbols are inverted
-  bool closes_more_;               ///< some symbols are inverted, some units can overrun, or there is material
-  bool unpublished_;               ///< publish() has work to do
-  bool active_;                    ///< a unit stepped, or was disabled or enabled, in this round
-  tables::Time now_;               ///< the time of this instant
+  bool closes_more_;  ///< some symbols are inverted, some units can overrun, there is material, or malfunctions are
+                      ///< written
+  bool unpublished_;  ///< publish() has work to do
+  bool active_;       ///< a unit stepped, or was disabled or enabled, in this round
+  tables::Time now_;  ///< the time of this instant
   Observer* observer_;
 };
 

@@ -19,15 +19,9 @@ void for_address(const SharedPositions& shared, bool bit, std::uint32_t position
   for (const SharedPosition& other : others) function(other.position - base);
 }
 
-std::uint64_t with_bit(std::uint64_t word, std::uint32_t bit, bool on) noexcept {
-  return on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
-}
-
 bool has_bit(const std::uint64_t* plane, std::uint32_t bit) noexcept {
   return (plane[bit / 64] & bit_in_word(bit)) != 0;
 }
-
-void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept { word = with_bit(word, bit, on); }
 
 }  // namespace
 
@@ -95,16 +89,15 @@ bool Engine::set_input(std::uint32_t symbol, std::uint64_t value) noexcept {
     make_event_value(row.index, value);
     for_address(shared, false, row.index, [&](std::uint32_t slot) { touch_readers(tables::Direction::event, slot); });
   }
-  head_->acted = 1;
+  head_->waits |= kActed;
   return true;
 }
 
 bool Engine::is_forced(std::uint32_t symbol) const noexcept {
   const tables::SymbolRow& row = tables_.symbols[symbol];
   const bool operation = row.direction() == tables::Direction::operation;
-  const std::uint64_t* const forced =
-      is_bit(row) ? (operation ? operations_ : events_).forced : (operation ? operation_values_ : event_values_).forced;
-  return (forced[row.index / 64] & bit_in_word(row.index)) != 0;
+  if (is_bit(row)) return (operation ? operations_ : events_).is_forced(row.index);
+  return (operation ? operation_values_ : event_values_).is_forced(row.index);
 }
 
 void Engine::forget_changed_events() noexcept {
@@ -113,28 +106,31 @@ void Engine::forget_changed_events() noexcept {
 }
 
 void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept {
+  override_symbol(symbol, {forced ? Override::Kind::value : Override::Kind::none, false, value});
+  if (!forced) malfunctions_.override_again(symbol);
+}
+
+/// `to`: a value is in bits.
+void Engine::override_symbol(std::uint32_t symbol, const Override& to) noexcept {
   const tables::SymbolRow& row = tables_.symbols[symbol];
   const bool operation = row.direction() == tables::Direction::operation;
   const SharedPositions& shared = operation ? index_.shared_operations : index_.shared_events;
-  head_->acted = 1;
+  head_->waits |= kActed;
   unpublished_ = true;
   if (is_bit(row)) {
     BitPlane& plane = operation ? operations_ : events_;
     for_address(shared, true, row.index, [&](std::uint32_t bit) {
-      const bool was = (plane.forced[bit / 64] & bit_in_word(bit)) != 0;
-      if (!operation && was != forced) forced ? ++head_->event_forces : --head_->event_forces;
-      const bool on = (value != 0) != has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit);
-      plane.force(bit / 64, bit_in_word(bit), forced && on, forced && !on);
+      const bool was = plane.is_overridden(bit);
+      const bool is = to.kind != Override::Kind::none;
+      if (!operation && was != is) is ? ++head_->event_forces : --head_->event_forces;
+      const bool on = (to.value != 0) != has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit);
+      plane.set(bit, {to.kind, to.by_malfunction, on ? std::uint64_t{1} : 0});
     });
     see_events();
     return;
   }
   ValuePlane& plane = operation ? operation_values_ : event_values_;
-  for_address(shared, false, row.index, [&](std::uint32_t slot) {
-    set_bit(plane.forced[slot / 64], slot, forced);
-    plane.forced_to[slot] = forced ? value : 0;
-    plane.dirty.mark(slot);
-  });
+  for_address(shared, false, row.index, [&](std::uint32_t slot) { plane.set(slot, to); });
 }
 
 /// Touches the units whose custom behavior reads a numeric symbol.
@@ -163,7 +159,7 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   if (behaves(unit)) report_entered(unit, target);
   stepped(unit, row);
   touch(unit);
-  head_->acted = 1;
+  head_->waits |= kActed;
 }
 
 /// Updates unseen_events_, after forces of events changed.
@@ -176,7 +172,7 @@ void Engine::set_quality(std::size_t behaviour, bool well) noexcept {
   if ((state.ill == 0) == well) return;
   state.ill = well ? 0 : 1;
   touch(tables_.behaviour_units[behaviour].unit);
-  head_->acted = 1;
+  head_->waits |= kActed;
 }
 
 void Engine::make_event_value(std::uint32_t slot, std::uint64_t value) noexcept {
@@ -216,9 +212,11 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   }
   touched_.size = moved_.size = 0;
   flow_.forget_changes();
+  malfunctions_.forget_changes();
+  malfunctions_.mark_all();
   unpublished_ = true;
   see_events();
-  if (head_->started == 0 || head_->acted != 0) requeue();
+  if ((head_->waits & (kNotStarted | kActed)) != 0) requeue();
   event_changes_.note_all(tables_.event_bits / 64);
   for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) changed_event_slots_.mark(slot);
   return true;
@@ -226,13 +224,13 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
 
 bool Engine::put(const tables::PartLocation& to, std::uint32_t kind) noexcept {
   if (!flow_.put(to, kind)) return false;
-  head_->acted = 1;
+  head_->waits |= kActed;
   return true;
 }
 
 bool Engine::take(const tables::PartLocation& from) noexcept {
   if (!flow_.take(from)) return false;
-  head_->acted = 1;
+  head_->waits |= kActed;
   return true;
 }
 

@@ -121,7 +121,7 @@ SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
 }
 
 SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
-  constexpr std::uint16_t kOfThisInstant = kTouched | kEnabledNow | kFrozenNow | kConflictReported | kStoppedReported;
+  constexpr std::uint16_t kOfThisInstant = kTouched | kEnabledNow | kConflictReported | kStoppedReported;
   UnitState* const states = units_;
   const tables::UnitRow* const rows = tables_.units.data();
   for (const std::uint32_t unit : touched_.view()) {
@@ -148,6 +148,7 @@ void Engine::close_instant() noexcept {
       flow_.close_blocked(blocked_);
       if (blocked_.size != 0) suspects_ |= suspect(tables::FindingKind::part_blocked);
     }
+    malfunctions_.close();
   }
   const bool unfinished = close_operations();
   reported_any_ = false;
@@ -166,12 +167,13 @@ void Engine::close_instant() noexcept {
        static_cast<std::uint32_t>(flow_.changes().size() | flow_.moved_tracks().size())) != 0) {
     observer_->instant({head_->now, touched_.view(), operation_changes_.view(), changed_events,
                         operation_slot_changes_.view(), event_slot_changes_.view(), flow_.changes(),
-                        flow_.moved_tracks()});
+                        flow_.moved_tracks(), malfunctions_.changes()});
   }
   event_changes_.next_instant();
   touched_.size = operation_changes_.size = 0;
   operation_slot_changes_.size = event_slot_changes_.size = 0;
   flow_.forget_changes();
+  malfunctions_.forget_changes();
 }
 
 }  // namespace symplant::engine

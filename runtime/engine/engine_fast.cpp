@@ -111,7 +111,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
 /// Samples the operations as the PLC wrote them. If an outside action happened too, apply_actions() computes the effect
 /// of both.
 void Engine::sample_operations(bool fast) noexcept {
-  const bool acted = head_->acted != 0;
+  const bool acted = (head_->waits & kActed) != 0;
   for (const std::uint32_t word : written_words_.take_all()) {
     OperationWord& operation = operation_words_[word];
     operation.waiting = 0;
@@ -135,7 +135,7 @@ void Engine::sample_operations(bool fast) noexcept {
 void Engine::apply_actions() noexcept {
   operations_.dirty.take_all([&](std::uint32_t word) { change_operations<false>(word, operations_.effective(word)); });
   operation_values_.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
-  head_->acted = 0;
+  head_->waits &= ~kActed;
 }
 
 /// Queues all entries that are due at `time`, which Wheel::earliest has just returned.

@@ -29,6 +29,7 @@ void Engine::report_findings() noexcept {
     report_all(violated_, tables::FindingKind::requirement_violated);
   }
   if (suspected(tables::FindingKind::part_blocked)) report_all(blocked_, tables::FindingKind::part_blocked);
+  if ((suspects & kMalfunctionsChanged) != 0) reported_any_ = true;
 }
 
 void Engine::report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept {
@@ -116,7 +117,7 @@ void Engine::report_short_events() noexcept {
 template <class Function>
 void Engine::for_frozen_now(Function function) noexcept {
   for (const std::uint32_t unit : touched_.view()) {
-    if ((units_[unit].flags & kFrozenNow) != 0) function(unit, units_[unit].steps);
+    if ((units_[unit].flags & kFrozen) != 0 && units_[unit].steps != 0) function(unit, units_[unit].steps);
   }
   const auto unit_count = static_cast<std::uint32_t>(tables_.units.size());
   for (std::uint32_t f = 0; f < tables_.follows.size(); ++f) {
@@ -141,6 +142,9 @@ void Engine::report_loops() noexcept {
     report_marked(tables::FindingKind::instantaneous_loop);
   }
   loops_ = 0;
+  for (const std::uint32_t unit : touched_.view()) {
+    if ((units_[unit].flags & kFrozen) != 0) units_[unit].steps = 0;
+  }
   for (std::size_t f = 0; f < tables_.follows.size(); ++f) {
     if (follow_states_[f].frozen != 0) follow_states_[f].frozen = kFrozenBefore;
   }

@@ -66,6 +66,9 @@ inline void Engine::stepped(std::uint32_t unit, const tables::UnitRow& row) noex
   unpublished_ = true;
 }
 
+/// In suspects_: a malfunction started or ended.
+inline constexpr std::uint32_t kMalfunctionsChanged = 1U << 31;
+
 constexpr std::uint32_t suspect(tables::FindingKind kind) noexcept { return 1U << static_cast<std::uint32_t>(kind); }
 
 inline void Engine::make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept {
@@ -113,6 +116,23 @@ inline void Engine::set_wheel(std::uint32_t entry, tables::Time due) noexcept {
   clear_wheel(entry);
   units_[entry].due = due;
   if (due != tables::kNever) head_->wheel.insert(units_, entry, due);
+}
+
+SYMPLANT_ALWAYS_INLINE void Engine::disable(std::uint32_t unit) noexcept {
+  UnitState& state = units_[unit];
+  if ((state.flags & kFrozen) == 0) halt_times(unit);
+  state.flags &= static_cast<std::uint16_t>(~(kConflict | kStopped));
+  state.flags |= kDisabled;
+}
+
+/// False if it is frozen; else it gets the given flags.
+SYMPLANT_ALWAYS_INLINE bool Engine::enable(std::uint32_t unit, std::uint16_t flags) noexcept {
+  UnitState& state = units_[unit];
+  state.flags &= static_cast<std::uint16_t>(~kDisabled);
+  if ((state.flags & kFrozen) != 0) return false;
+  state.flags |= flags;
+  resume_times(unit);
+  return true;
 }
 
 /// Whether a unit settled in `here` may have a cause to leave it: an operation, or for a spring the lack of one.
@@ -168,8 +188,8 @@ SYMPLANT_ALWAYS_INLINE tables::Time Engine::after_by_model(std::uint32_t unit, c
 /// The travel time of the transition, or of a move without a command to `target`.
 SYMPLANT_ALWAYS_INLINE tables::Time Engine::takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                                                   std::uint8_t target, std::uint16_t transition) noexcept {
-  if (behaves(unit)) [[unlikely]]
-    return takes_by_behaviour(unit, row, type, target, transition);
+  if ((units_[unit].flags & (kBehaves | kSlowed)) != 0) [[unlikely]]
+    return takes_otherwise(unit, row, type, target, transition);
   return takes_by_model(unit, row, type, target, transition);
 }
 

@@ -9,7 +9,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E06;  // "symplan" and the version of the block's layout
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E07;  // "symplan" and the version of the block's layout
 
 bool draws(const tables::PlantTables& tables) noexcept {
   if (tables.random_times.size() + tables.behaviour_units.size() != 0) return true;
@@ -26,6 +26,7 @@ void ValuePlane::take(Arena& arena, std::size_t slots) noexcept {
   values = arena.take<std::uint64_t>(slots);
   forced = arena.take<std::uint64_t>((slots + 63) / 64);
   forced_to = arena.take<std::uint64_t>(slots);
+  broken = arena.take<std::uint64_t>((slots + 63) / 64);
   dirty.take(arena, slots);
 }
 
@@ -34,6 +35,8 @@ void BitPlane::take(Arena& arena, std::size_t words) noexcept {
   bits = arena.take<std::uint64_t>(words);
   forced = arena.take<std::uint64_t>(words);
   forced_on = arena.take<std::uint64_t>(words);
+  opposite = arena.take<std::uint64_t>(words);
+  broken = arena.take<std::uint64_t>(words);
   dirty.take(arena, words);
 }
 
@@ -57,6 +60,7 @@ void Engine::position(Arena& arena) noexcept {
   index_.build(tables_, arena);
   position_names(arena);
   flow_.build(arena);
+  malfunctions_.place(arena);
   place_block(arena);
 
   operation_plane_ = {operations_.bits, index_.inverted_operations, tables_.operation_bits / 64};
@@ -92,7 +96,7 @@ void Engine::position(Arena& arena) noexcept {
   active_ = false;
   reported_any_ = false;
   first_ = false;
-  closes_more_ = index_.some_inverted || !index_.overruns.empty() || flow_.active();
+  closes_more_ = index_.some_inverted || !index_.overruns.empty() || flow_.active() || malfunctions_.written();
   unpublished_ = true;
   now_ = 0;
   observer_ = nullptr;
@@ -149,6 +153,7 @@ void Engine::place_block(Arena& arena) noexcept {
   overrun_states_ = arena.take<OverrunState>(tables_.overruns.size());
   overrun_begins_ = arena.take<tables::Time>(index_.overruns.operations());
   flow_.place_block(arena, static_cast<std::uint32_t>(entries));
+  malfunctions_.place_block(arena);
   std::size_t memory = 0;
   for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) memory += memory_of(b);
   behaviour_memory_ = reinterpret_cast<std::byte*>(arena.take<std::uint64_t>(memory / 8));
@@ -164,6 +169,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   head_->size = kept.size;
   head_->seed = seed;
   head_->cycle = cycle;
+  head_->waits = kNotStarted | (malfunctions_.written() ? kMayChange : 0U);
   head_->wheel.clear();
   touched_.size = moved_.size = 0;
   findings_.clear();
@@ -185,6 +191,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) behaviour_states_[b].wake = tables::kNever;
   reset_conditions();
   flow_.reset();
+  malfunctions_.reset();
   event_changes_.note_all(tables_.event_bits / 64);
   for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) changed_event_slots_.mark(slot);
   start_behaviours();

@@ -132,6 +132,9 @@ void Engine::settle_conditions() noexcept {
       case tables::ReaderKind::follow:
         due_follows_.mark(row.reader);
         break;
+      case tables::ReaderKind::malfunction:
+        malfunctions_.condition_changed(row.reader);
+        break;
       default:
         flow_.condition_changed(row.reader_kind, row.reader);
         break;
@@ -148,17 +151,10 @@ void Engine::settle_disables() noexcept {
     if (disable == ((state.flags & kDisabled) != 0)) continue;
     active_ = true;
     touch(unit);
-    const bool frozen = (state.flags & kFrozen) != 0;
     if (disable) {
-      if (!frozen) halt_times(unit);
-      state.flags &= static_cast<std::uint16_t>(~(kConflict | kStopped));
-      state.flags |= kDisabled;
-    } else {
-      state.flags &= static_cast<std::uint16_t>(~kDisabled);
-      if (frozen) continue;
-      state.flags |= kEnabledNow;
+      this->disable(unit);
+    } else if (enable(unit, kEnabledNow)) {
       suspects_ |= suspect(tables::FindingKind::started_on_enabling);
-      resume_times(unit);
       queue(unit);
     }
   }

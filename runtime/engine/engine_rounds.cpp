@@ -20,7 +20,7 @@ void Engine::forget_queue() noexcept {
   queued_ = 0;
 }
 
-/// Resets the step counts. A frozen unit keeps the number of its loop there.
+/// Resets the step counts. A unit that was frozen in this instant keeps the number of its loop there.
 void Engine::forget_steps() noexcept {
   for (const std::uint32_t unit : touched_.view()) {
     if ((units_[unit].flags & kFrozen) == 0) units_[unit].steps = 0;
@@ -56,7 +56,7 @@ bool Engine::look_for_loops() noexcept {
     found = true;
     if ((state.flags & kDisabled) == 0) halt_times(unit);
     state.flags &= static_cast<std::uint16_t>(~(kConflict | kStopped | kEnabledNow));
-    state.flags |= kFrozen | kFrozenNow;
+    state.flags |= kFrozen;
     state.steps = loops_;
   }
   for (std::size_t f = 0; f < tables_.follows.size(); ++f) {

@@ -24,6 +24,14 @@ tables::Time Engine::after_by_behaviour(std::uint32_t unit, const tables::UnitRo
   return std::max<tables::Time>(0, behaviour->after(view, transition));
 }
 
+/// The travel time of a unit with a custom behavior, or that a malfunction slows.
+tables::Time Engine::takes_otherwise(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                                     std::uint8_t target, std::uint16_t transition) noexcept {
+  const tables::Time time = behaves(unit) ? takes_by_behaviour(unit, row, type, target, transition)
+                                          : takes_by_model(unit, row, type, target, transition);
+  return (units_[unit].flags & kSlowed) != 0 ? malfunctions_.slowed(unit, row, time) : time;
+}
+
 tables::Time Engine::takes_by_behaviour(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                                         std::uint8_t target, std::uint16_t transition) noexcept {
   const GeneralRow& general = general_row(unit);
@@ -47,8 +55,9 @@ tables::Time Engine::whole(std::uint32_t unit) const noexcept {
   const tables::UnitRow& row = tables_.units[unit];
   if (row.general != 0) return general_state(unit).whole;
   std::uint16_t transition = state.transition;
-  return travel_time(row, index_.types[row.type], state.state, state.target,
-                     transition);  // neither random nor replaced
+  const tables::Time time = travel_time(row, index_.types[row.type], state.state, state.target,
+                                        transition);  // neither random nor replaced
+  return (state.flags & kSlowed) != 0 ? malfunctions_.whole(unit, time) : time;
 }
 
 tables::Time Engine::after_left(std::uint32_t unit, std::uint16_t transition) const noexcept {

@@ -27,7 +27,23 @@ struct PartChange {
   bool by_hand;  ///< by Plant::put() or Plant::take()
 };
 
-/// Parts put and taken between two instants that the engine reports at least. Others are missing in its Instant.
+/// A malfunction that started or ended.
+struct MalfunctionChange {
+  enum class By : std::uint8_t {
+    scenario,
+    hand,
+    condition,  ///< its `when` began to hold, or its `unless` held
+    chance,
+    becomes,  ///< another one became this one, or this one another
+    end,      ///< it has lasted as long as it lasts
+  };
+  std::uint32_t malfunction;  ///< as tables::MalfunctionNumbers numbers them
+  bool active;                ///< it started
+  By by;
+};
+
+/// Changes by hand between two instants that the engine reports at least, of parts and of malfunctions each. Others are
+/// missing in its Instant.
 inline constexpr std::uint32_t kMostByHand = 1024;
 
 /// The net changes of one instant, after forces. Valid only during the call of the observer.
@@ -40,6 +56,7 @@ struct Instant {
   std::span<const std::uint32_t> event_slots;
   std::span<const PartChange> parts;      ///< in the order in which they happened
   std::span<const std::uint32_t> tracks;  ///< those whose parts came, left or changed their speeds, in no order
+  std::span<const MalfunctionChange> malfunctions;  ///< in the order in which they happened
 };
 
 /// Receives every instant with a change, and every finding. It is called during advance_to() and advance_before(): its

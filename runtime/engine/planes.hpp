@@ -1,4 +1,4 @@
-// The symbols of one direction: as the link or the model made them, their forces, and the result.
+// The symbols of one direction: as the link or the model made them, what overrides them, and the result.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +9,52 @@
 
 namespace symplant::engine {
 
-/// The numeric symbols of one direction, with their forces.
+/// What a symbol is instead of what the link or the model made. A force of the user hides what malfunctions do.
+struct Override {
+  enum class Kind : std::uint8_t {
+    none,
+    value,
+    opposite,  ///< of a bit: the opposite of what was made
+  };
+  Kind kind = Kind::none;
+  bool by_malfunction = false;
+  std::uint64_t value = 0;  ///< of a bit: 0 or 1
+};
+
+/// The numeric symbols of one direction.
 struct ValuePlane {
   void take(Arena& arena, std::size_t slots) noexcept;
   std::uint64_t effective(std::uint32_t slot) const noexcept {
     return (forced[slot / 64] & bit_in_word(slot)) != 0 ? forced_to[slot] : made[slot];
+  }
+  /// `values` follow when dirty slots are examined.
+  void set(std::uint32_t slot, const Override& to) noexcept {
+    const bool is_set = to.kind != Override::Kind::none;
+    set_bit(forced[slot / 64], slot, is_set);
+    set_bit(broken[slot / 64], slot, is_set && to.by_malfunction);
+    forced_to[slot] = is_set ? to.value : 0;
+    dirty.mark(slot);
+  }
+  /// Whether the user forces it.
+  bool is_forced(std::uint32_t slot) const noexcept {
+    return (forced[slot / 64] & ~broken[slot / 64] & bit_in_word(slot)) != 0;
   }
 
   std::uint64_t* made;    ///< before forces: set by the link (as sampled) or by the model
   std::uint64_t* values;  ///< after forces
   std::uint64_t* forced;  ///< one bit per slot
   std::uint64_t* forced_to;
-  BlockSet dirty;  ///< slots to examine when the next instant begins or this round ends
+  std::uint64_t* broken;  ///< one bit per slot: those that a malfunction forces
+  BlockSet dirty;         ///< slots to examine when the next instant begins or this round ends
 };
 
-/// The BOOL symbols of one direction, with their forces.
+/// The BOOL symbols of one direction.
 struct BitPlane {
   void take(Arena& arena, std::size_t words) noexcept;
-  std::uint64_t effective(std::uint32_t word) const noexcept { return (made_[word] & ~forced[word]) | forced_on[word]; }
+  std::uint64_t effective(std::uint32_t word) const noexcept {
+    if (forced[word] == 0) return made_[word];
+    return (made_[word] & ~forced[word]) | forced_on[word] | (opposite[word] & ~made_[word]);
+  }
   /// The word before forces: set by the link (as sampled) or by the model.
   std::uint64_t made(std::uint32_t word) const noexcept {
     return forced[word] != 0 || dirty.has(word) ? made_[word] : bits[word];
@@ -42,16 +70,26 @@ struct BitPlane {
     dirty.mark(word);
     made_[word] = value;
   }
-  /// Forces or releases bits of a word; `bits` follow when dirty words are examined.
-  void force(std::uint32_t word, std::uint64_t mask, bool on, bool off) noexcept {
+  /// Overrides a bit, or ends that; `bits` follow when dirty words are examined.
+  void set(std::uint32_t bit, const Override& to) noexcept {
+    const std::uint32_t word = bit / 64;
     make(word, made(word));
-    forced[word] = on || off ? forced[word] | mask : forced[word] & ~mask;
-    forced_on[word] = on ? forced_on[word] | mask : forced_on[word] & ~mask;
+    set_bit(forced[word], bit, to.kind != Override::Kind::none);
+    set_bit(forced_on[word], bit, to.kind == Override::Kind::value && to.value != 0);
+    set_bit(opposite[word], bit, to.kind == Override::Kind::opposite);
+    set_bit(broken[word], bit, to.kind != Override::Kind::none && to.by_malfunction);
+  }
+  bool is_overridden(std::uint32_t bit) const noexcept { return (forced[bit / 64] & bit_in_word(bit)) != 0; }
+  /// Whether the user forces it.
+  bool is_forced(std::uint32_t bit) const noexcept {
+    return (forced[bit / 64] & ~broken[bit / 64] & bit_in_word(bit)) != 0;
   }
 
-  std::uint64_t* bits;  ///< after forces
-  std::uint64_t* forced;
-  std::uint64_t* forced_on;  ///< the forced bits that are forced on
+  std::uint64_t* bits;       ///< after forces
+  std::uint64_t* forced;     ///< the bits that are overridden
+  std::uint64_t* forced_on;  ///< those of them that are on
+  std::uint64_t* opposite;   ///< those of them that are the opposite of what was made
+  std::uint64_t* broken;     ///< those of them that a malfunction overrides
   BlockSet dirty;            ///< words to examine when the next instant begins or this round ends
 
  private:

@@ -15,7 +15,7 @@ std::uint8_t digit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept { 
 
 /// In bits: 1 is forced off, 2 forced on. `inverted`: masks over the plane.
 std::uint8_t force_of(const BitPlane& plane, const std::uint64_t* inverted, std::uint32_t bit) noexcept {
-  if (digit_of(plane.forced, bit) == 0) return 0;
+  if (!plane.is_forced(bit)) return 0;
   return static_cast<std::uint8_t>(1 + (digit_of(plane.forced_on, bit) ^ digit_of(inverted, bit)));
 }
 
@@ -102,8 +102,9 @@ void Engine::hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& sy
   }
   const ValuePlane& plane = operation ? operation_values_ : event_values_;
   hash.u64(operation ? written_values_[symbol.index] : plane.made[symbol.index]);
-  hash.byte(digit_of(plane.forced, symbol.index));
-  hash.u64(plane.forced_to[symbol.index]);
+  const bool forced = plane.is_forced(symbol.index);
+  hash.byte(forced ? 1 : 0);
+  hash.u64(forced ? plane.forced_to[symbol.index] : 0);
 }
 
 std::uint64_t Engine::state_hash() const noexcept {
@@ -125,6 +126,7 @@ std::uint64_t Engine::state_hash() const noexcept {
     hash.byte(monitors_[r].held != 0 ? 1 : 0);
   }
   flow_.hash(hash);
+  malfunctions_.hash(hash);
   for (std::uint8_t kind = 0; kind < 2; ++kind) {
     for (std::uint32_t unit = 0; unit < unit_count; ++unit) {
       if ((units_[unit].flags & (kind == 0 ? kConflictReported : kStoppedReported)) == 0) continue;

@@ -19,7 +19,8 @@ struct UnitState {
   std::uint8_t target;       ///< to which it moves; `state` if it is settled
   std::uint16_t flags;
   std::uint8_t holding;  ///< 1: settled, and the record of at least one transition from `state` has a cause that holds
-  std::uint8_t steps;    ///< counted while loops are searched, up to kLoopSteps; of a frozen unit its loop's number
+  /// Counted while loops are searched, up to kLoopSteps. Of a unit that was frozen in this instant: its loop's number.
+  std::uint8_t steps;
 };
 static_assert(sizeof(UnitState) == 24);
 
@@ -38,8 +39,8 @@ enum : std::uint16_t {
   kConflictReported = 1 << 10,  ///< had kConflict at the end of the last instant
   kStopped = 1 << 11,           ///< stopped under another command
   kStoppedReported = 1 << 12,   ///< had kStopped at the end of the last instant
-  kFrozenNow = 1 << 13,         ///< was frozen in this instant
-  kGeneral = 1 << 14,           ///< constant: UnitRow::general, or of a type that is not plain: never on the fast path
+  kSlowed = 1 << 13,            ///< a malfunction slows its moves, or did so when its last one began
+  kGeneral = 1 << 14,           ///< UnitRow::general, of a type that is not plain, or kSlowed: never on the fast path
   kBehaves = 1 << 15,           ///< constant: has a custom behavior
 };
 /// A unit with so many steps in the second half of the rounds before a search for loops is in a loop.

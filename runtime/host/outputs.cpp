@@ -46,15 +46,15 @@ bool Outputs::open(std::uint64_t model_hash, std::ostream& err) {
 
 void Outputs::take(const trace::Record& record) {
   using Kind = trace::Record::Kind;
-  if (record.kind != Kind::part && record.kind != Kind::part_move) {
+  if (record.kind != Kind::part && record.kind != Kind::part_move && record.kind != Kind::malfunction) {
     write(record);
     if (record.kind == Kind::note) return;
   } else {
-    parts_.push_back(record);
+    later_.push_back(record);
   }
   if (!record.last) return;
-  for (const trace::Record& part : parts_) write(part);
-  parts_.clear();
+  for (const trace::Record& one : later_) write(one);
+  later_.clear();
   const bool of_host = record.kind == Kind::finding && trace::is_of_host(record.finding);
   if (!of_host) ++instants_;
   end_instant(record.time);

@@ -69,8 +69,9 @@ class Outputs {
   std::optional<trace::TraceFile> trace_;
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;
-  std::vector<std::uint64_t> hands_;      ///< what failed by hand in the step whose failure is reported next
-  std::vector<trace::Record> parts_;      ///< changes of parts of the instant that is being drained: they come last
+  std::vector<std::uint64_t> hands_;  ///< what failed by hand in the step whose failure is reported next
+  std::vector<trace::Record>
+      later_;  ///< of parts and malfunctions, of the instant that is being drained: they come last
   std::vector<trace::FoundThing> found_;  ///< findings of the instant that is being drained
   std::vector<bool> carried_;             ///< by symbol; empty: all
   std::uint64_t turn_ = 0;                ///< of the failed step that the next note is about

@@ -208,6 +208,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   resort.begun();
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << behaviour_lines(program.tables, program.behaviours);
+  if (!played.real) streams.report << cut_link_lines(program.tables);
   if (played.scenario != nullptr) streams.report << scenario_summary(options.scenario, *played.scenario);
   if (options.links.empty() && keeps_plants_links_closed(options) &&
       !(program.links.empty() && program.default_link.empty())) {

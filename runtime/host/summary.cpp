@@ -94,6 +94,18 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   return text + "\n";
 }
 
+std::string cut_link_lines(const tables::PlantTables& tables) {
+  const auto names = tables::split_names(tables.malfunctions.names);
+  std::string text;
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (tables.malfunctions.rows[m].kind != tables::MalfunctionKind::lose) continue;
+    text +=
+        fmt::format("malfunction `{}` has no effect in virtual time: it cuts a link, which runs in real time only\n",
+                    shown(names[m]));
+  }
+  return text;
+}
+
 std::string behaviour_lines(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours) {
   const auto names = tables::split_names(tables.behaviour_names);
   std::string text;

@@ -30,6 +30,7 @@ std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const tables:
 
 WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, plant::Plant& plant, trace::Recorder& recorder)
     : link_(*link.link),
+      controller_(link.carries),
       place_(place),
       behaviours_(behaviours_of(link.carries, plant.tables())),
       recorder_(recorder),
@@ -42,6 +43,7 @@ void WatchedLink::report(plant::Plant& plant) const noexcept {
 }
 
 void WatchedLink::read_operations(plant::Plant& plant, tables::Time now) noexcept {
+  link_.cut(plant.is_cut(controller_));
   link_.read_operations(plant, now);
   if (const std::uint32_t event = link_.take_overwritten(); event != tables::kNone) {
     recorder_.raise(plant.now(), tables::FindingKind::event_overwritten, event);

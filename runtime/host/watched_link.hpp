@@ -32,6 +32,7 @@ class WatchedLink final : public exec::Exchange {
   void report(plant::Plant& plant) const noexcept;
 
   link::Link& link_;
+  std::uint32_t controller_;
   std::uint32_t place_;
   std::vector<std::uint32_t> behaviours_;  ///< in PlantTables::behaviour_units: devices whose operations it carries
   trace::Recorder& recorder_;

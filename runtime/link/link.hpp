@@ -40,6 +40,10 @@ class Link : public exec::Exchange {
 
   virtual LinkStatus status() const noexcept = 0;
 
+  /// While it is cut, the link exchanges nothing, as if its cable were pulled out; afterwards it works again by itself.
+  /// For the cycle's thread: wait-free.
+  virtual void cut(bool) noexcept {}
+
   /// A symbol whose event the PLC overwrites after each write, once for each symbol; tables::kNone if there is none
   /// now. For the cycle's thread: wait-free.
   virtual std::uint32_t take_overwritten() noexcept { return tables::kNone; }

@@ -51,15 +51,23 @@ class Device {
     return !view.moving && view.state == static_cast<std::uint8_t>(state);
   }
   double progress() const noexcept { return plant_->unit(unit_).progress; }  ///< of its move, 0 to 1; 0 if settled
-  bool disabled() const noexcept { return plant_->unit(unit_).disabled; }    ///< by another device
+  /// By another device, or stuck by a malfunction.
+  bool disabled() const noexcept { return plant_->unit(unit_).disabled; }
   /// Puts it into a state, as if moved by hand (Plant::set_state).
   void put(State state) noexcept { plant_->set_state(unit_, static_cast<std::uint8_t>(state)); }
+  /// Starts the ordinary malfunction by which it does not move, or the one by which its moves take three times as long,
+  /// or ends it. Returns false if too many are active (Plant::start_malfunction).
+  bool set_stuck(bool on = true) noexcept { return set_malfunction(plant_->malfunction_numbers().stuck(unit_), on); }
+  bool set_slow(bool on = true) noexcept { return set_malfunction(plant_->malfunction_numbers().slow(unit_), on); }
 
   std::uint32_t index() const noexcept { return unit_; }  ///< in PlantTables::units
   UnitView view() const noexcept { return plant_->unit(unit_); }
 
  private:
   const tables::UnitRow& row() const noexcept { return plant_->tables().units[unit_]; }
+  bool set_malfunction(std::uint32_t number, bool on) noexcept {
+    return on ? plant_->start_malfunction(number) : plant_->stop_malfunction(number);
+  }
 
   Plant* plant_;
   std::uint32_t unit_;
@@ -170,6 +178,15 @@ class NamedPlant : public OwnedPlant {
     force(index(symbol), bits_of(row(symbol), number));
   }
   void release(Symbol symbol) noexcept { release(index(symbol)); }
+  /// Starts the ordinary malfunction by which the bit of an event stays on, or off. Returns false for another symbol,
+  /// and if too many are active (Plant::start_malfunction).
+  bool set_stuck(Symbol event, bool on) noexcept {
+    return start_malfunction(malfunction_numbers().stuck(index(event), on));
+  }
+  /// Ends both of these malfunctions of an event.
+  void free(Symbol event) noexcept {
+    for (const bool on : {false, true}) stop_malfunction(malfunction_numbers().stuck(index(event), on));
+  }
 
  private:
   static std::uint32_t index(Symbol symbol) noexcept { return static_cast<std::uint32_t>(symbol); }

@@ -170,6 +170,32 @@ SourceView Plant::source(std::uint32_t source) const noexcept {
   return {state.due, state.made};
 }
 
+bool Plant::start_malfunction(std::uint32_t number, engine::MalfunctionChange::By by) noexcept {
+  return engine_->start_malfunction(number, by);
+}
+
+bool Plant::stop_malfunction(std::uint32_t number, engine::MalfunctionChange::By by) noexcept {
+  return engine_->stop_malfunction(number, by);
+}
+
+MalfunctionView Plant::malfunction(std::uint32_t number) const noexcept {
+  const engine::Malfunctions& malfunctions = engine_->malfunctions();
+  const engine::ActiveMalfunction* active = malfunctions.find(number);
+  return {active != nullptr, active != nullptr ? active->since : 0, malfunctions.next_due(number)};
+}
+
+std::span<const engine::ActiveMalfunction> Plant::active_malfunctions() const noexcept {
+  return engine_->malfunctions().active();
+}
+
+bool Plant::is_stuck(std::uint32_t unit) const noexcept { return engine_->malfunctions().is_stuck(unit); }
+
+std::uint32_t Plant::malfunction_of_symbol(std::uint32_t symbol) const noexcept {
+  return engine_->malfunctions().of_symbol(symbol);
+}
+
+bool Plant::is_cut(std::uint32_t controller) const noexcept { return engine_->malfunctions().is_cut(controller); }
+
 bool Plant::is_pending(std::uint32_t requirement) const noexcept { return engine_->is_pending(requirement); }
 
 bool Plant::take_finding(tables::Finding& finding) noexcept { return engine_->take_finding(finding); }

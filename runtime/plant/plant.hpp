@@ -9,7 +9,9 @@
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/engine/bit_words.hpp"
 #include "symplant/engine/instant.hpp"
+#include "symplant/engine/malfunction/active_malfunction.hpp"
 #include "symplant/tables/finding.hpp"
+#include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -25,7 +27,7 @@ struct UnitView {
   std::uint8_t target;  ///< to which it moves; `state` if it is settled
   bool moving;
   bool stopped_midway;     ///< moving, but stopped midway (docs/model.md, "Commands during a move")
-  bool disabled;           ///< by another unit
+  bool disabled;           ///< by another unit, or stuck by a malfunction
   bool frozen;             ///< found in an instantaneous loop
   tables::Time remaining;  ///< remaining travel time, ns; 0 if it is settled
   tables::Time whole;      ///< travel time of the whole move, ns; 0 if it is settled
@@ -46,6 +48,13 @@ struct PartView {
 struct PartMotion {
   std::int64_t x;  ///< um, rounded down
   std::int32_t v;  ///< um/s; < 0: backward
+};
+
+/// What a malfunction does.
+struct MalfunctionView {
+  bool active;
+  tables::Time since;     ///< when it started; 0 if it is not active
+  tables::Time next_due;  ///< when it changes by itself, kNever: only by a condition or from outside
 };
 
 /// What a transfer of parts does.
@@ -70,7 +79,8 @@ struct SourceView {
 /// outlive the plant.
 ///
 /// Operations are sampled: a write takes effect in the instant at the time of the next advance_to(). All other actions
-/// from outside (set_input, set_state, force, release) take effect at now(), in the next instant run there.
+/// from outside (set_input, set_state, force, release, start_malfunction) take effect at now(), in the next instant run
+/// there.
 /// advance_before() brings the plant to a time without running its instant.
 class Plant {
  public:
@@ -124,6 +134,14 @@ class Plant {
   /// Removes the part that a transfer would take from there, by hand. Returns false and does nothing if there is none.
   /// O(parts at the location).
   bool take(tables::PartLocation from) noexcept;
+  /// Starts or ends a malfunction; tables::MalfunctionNumbers numbers them. `by`: scenario or hand, for the trace. An
+  /// active one is not started again, and one that is not active does not end: both return true. Returns false and does
+  /// nothing if there is no such malfunction, or too many ordinary ones are active. O(written malfunctions, and what it
+  /// affects).
+  bool start_malfunction(std::uint32_t number,
+                         engine::MalfunctionChange::By by = engine::MalfunctionChange::By::hand) noexcept;
+  bool stop_malfunction(std::uint32_t number,
+                        engine::MalfunctionChange::By by = engine::MalfunctionChange::By::hand) noexcept;
   /// Sets for all custom behaviors whether the link that carries their operations is connected (quality()); true after
   /// a reset. O(devices with a behavior).
   void set_quality(bool well) noexcept;
@@ -186,6 +204,19 @@ class Plant {
   /// O(parts at its locations).
   TransferView transfer(std::uint32_t transfer) const noexcept;
   SourceView source(std::uint32_t source) const noexcept;  ///< O(1)
+
+  tables::MalfunctionNumbers malfunction_numbers() const noexcept { return tables::MalfunctionNumbers(tables_); }
+  /// O(active malfunctions).
+  MalfunctionView malfunction(std::uint32_t number) const noexcept;
+  /// The active malfunctions, in the order in which they started. O(1).
+  std::span<const engine::ActiveMalfunction> active_malfunctions() const noexcept;
+  /// Whether an active malfunction disables a unit. O(active malfunctions).
+  bool is_stuck(std::uint32_t unit) const noexcept;
+  /// The active malfunction that gives a symbol its value or lets it flicker, also if the user forces the symbol; of
+  /// several the one that started last. kNone: none. O(active malfunctions and their symbols).
+  std::uint32_t malfunction_of_symbol(std::uint32_t symbol) const noexcept;
+  /// Whether the link of a controller must exchange nothing. O(active malfunctions).
+  bool is_cut(std::uint32_t controller) const noexcept;
 
   /// Whether a requirement is waiting for its expected condition. O(1).
   bool is_pending(std::uint32_t requirement) const noexcept;

@@ -21,6 +21,10 @@ void note_force(std::uint32_t symbol, bool forced, const plant::Plant& plant, tr
 
 }  // namespace
 
+std::size_t changes_by_hand(const Step& step) noexcept {
+  return step.put.size() + step.take.size() + step.stop.size() + step.start.size();
+}
+
 void write_symbols(const Step& step, plant::Plant& plant) noexcept {
   for (const SymbolValue& value : step.set) set(value, plant);
   for (const UnitState& unit : step.states) plant.set_state(unit.unit, unit.state);

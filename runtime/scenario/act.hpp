@@ -10,6 +10,10 @@ namespace symplant::scenario {
 /// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
 inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 
+/// The changes of parts and malfunctions that a step makes at most: the engine reports engine::kMostByHand of an
+/// instant. O(1).
+std::size_t changes_by_hand(const Step& step) noexcept;
+
 /// The first actions of a step: `set`, then `state`. For the thread that runs the plant; O(actions).
 void write_symbols(const Step& step, plant::Plant& plant) noexcept;
 

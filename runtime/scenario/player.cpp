@@ -19,7 +19,7 @@ Player::Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& r
       outcomes_(scenario.steps.size()),
       turns_(scenario.repeats.size()) {
   std::size_t hands = 0;
-  for (const Step& step : scenario.steps) hands = std::max(hands, step.put.size() + step.take.size());
+  for (const Step& step : scenario.steps) hands = std::max(hands, changes_by_hand(step));
   late_notes_.reserve(kMostLate + hands + 2);
   std::uint32_t repeat = 0;
   for (std::uint32_t step = 0; step <= scenario.steps.size(); ++step) {
@@ -46,9 +46,10 @@ void Player::instant(const engine::Instant& instant) noexcept {
   position_.met_time = instant.time;
 }
 
-/// False if a part had no room, or there was none to take.
+/// False if a part had no room, or there was none to take. Begins the step: if it may change more than the plant can
+/// report of one instant, an instant runs before.
 bool Player::act_by_hand(const Step& step) noexcept {
-  const std::size_t hands = step.put.size() + step.take.size();
+  const std::size_t hands = changes_by_hand(step);
   if (late_notes_.size() > kMostLate || hands_ + hands > engine::kMostByHand) advance_plant(plant_.now());
   hands_ += hands;
   bool all = true;
@@ -71,7 +72,20 @@ bool Player::act(const Step& step) noexcept {
   write_symbols(step, plant_);
   const bool well = act_by_hand(step);
   force_symbols(step, plant_, recorder_);
-  return well;
+  return change_malfunctions(step) && well;
+}
+
+/// False if too many are active.
+bool Player::change_malfunctions(const Step& step) noexcept {
+  using By = engine::MalfunctionChange::By;
+  bool all = true;
+  for (const std::uint32_t malfunction : step.stop) plant_.stop_malfunction(malfunction, By::scenario);
+  for (std::size_t i = 0; i < step.start.size(); ++i) {
+    if (plant_.start_malfunction(step.start[i], By::scenario)) continue;
+    late_notes_.push_back({kHandNote, kStartNote + i});
+    all = false;
+  }
+  return all;
 }
 
 void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {

@@ -31,10 +31,12 @@ struct Outcome {
 inline constexpr std::uint32_t kLeastNote = 0xFFFF'FF00;
 /// The `of` of a note before that of a failed step: its value is how often the step was done before.
 inline constexpr std::uint32_t kTurnNote = 0xFFFF'FFFF;
-/// The `of` of a note before that of a failed step: its value is the index of a part in Step::put that has no room, or
-/// kTakeNote more than an index in Step::take with no part.
+/// The `of` of a note before that of a failed step: its value is the index of a part in Step::put that has no room,
+/// kTakeNote more than an index in Step::take with no part, or kStartNote more than an index in Step::start with a
+/// malfunction that cannot start.
 inline constexpr std::uint32_t kHandNote = 0xFFFF'FFFD;
 inline constexpr std::uint64_t kTakeNote = std::uint64_t{1} << 32;
+inline constexpr std::uint64_t kStartNote = std::uint64_t{2} << 32;
 
 /// The `of` of a note about each step that was done, only with Player::note_steps(): its value is the step's index in
 /// 32 bits, kStepFailed if its expectation failed, and from kTurnBits on the turn in which it acted (Recorder::turn()).
@@ -106,6 +108,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   tables::Time time_of(const Step& step) const noexcept;
   bool act(const Step& step) noexcept;
   bool act_by_hand(const Step& step) noexcept;
+  bool change_malfunctions(const Step& step) noexcept;
   void advance_plant(tables::Time time) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;

@@ -54,6 +54,9 @@ struct Step {
   std::vector<tables::PartLocation> take;  ///< it fails if there is no part
   std::vector<SymbolValue> force;
   std::vector<std::uint32_t> release;
+  std::vector<std::uint32_t> stop;   ///< malfunctions, as tables::MalfunctionNumbers numbers them
+  std::vector<std::uint32_t> start;  ///< those it fails for if too many ordinary ones are active
+  bool starts_ordinary = false;      ///< one of `start` is an ordinary one
   std::optional<Expectation> expect;
   bool ends_instant = false;  ///< what follows at the same time acts in a further instant
   std::string text;           ///< for the trainee of an exercise; may be empty
@@ -61,7 +64,7 @@ struct Step {
   std::uint32_t file = 0;     ///< index in Scenario::files
 
   /// Whether it can fail.
-  bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty(); }
+  bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty() || starts_ordinary; }
 };
 
 /// Steps that are done several times: from `begin` to before `end`, which differ. Two of them are apart, or one is

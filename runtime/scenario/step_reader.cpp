@@ -70,6 +70,11 @@ Step StepReader::read(const Json& step, const std::string& pointer) {
   part("take", [&](const Json& value, const std::string& at) { read_takes(value, at, result); });
   part("force", [&](const Json& value, const std::string& at) { result.force = read_values(value, at, false); });
   part("release", [&](const Json& value, const std::string& at) { result.release = read_symbols(value, at); });
+  part("stop", [&](const Json& value, const std::string& at) { result.stop = read_malfunctions(value, at); });
+  part("start", [&](const Json& value, const std::string& at) { result.start = read_malfunctions(value, at); });
+  const std::uint32_t written = names_.tables().malfunctions.size();
+  result.starts_ordinary = std::any_of(result.start.begin(), result.start.end(),
+                                       [written](std::uint32_t malfunction) { return malfunction >= written; });
   part("expect", [&](const Json& value, const std::string& at) { read_expect(value, at, result); });
   result.ends_instant = step.contains("instant");
   result.text = step.value("text", "");
@@ -114,7 +119,7 @@ void StepReader::read_wait(const Json& step, const std::string& pointer, Step& r
   if (const auto within = step.find("within"); within != step.end()) {
     result.time = read_duration(*within, json::child(pointer, "within")).value_or(kDefaultWithin);
   }
-  for (const char* key : {"set", "state", "put", "take", "force", "release", "expect", "instant"}) {
+  for (const char* key : {"set", "state", "put", "take", "force", "release", "stop", "start", "expect", "instant"}) {
     if (!step.contains(key)) continue;
     add(json::child(pointer, key),
         ticked(key) + " is not allowed with `wait`; put it into a separate step after it, with `plus`: `0s`", true);
@@ -307,6 +312,24 @@ std::vector<UnitState> StepReader::read_states(const Json& object, const std::st
     add(here, std::move(why));
   }
   return states;
+}
+
+std::vector<std::uint32_t> StepReader::read_malfunctions(const Json& value, const std::string& pointer) {
+  std::vector<std::uint32_t> malfunctions;
+  const auto read = [&](const Json& text, const std::string& here) {
+    const auto& name = text.get_ref<const std::string&>();
+    if (const auto found = by_name_.malfunction(name)) {
+      malfunctions.push_back(*found);
+    } else {
+      add(here, "malfunction " + ticked(name) + " not found" + nearest_text(by_name_.nearest_malfunction(name)));
+    }
+  };
+  if (value.is_string()) {
+    read(value, pointer);
+    return malfunctions;
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) read(value[i], json::child(pointer, i));
+  return malfunctions;
 }
 
 std::vector<std::uint32_t> StepReader::read_symbols(const Json& array, const std::string& pointer) {

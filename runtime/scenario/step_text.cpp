@@ -56,6 +56,9 @@ std::string actions_json(const Step& step, const trace::PlantNames& names) {
   put_member(json, "force", "{}", texts_of(step.force, value_text));
   put_member(json, "release", "[]",
              texts_of(step.release, [&](std::uint32_t symbol) { return json_string(names.symbol(symbol)); }));
+  const auto name_text = [&](std::uint32_t malfunction) { return json_string(names.malfunction(malfunction)); };
+  put_member(json, "stop", "[]", texts_of(step.stop, name_text));
+  put_member(json, "start", "[]", texts_of(step.start, name_text));
   return json;
 }
 

@@ -33,6 +33,9 @@ TableNames::TableNames(const trace::PlantNames& names) : names_(names) {
   for (std::uint32_t i = 0; i < tables.material.kinds.size(); ++i) {
     part_kinds_.try_emplace(tables::to_upper(names.part_kind(i)), i);
   }
+  for (std::uint32_t i = 0; i < tables.malfunctions.size(); ++i) {
+    malfunctions_.try_emplace(tables::to_upper(names.malfunction(i)), i);
+  }
 }
 
 std::optional<std::uint32_t> TableNames::location(std::string_view name) const {

@@ -27,6 +27,9 @@ class TableNames final : public condition::Names {
   std::optional<std::uint32_t> part_kind(std::string_view name) const override;
   std::string nearest_part_kind(std::string_view name) const override;
   std::string nearest_location(std::string_view name) const;
+  /// The number of a malfunction (tables::MalfunctionNumbers) by its name, written or ordinary.
+  std::optional<std::uint32_t> malfunction(std::string_view name) const;
+  std::string nearest_malfunction(std::string_view name) const;
   std::string nearest_device(std::string_view device, std::string_view facet) const override;
   std::string nearest_state(std::uint32_t unit, std::string_view name) const override;
   std::string nearest_symbol(std::string_view name) const override;
@@ -39,6 +42,7 @@ class TableNames final : public condition::Names {
   std::unordered_map<std::string, std::uint32_t> symbols_;
   std::unordered_map<std::string, std::uint32_t> locations_;
   std::unordered_map<std::string, std::uint32_t> part_kinds_;
+  std::unordered_map<std::string, std::uint32_t> malfunctions_;
 };
 
 }  // namespace symplant::scenario

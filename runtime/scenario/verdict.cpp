@@ -8,8 +8,10 @@
 #include <set>
 
 #include "symplant/scenario/evaluate.hpp"
+#include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/value_text.hpp"
+#include "symplant/why/malfunction_words.hpp"
 #include "symplant/why/recorded_view.hpp"
 
 namespace symplant::scenario {
@@ -31,6 +33,9 @@ std::string hand_words(const Step& step, const trace::PlantNames& names) {
   }
   for (const tables::PartLocation& at : step.take) {
     text += fmt::format("{}a part at {}", text.empty() ? "" : ", ", location_text(at, names));
+  }
+  for (const std::uint32_t malfunction : step.start) {
+    text += fmt::format("{}malfunction `{}`", text.empty() ? "" : ", ", names.malfunction(malfunction));
   }
   return text;
 }
@@ -98,7 +103,11 @@ why::Explanation hand_failure(const Scenario& scenario, const Failure& failure, 
   std::set<std::uint32_t> locations;
   for (const std::uint64_t hand : failure.hands) {
     const std::string_view before = result.sentence.empty() ? "" : ", ";
-    if (hand >= kTakeNote) {
+    if (hand >= kStartNote) {
+      result.sentence += fmt::format("{}malfunction `{}` cannot start at {}: {} ordinary ones are active", before,
+                                     names.malfunction(step.start[hand - kStartNote]), seconds(failure.time),
+                                     tables::kMostOrdinaryMalfunctions);
+    } else if (hand >= kTakeNote) {
       const tables::PartLocation& from = step.take[hand - kTakeNote];
       result.sentence +=
           fmt::format("{}no part to take at {} at {}", before, taken_from(from, names), seconds(failure.time));
@@ -197,6 +206,7 @@ why::Explanation failure_words(const Scenario& scenario, const Failure& failure,
     if (step.expect->condition) expected.children.push_back(*step.expect->condition);
     result.because = explainer.why_not(expected, view);
   }
+  why::add_malfunctions(result, names, history.malfunctions());
   if (!turn.empty()) result.sentence += ", in " + turn;
   return result;
 }

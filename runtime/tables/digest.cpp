@@ -222,6 +222,25 @@ void add(Fnv1a64& hash, const PartCounterRow& row) noexcept {
   hash.u32(row.kind);
 }
 
+void add(Fnv1a64& hash, const MalfunctionRow& row) noexcept {
+  add_enumerator(hash, row.kind);
+  add(hash, row.of);
+  hash.u32(row.factor);
+  hash.u32(row.subject);
+  for (const Time time : {row.every, row.shows, row.chance, row.lasts, row.after}) hash.time(time);
+  for (const std::uint32_t index : {row.condition, row.unless, row.next}) hash.u32(index);
+}
+
+void add(Fnv1a64& hash, const MalfunctionUnit& row) noexcept {
+  hash.u32(row.unit);
+  hash.byte(row.state);
+}
+
+void add(Fnv1a64& hash, const MalfunctionForce& row) noexcept {
+  hash.u32(row.symbol);
+  hash.u64(row.value);
+}
+
 void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {
   hash.u32(row.unit);
   hash.u32(row.name);
@@ -284,6 +303,15 @@ void add_material(Fnv1a64& hash, const PlantTables& tables) noexcept {
                    material.source_names});
 }
 
+/// Nothing in a plant without written malfunctions.
+void add_malfunctions(Fnv1a64& hash, const MalfunctionTables& malfunctions) noexcept {
+  if (malfunctions.empty()) return;
+  add_rows(hash, malfunctions.rows);
+  add_rows(hash, malfunctions.units);
+  add_rows(hash, malfunctions.forces);
+  add_texts(hash, {malfunctions.names});
+}
+
 }  // namespace
 
 std::uint64_t model_hash(const PlantTables& tables) noexcept {
@@ -317,6 +345,7 @@ std::uint64_t model_hash(const PlantTables& tables) noexcept {
   add_texts(hash, {tables.name, tables.unit_names, tables.state_names, tables.symbol_names, tables.requirement_names,
                    tables.behaviour_names, tables.controller_names});
   add_material(hash, tables);
+  add_malfunctions(hash, tables.malfunctions);
   return hash.value();
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 
+#include "symplant/tables/malfunction.hpp"
 #include "symplant/tables/material.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -114,15 +115,28 @@ struct DisableRow {
 };
 
 /// The kind of row that reads a condition's truth.
-enum class ReaderKind : std::uint8_t { unit, condition, requirement, follow, drive, stop, end, transfer, work, source };
+enum class ReaderKind : std::uint8_t {
+  unit,
+  condition,
+  requirement,
+  follow,
+  drive,
+  stop,
+  end,
+  transfer,
+  work,
+  source,
+  malfunction,
+};
 
 /// A condition of at most six inputs as a truth table: bit i of `truth` is its value if input k is bit k of i. A
 /// condition with more inputs is a network of rows, in which one condition reads another.
 struct ConditionRow {
   std::uint64_t truth;
   std::uint32_t reader;  ///< index of the row, in the table of its kind
-  std::uint8_t
-      reader_input;  ///< the input number in a condition; in a requirement 0 is `never` or `after`, 1 is `expect`
+  /// The input number in a condition. In a requirement 0 is `never` or `after`, 1 is `expect`; in a drive 0 is
+  /// `forward`, 1 is `backward`; in a malfunction 0 is `when`, 1 is `unless`; else 0.
+  std::uint8_t reader_input;
   ReaderKind reader_kind;
 };
 
@@ -300,7 +314,8 @@ struct PlantTables {
   std::span<const FollowRow> follows;    ///< sorted by symbol
   std::span<const OverrunRow> overruns;  ///< sorted by unit
   MaterialTables material;
-  std::span<const ValueWatch> part_watches;         ///< sorted by slot
+  std::span<const ValueWatch> part_watches;  ///< sorted by slot
+  MalfunctionTables malfunctions;
   std::span<const BehaviourUnit> behaviour_units;   ///< sorted by unit
   std::span<const std::uint32_t> behaviour_values;  ///< indexes of symbols
   std::uint32_t operation_bits;                     ///< size of the bit planes, in bits: a multiple of 64

@@ -7,6 +7,7 @@
 #include <array>
 #include <iterator>
 
+#include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/trace/requirement_units.hpp"
 
 namespace symplant::trace {
@@ -38,13 +39,19 @@ std::string_view inverted_words(std::uint32_t symbol, const PlantNames& names) {
   return names.tables().symbols[symbol].inverted() ? ", inverted" : "";
 }
 
-/// The units that disable a unit now: `EXLINE_MB_DOOR in OPEN1`.
+/// The units and malfunctions that disable a unit now: `EXLINE_MB_DOOR in OPEN1`.
 std::string disablers(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   for (const tables::DisableRow& row : names.tables().disables) {
     const plant::UnitView by = history.unit(row.by);
     if (row.unit != unit || by.moving || by.state != row.state) continue;
     text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", names.unit(row.by), names.state(row.by, row.state));
+  }
+  const tables::MalfunctionNumbers numbers(names.tables());
+  for (const History::Malfunction& one : history.malfunctions()) {
+    const bool sticks = numbers.kind(one.number) == tables::MalfunctionKind::stuck;
+    if (!sticks || !numbers.names_unit(one.number, unit)) continue;
+    text += fmt::format("{}malfunction `{}`", text.empty() ? "" : ", ", names.malfunction(one.number));
   }
   return text;
 }

@@ -49,9 +49,11 @@ std::string since_words(tables::Time changed);
 /// What happened, which operations led to it, what to check: one sentence, without the time. What led to the violation
 /// of a requirement is explained by why::Explainer.
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
-
 /// "requirement violated: `NAME`, its condition must never hold and now holds".
 std::string requirement_words(std::uint32_t requirement, const PlantNames& names);
+
+/// "malfunction `clamp 1 sluggish` is active since 2 s", for each active one.
+std::vector<std::string> malfunction_words(const PlantNames& names, const History& history);
 
 /// Plant time in seconds: `1.5 s`.
 std::string seconds(tables::Time time);

@@ -74,6 +74,11 @@ void History::apply(const Record& record) {
     part_ = record;
   } else if (record.kind == Record::Kind::part_move) {
     move_part(part_record(part_, record));
+  } else if (record.kind == Record::Kind::malfunction) {
+    std::erase_if(malfunctions_, [&](const Malfunction& one) { return one.number == record.of; });
+    if (record.more) {
+      malfunctions_.push_back({record.of, record.time, static_cast<engine::MalfunctionChange::By>(record.value)});
+    }
   }
 }
 
@@ -96,6 +101,10 @@ void History::load(const plant::Plant& plant) {
   for (std::uint32_t u = 0; u < units_.size(); ++u) {
     const auto word = static_cast<std::uint32_t>(pack_unit(plant.unit(u)));
     if (word != units_[u]) apply({plant.now(), word, u, Record::Kind::unit});
+  }
+  malfunctions_.clear();
+  for (const engine::ActiveMalfunction& one : plant.active_malfunctions()) {
+    malfunctions_.push_back({one.number, one.since, one.by});
   }
   for (std::uint32_t location = 0; location < parts_.size(); ++location) {
     parts_[location].clear();

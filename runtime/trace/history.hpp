@@ -30,6 +30,15 @@ class History {
   tables::Time forced_since(std::uint32_t symbol) const;
   const std::map<std::uint32_t, tables::Time>& forced() const { return forced_; }
 
+  /// An active malfunction.
+  struct Malfunction {
+    std::uint32_t number;  ///< as tables::MalfunctionNumbers numbers them
+    tables::Time since;
+    engine::MalfunctionChange::By by;  ///< what started it
+  };
+  /// In the order in which they started.
+  const std::vector<Malfunction>& malfunctions() const { return malfunctions_; }
+
   std::uint64_t value(std::uint32_t symbol) const;
   /// Whether an operation commands: it is on, or an inverted one is off; a number is not 0.
   bool commands(std::uint32_t operation) const;
@@ -71,6 +80,7 @@ class History {
   std::vector<std::vector<Part>> parts_;          ///< by location
   Record part_;                                   ///< the last record of a part, whose part_move is next
   std::map<std::uint32_t, tables::Time> forced_;  ///< a symbol -> since when
+  std::vector<Malfunction> malfunctions_;
 };
 
 }  // namespace symplant::trace

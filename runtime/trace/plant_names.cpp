@@ -2,6 +2,7 @@
 #include "symplant/trace/plant_names.hpp"
 
 #include "symplant/tables/lists.hpp"
+#include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/tables/names.hpp"
 
 namespace symplant::trace {
@@ -17,7 +18,8 @@ PlantNames::PlantNames(const tables::PlantTables& tables)
       part_kinds_(tables::split_names(tables.material.kind_names)),
       transfers_(tables::split_names(tables.material.transfer_names)),
       work_(tables::split_names(tables.material.work_names)),
-      sources_(tables::split_names(tables.material.source_names)) {
+      sources_(tables::split_names(tables.material.source_names)),
+      malfunctions_(tables::split_names(tables.malfunctions.names)) {
   first_states_.reserve(tables.types.size());
   std::uint32_t states = 0;
   for (const tables::TypeRow& type : tables.types) {
@@ -59,6 +61,16 @@ std::string_view PlantNames::loop_member(std::uint32_t of) const {
   if (within(tables_.follows.size())) return symbol(tables_.follows[rest].symbol);
   if (within(tables_.material.tracks.size())) return locations_[rest];
   return within(transfers_.size()) ? transfers_[rest] : work_[rest];
+}
+
+std::string PlantNames::malfunction(std::uint32_t number) const {
+  const tables::MalfunctionNumbers numbers(tables_);
+  if (numbers.is_written(number)) return std::string(malfunctions_[number]);
+  if (!numbers.is_of_unit(number)) {
+    return std::string(symbol(numbers.symbol(number))) + (numbers.is_on(number) ? " stuck on" : " stuck off");
+  }
+  const bool stuck = numbers.kind(number) == tables::MalfunctionKind::stuck;
+  return std::string(unit(numbers.unit(number))) + (stuck ? " stuck" : " slow");
 }
 
 std::string_view PlantNames::task(std::uint32_t symbol) const {

@@ -36,6 +36,8 @@ class PlantNames {
   std::string_view transfer(std::uint32_t transfer) const { return transfers_[transfer]; }
   std::string_view work(std::uint32_t work) const { return work_[work]; }
   std::string_view source(std::uint32_t source) const { return sources_[source]; }
+  /// As tables::MalfunctionNumbers numbers them: a written name, or that of an ordinary one, `EXLINE_MB_AGV stuck`.
+  std::string malfunction(std::uint32_t number) const;
   /// A member of an instantaneous loop, as Finding::of numbers it.
   std::string_view loop_member(std::uint32_t of) const;
   /// A link of the run.
@@ -73,6 +75,7 @@ class PlantNames {
   std::vector<std::string_view> transfers_;
   std::vector<std::string_view> work_;
   std::vector<std::string_view> sources_;
+  std::vector<std::string_view> malfunctions_;
   std::vector<Link> links_;
   std::vector<std::uint32_t> first_states_;  ///< by type: the index of its first state in states_
   mutable std::once_flag grouped_;

@@ -13,6 +13,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "symplant/tables/malfunction_numbers.hpp"
+#include "symplant/trace/malfunction_text.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
@@ -28,6 +30,8 @@ class TraceReader {
     for (std::uint32_t l = 0; l < tables.material.locations(); ++l) locations_.emplace(names.location(l), l);
     for (std::uint32_t k = 0; k < tables.material.kinds.size(); ++k) kinds_.emplace(names.part_kind(k), k);
     locations_.emplace("out", tables::kOut);
+    for (std::uint32_t m = 0; m < tables.malfunctions.size(); ++m) malfunctions_.emplace(names.malfunction(m), m);
+    for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.emplace(names.unit(u), u);
   }
 
   ReadTrace run(std::istream& file) {
@@ -58,6 +62,7 @@ class TraceReader {
     read_.end = at;
     if (back) return set_back(json, at);
     if (json.contains("symbol")) return take_change(json, at);
+    if (json.contains("malfunction")) return take_malfunction(json, at);
     return json.contains("part") ? take_part(json, at) : std::string();  // other lines say nothing about the state
   }
 
@@ -67,17 +72,30 @@ class TraceReader {
       read_.model_hash = hash->get<std::string>();
     }
     begun_ = true;
-    if (!json.contains("values")) return "";
     const auto time = json.find("t");
     read_.begin = read_.end = time != json.end() && time->is_number_unsigned() ? time->get<tables::Time>() : 0;
-    return take_values(json["values"], read_.begin);
+    return take_state(json, read_.begin);
   }
 
   std::string set_back(const Json& json, tables::Time at) {
     ++read_.set_back;
     read_.records.clear();
     read_.begin = at;
-    return json.contains("values") ? take_values(json["values"], at) : std::string();
+    return take_state(json, at);
+  }
+
+  /// The values and malfunctions with which a trace begins, or goes on from another state.
+  std::string take_state(const Json& json, tables::Time at) {
+    if (const auto values = json.find("values"); values != json.end()) {
+      if (std::string wrong = take_values(*values, at); !wrong.empty()) return wrong;
+    }
+    const auto malfunctions = json.find("malfunctions");
+    if (malfunctions == json.end()) return "";
+    if (!malfunctions->is_object()) return "`malfunctions` is not an object";
+    for (const auto& [name, by] : malfunctions->items()) {
+      if (std::string wrong = add_malfunction(name, true, by, at); !wrong.empty()) return wrong;
+    }
+    return "";
   }
 
   std::string take_values(const Json& values, tables::Time at) {
@@ -152,6 +170,41 @@ class TraceReader {
     return "";
   }
 
+  std::string take_malfunction(const Json& json, tables::Time at) {
+    const auto active = json.find("active");
+    if (!json["malfunction"].is_string() || active == json.end() || !active->is_boolean()) {
+      return "a malfunction has a name and `active`";
+    }
+    return add_malfunction(json["malfunction"].get<std::string>(), active->get<bool>(), json.value("by", Json()), at);
+  }
+
+  std::string add_malfunction(const std::string& name, bool active, const Json& by, tables::Time at) {
+    const auto number = malfunction(name);
+    if (!number) return unknown(name);
+    const auto known = by.is_string() ? malfunction_by_named(by.get<std::string>()) : std::nullopt;
+    if (!known) return fmt::format("malfunction `{}` has no `by`, or another one than those that there are", name);
+    read_.records.push_back({at, static_cast<std::uint64_t>(*known), *number, Record::Kind::malfunction, {}, active});
+    return "";
+  }
+
+  /// The number of a malfunction by its exact name, written or ordinary.
+  std::optional<std::uint32_t> malfunction(std::string_view name) const {
+    const auto of = [name](const auto& index, std::string_view ending) -> std::optional<std::uint32_t> {
+      if (!name.ends_with(ending)) return std::nullopt;
+      const auto found = index.find(name.substr(0, name.size() - ending.size()));
+      return found == index.end() ? std::nullopt : std::optional(found->second);
+    };
+    if (const auto found = malfunctions_.find(std::string(name)); found != malfunctions_.end()) return found->second;
+    const tables::MalfunctionNumbers numbers(names_.tables());
+    for (const bool on : {true, false}) {
+      const auto symbol = of(symbols_, on ? " stuck on" : " stuck off");
+      if (symbol && numbers.is_bool_event(*symbol)) return numbers.stuck(*symbol, on);
+    }
+    if (const auto unit = of(units_, " stuck")) return numbers.stuck(*unit);
+    const auto unit = of(units_, " slow");
+    return unit ? std::optional(numbers.slow(*unit)) : std::nullopt;
+  }
+
   using Index = std::unordered_map<std::string_view, std::uint32_t>;
   static std::optional<std::uint32_t> find(const Index& index, const Json& json, const char* key) {
     const auto value = json.find(key);
@@ -164,6 +217,8 @@ class TraceReader {
   Index symbols_;
   Index locations_;
   Index kinds_;
+  Index units_;
+  std::unordered_map<std::string, std::uint32_t> malfunctions_;  ///< those of the description
   ReadTrace read_;
   bool begun_ = false;
 };

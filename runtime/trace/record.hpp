@@ -11,12 +11,13 @@ namespace symplant::trace {
 
 struct Record {
   enum class Kind : std::uint8_t {
-    change,     ///< net change of symbol `of` to `value`: 0 or 1; for a number as in its value slot
-    unit,       ///< unit `of` now has the state `value` (pack_unit), and that much of its move is left (remaining_of)
-    finding,    ///< as in tables::Finding
-    note,       ///< of the program that drives the plant, which defines `of` and `value`
-    part,       ///< part `value` is of kind `of`; `more`: by hand. The next record is its part_move
-    part_move,  ///< of the part before: from and to in `value` (pack_move), its front in um in `of`
+    change,       ///< net change of symbol `of` to `value`: 0 or 1; for a number as in its value slot
+    unit,         ///< unit `of` now has the state `value` (pack_unit), and that much of its move is left (remaining_of)
+    finding,      ///< as in tables::Finding
+    note,         ///< of the program that drives the plant, which defines `of` and `value`
+    part,         ///< part `value` is of kind `of`; `more`: by hand. The next record is its part_move
+    part_move,    ///< of the part before: from and to in `value` (pack_move), its front in um in `of`
+    malfunction,  ///< malfunction `of` started if `more`, else it ended, by `value` (engine::MalfunctionChange::By)
     // Only of a recorder of motions:
     track,       ///< the parts of track `of` moved: `value` parts follow from the front, two records each
     part_at,     ///< part `value` is of kind `of`

@@ -26,13 +26,15 @@ std::size_t movers_in(const tables::MaterialTables& material) {
 }  // namespace
 
 std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables, Detail detail) {
-  // A symbol changes once and has at most two findings, a unit at most four; the rest is room for notes.
+  // A symbol changes once and has at most two findings, a unit at most four; the rest is room for notes and
+  // malfunctions.
   const tables::MaterialTables& material = tables.material;
   // Twice as many as there can be, and four for each element that moves them.
   const std::size_t parts = 2 * parts_in(material) + 4 * movers_in(material);
   const std::size_t motions = detail == Detail::motions ? material.tracks.size() + 2 * parts : 0;
   return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts + motions +
-         material.transfers.size() + (material.empty() ? 0 : std::size_t{2} * engine::kMostByHand) + 64;
+         material.transfers.size() + (material.empty() ? 0 : std::size_t{2} * engine::kMostByHand) +
+         2 * tables.malfunctions.rows.size() + engine::kMostByHand;
 }
 
 std::size_t Recorder::enough_for_a_loop(const tables::PlantTables& tables, Detail detail) {
@@ -174,7 +176,17 @@ void Recorder::instant(const engine::Instant& instant) noexcept {
   record_units(instant);
   record_parts(instant.time, instant.parts);
   if (detail_ == Detail::motions) record_tracks(instant);
+  record_malfunctions(instant);
   if (publish()) ++instants_;
+}
+
+void Recorder::record_malfunctions(const engine::Instant& instant) noexcept {
+  for (const engine::MalfunctionChange& change : instant.malfunctions) {
+    const auto by = static_cast<std::uint64_t>(change.by);
+    if (!put({instant.time, by, change.malfunction, Record::Kind::malfunction, {}, change.active})) {
+      lost_changes_.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
 }
 
 void Recorder::record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept {

@@ -14,9 +14,9 @@ namespace symplant::trace {
 
 /// An observer that fills a ring. One thread runs the plant, another one (or the same) drains the ring; both are
 /// wait-free. The records of an instant are its findings in their order, then changes of symbols in list order, then
-/// units, then parts; parts in an instantaneous loop may come before all of them. They become available to drain()
-/// together. A ring that is empty starts again at its first slot, so that it takes memory only for the most records
-/// that it has held at once.
+/// units, then parts, then malfunctions; parts in an instantaneous loop may come before all of them. They become
+/// available to drain() together. A ring that is empty starts again at its first slot, so that it takes memory only for
+/// the most records that it has held at once.
 class Recorder final : public engine::Observer {
  public:
   /// What is recorded of parts that move.
@@ -75,6 +75,7 @@ class Recorder final : public engine::Observer {
   void record_units(const engine::Instant& instant) noexcept;
   void record_tracks(const engine::Instant& instant) noexcept;
   void record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept;
+  void record_malfunctions(const engine::Instant& instant) noexcept;
   bool put(const Record& record) noexcept;
   bool has_room_for(std::size_t records) noexcept;
   void start_again() noexcept;

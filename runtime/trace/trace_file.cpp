@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "symplant/tables/names.hpp"
+#include "symplant/trace/malfunction_text.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
 
 TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed)
     : tables_(tables),
+      plant_names_(tables),
       file_(std::move(file)),
       head_(fmt::format(R"({{"symplant-trace":1,"plant":{},"model_hash":"{:016x}","seed":{})", json_string(tables.name),
                         model_hash, seed)) {
@@ -53,10 +55,19 @@ void TraceFile::put_part(const PartRecord& part) {
   file_.put("}\n");
 }
 
+void TraceFile::put_malfunction(const Record& record) {
+  put_time(record.time);
+  file_.put(fmt::format(R"(,"malfunction":{},"active":{},"by":"{}"}})",
+                        json_string(plant_names_.malfunction(record.of)), record.more,
+                        malfunction_by(static_cast<engine::MalfunctionChange::By>(record.value))));
+  file_.put("\n");
+}
+
 void TraceFile::write(const Record& record) {
   if (!file_.is_open()) return;
   if (record.kind == Record::Kind::part) part_ = record;
   if (record.kind == Record::Kind::part_move) put_part(part_record(part_, record));
+  if (record.kind == Record::Kind::malfunction) put_malfunction(record);
   if (record.kind != Record::Kind::change) return;
   put_time(record.time);
   file_.put(names_[record.of]);
@@ -93,7 +104,7 @@ void TraceFile::act(tables::Time time, std::string_view json) {
                         json));
 }
 
-/// The last key of a line: all values that are not off or 0.
+/// The last keys of a line: all values that are not off or 0, and the active malfunctions.
 void TraceFile::put_values(const History& history) {
   file_.put(",\"values\":{");
   bool first = true;
@@ -108,7 +119,20 @@ void TraceFile::put_values(const History& history) {
     file_.put(":");
     file_.put(json_value(tables_.symbols[i].type(), history.value(i)));
   }
-  file_.put("}}\n");
+  file_.put("}");
+  put_malfunctions(history);
+  file_.put("}\n");
+}
+
+/// `,"malfunctions":{"eye blind":"hand"}`, unless none is active.
+void TraceFile::put_malfunctions(const History& history) {
+  if (history.malfunctions().empty()) return;
+  file_.put(",\"malfunctions\":{");
+  for (const History::Malfunction& one : history.malfunctions()) {
+    if (&one != &history.malfunctions().front()) file_.put(",");
+    file_.put(fmt::format(R"({}:"{}")", json_string(plant_names_.malfunction(one.number)), malfunction_by(one.by)));
+  }
+  file_.put("}");
 }
 
 }  // namespace symplant::trace

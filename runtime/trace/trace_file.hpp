@@ -19,7 +19,7 @@ class TraceFile {
   /// Writes the header. Errors are in error().
   TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed);
 
-  /// Writes a record of a change, or of a part; ignores others. O(line).
+  /// Writes a record of a change, of a part or of a malfunction; ignores others. O(line).
   void write(const Record& record);
   /// A line about a plant that was set to another state at `time`: `{"t":0,"reset":"","values":{...}}`, with all values
   /// that are not off or 0. `what` is the key, `name` the snapshot. O(symbols).
@@ -38,8 +38,11 @@ class TraceFile {
   void put_time(tables::Time time);
   void put_part(const PartRecord& part);
   void put_values(const History& history);
+  void put_malfunctions(const History& history);
+  void put_malfunction(const Record& record);
 
   const tables::PlantTables& tables_;
+  PlantNames plant_names_;
   OutputFile file_;
   std::string head_;                    ///< the header of every part, without its closing brace
   std::vector<std::string> names_;      ///< by symbol: the text between time and value

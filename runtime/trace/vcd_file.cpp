@@ -13,8 +13,7 @@
 namespace symplant::trace {
 
 VcdFile::VcdFile(OutputFile file, const PlantNames& names) : file_(std::move(file)), names_(names) {
-  const std::size_t count =
-      names.tables().symbols.size() + names.tables().units.size() + names.tables().material.locations();
+  const std::size_t count = first_malfunction(names.tables()) + names.tables().malfunctions.size();
   contents_.resize(names.tables().material.locations());
   identifiers_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) identifiers_.push_back(vcd_identifier(i) + "\n");
@@ -83,6 +82,11 @@ void VcdFile::move_part(const PartRecord& part) {
   if (begun_) put_location(part.to);
 }
 
+void VcdFile::put_malfunction(std::uint32_t malfunction, bool active) {
+  file_.put(active ? "1" : "0");
+  file_.put(identifiers_[first_malfunction(names_.tables()) + malfunction]);
+}
+
 void VcdFile::begin(tables::Time time, const History& history) {
   if (begun_) return;
   begun_ = true;
@@ -93,6 +97,11 @@ void VcdFile::begin(tables::Time time, const History& history) {
   for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) put_symbol(s, history.value(s));
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) put_unit(u, history.unit(u));
   for (std::uint32_t location = 0; location < tables.material.locations(); ++location) put_location(location);
+  std::vector<bool> active(tables.malfunctions.size());
+  for (const History::Malfunction& one : history.malfunctions()) {
+    if (one.number < active.size()) active[one.number] = true;
+  }
+  for (std::uint32_t m = 0; m < active.size(); ++m) put_malfunction(m, active[m]);
   file_.put("$end\n");
 }
 
@@ -105,10 +114,13 @@ void VcdFile::write(const Record& record) {
     return;
   }
   if (!begun_ || !file_.is_open()) return;
-  if (record.kind != Record::Kind::change && record.kind != Record::Kind::unit) return;
+  const bool written = record.kind == Record::Kind::malfunction && record.of < names_.tables().malfunctions.size();
+  if (record.kind != Record::Kind::change && record.kind != Record::Kind::unit && !written) return;
   has_lines_ = true;
   put_time(record.time);
-  if (record.kind == Record::Kind::change) {
+  if (written) {
+    put_malfunction(record.of, record.more);
+  } else if (record.kind == Record::Kind::change) {
     put_symbol(record.of, record.value);
   } else {
     put_unit(record.of, unpack_unit(record.value));

@@ -17,7 +17,7 @@ class VcdFile {
 
   /// Writes the header and all values at the end of the first instant, once. Earlier records are not written.
   void begin(tables::Time time, const History& history);
-  /// Writes a change of a symbol or a unit; ignores other records.
+  /// Writes a change of a symbol, a unit, parts or a written malfunction; ignores other records.
   void write(const Record& record);
   /// To be called between two instants: starts a new part, with header and values, if the file is full.
   void part(tables::Time time, const History& history);
@@ -34,6 +34,7 @@ class VcdFile {
   void put_unit(std::uint32_t unit, const plant::UnitView& view);
   void put_location(std::uint32_t location);
   void move_part(const PartRecord& part);
+  void put_malfunction(std::uint32_t malfunction, bool active);
 
   struct Content {
     std::uint64_t number;
@@ -42,7 +43,7 @@ class VcdFile {
 
   OutputFile file_;
   const PlantNames& names_;
-  std::vector<std::string> identifiers_;  ///< of symbols, then units, then locations of parts, each with a line end
+  std::vector<std::string> identifiers_;        ///< as vcd_header.hpp numbers them, each with a line end
   std::vector<std::vector<Content>> contents_;  ///< the parts of each location
   Record part_;                                 ///< the last record of a part, whose part_move is next
   tables::Time last_time_ = -1;

@@ -49,6 +49,15 @@ void write_symbol(std::string& text, const PlantNames& names, std::uint32_t symb
                       vcd_identifier(symbol), vcd_name(names.symbol(symbol)));
 }
 
+void write_malfunctions(std::string& text, const PlantNames& names) {
+  text += "$scope module malfunctions $end\n";
+  for (std::uint32_t m = 0; m < names.tables().malfunctions.size(); ++m) {
+    text += fmt::format("$var wire 1 {} {} $end\n", vcd_identifier(first_malfunction(names.tables()) + m),
+                        vcd_name(names.malfunction(m)));
+  }
+  text += "$upscope $end\n";
+}
+
 void write_scope(std::string& text, const PlantNames& names, const Scope& scope, bool is_root) {
   text += "$scope module " + scope.name + " $end\n";
   const auto symbols = static_cast<std::uint32_t>(names.tables().symbols.size());
@@ -66,11 +75,16 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
     text += fmt::format("$var {} {} {} $end\n", material.is_track(location) ? "integer 32" : "string 1",
                         vcd_identifier(first + location), vcd_name(names.location(location)));
   }
+  if (is_root && !names.tables().malfunctions.empty()) write_malfunctions(text, names);
   for (const Scope& child : scope.children) write_scope(text, names, child, false);
   text += "$upscope $end\n";
 }
 
 }  // namespace
+
+std::size_t first_malfunction(const tables::PlantTables& tables) {
+  return tables.symbols.size() + tables.units.size() + tables.material.locations();
+}
 
 std::string vcd_identifier(std::size_t number) {
   constexpr std::size_t kDigits = 94;  // from ! to ~

@@ -5,6 +5,7 @@
 #include "symplant/tables/ascii.hpp"
 #include "symplant/tables/nearest.hpp"
 #include "symplant/trace/finding_words.hpp"
+#include "symplant/why/malfunction_words.hpp"
 #include "symplant/why/walk.hpp"
 
 namespace symplant::why {
@@ -74,6 +75,7 @@ std::vector<Explanation> Explainer::why_not(const condition::Tree& condition, co
 Explanation Explainer::violation(std::uint32_t requirement, const StateView& view) const {
   Explanation explanation = Walk(index(), names_, behaviours_, view).violation(requirement);
   explanation.sentence = trace::requirement_words(requirement, names_);
+  add_malfunctions(explanation, names_, view.malfunctions());
   return explanation;
 }
 

@@ -22,6 +22,8 @@ class RecordedView : public StateView {
   tables::Time rose(std::uint32_t operation) const override { return history_.rose(operation); }
   std::vector<PartState> parts(std::uint32_t location) const override;
 
+  std::span<const trace::History::Malfunction> malfunctions() const override { return history_.malfunctions(); }
+
   std::optional<tables::Time> remaining(std::uint32_t unit) const override;
   std::optional<tables::Time> after_left(std::uint32_t unit, std::uint16_t transition) const override;
   std::optional<bool> is_armed(std::uint32_t operation) const override;

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "symplant/plant/plant.hpp"
 #include "symplant/tables/time.hpp"
+#include "symplant/trace/history.hpp"
 
 namespace symplant::why {
 
@@ -48,6 +50,9 @@ class StateView {
   virtual std::optional<plant::TransferView> transfer(std::uint32_t) const { return {}; }
   virtual std::optional<plant::SourceView> source(std::uint32_t) const { return {}; }
 
+  /// The active malfunctions in the order in which they started.
+  virtual std::span<const trace::History::Malfunction> malfunctions() const { return {}; }
+
   // The rest are phrases that end a sentence; empty: there is nothing to say.
   /// Of a forced symbol: `since 3 s`, as in "is forced to on since 3 s".
   virtual std::string forced(std::uint32_t) const { return {}; }
@@ -57,9 +62,6 @@ class StateView {
   virtual std::string violated(std::uint32_t) const { return {}; }
   /// Why the whole plant does not run: `link modbus-tcp-server://:502 is lost, and the plant is frozen`.
   virtual std::string standstill() const { return {}; }
-  /// Of a unit or symbol with an active malfunction: "stuck by malfunction `clamp 1 stuck`".
-  virtual std::string malfunction_of_unit(std::uint32_t) const { return {}; }
-  virtual std::string malfunction_of_symbol(std::uint32_t) const { return {}; }
 };
 
 }  // namespace symplant::why

@@ -48,6 +48,7 @@ SymbolReader reader_of(const PlantTables& tables, std::uint32_t condition) {
   if (row->reader_kind == tables::ReaderKind::follow) {
     return {SymbolReader::Kind::event, tables.follows[row->reader].symbol};
   }
+  if (row->reader_kind == tables::ReaderKind::malfunction) return {SymbolReader::Kind::malfunction, row->reader};
   if (row->reader_kind != tables::ReaderKind::unit) return reader_in_material(tables.material, *row);
   return {SymbolReader::Kind::unit, row->reader};
 }

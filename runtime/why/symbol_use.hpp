@@ -20,9 +20,10 @@ struct SymbolReader {
     transfer,     ///< of parts
     work,         ///< on parts
     source,       ///< of parts
+    malfunction,  ///< its `when` or `unless`
   };
   Kind kind;
-  std::uint32_t index;  ///< of a unit, a requirement, a symbol, or a row of tables::MaterialTables
+  std::uint32_t index;  ///< of a unit, a requirement, a symbol, a malfunction, or a row of tables::MaterialTables
 
   friend bool operator==(const SymbolReader&, const SymbolReader&) = default;
 };

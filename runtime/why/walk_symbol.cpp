@@ -136,6 +136,8 @@ Explanation Walk::reader(const SymbolReader& reader) const {
       return of("transfer", fmt::format("`{}`", names_.transfer(reader.index)), Reference::Kind::transfer);
     case SymbolReader::Kind::work:
       return of("work", fmt::format("`{}`", names_.work(reader.index)), Reference::Kind::work);
+    case SymbolReader::Kind::malfunction:
+      return {fmt::format("malfunction `{}` reads it", names_.malfunction(reader.index)), {}, {}};
     case SymbolReader::Kind::source:
       break;
   }

@@ -5,6 +5,7 @@
 
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/value_text.hpp"
+#include "symplant/why/malfunction_words.hpp"
 #include "symplant/why/walk.hpp"
 
 namespace symplant::why {
@@ -39,9 +40,7 @@ std::string Walk::operation_words(std::uint32_t operation, std::string_view to) 
   }
   const std::string forced = view_.forced(operation);
   if (!forced.empty()) text += ", forced " + forced;
-  const std::string malfunction = view_.malfunction_of_symbol(operation);
-  if (!malfunction.empty()) text += ", " + malfunction;
-  return text;
+  return text + overriding_malfunction(operation, names_, view_.malfunctions());
 }
 
 /// `Y0008 (operation OPEN, body-shop.csv:30) was on from 3 s to 4 s`.
@@ -86,7 +85,7 @@ std::vector<std::uint32_t> Walk::disablers(std::uint32_t unit) const {
   return units;
 }
 
-/// `EXLINE_MB_AGV has been in P1, disabled by EXLINE_MB_DOOR in OPEN1 since 3 s`.
+/// `EXLINE_MB_AGV has been in P1, disabled by EXLINE_MB_DOOR in OPEN1, malfunction `jam` since 3 s`.
 std::string Walk::unit_head(std::uint32_t unit) const {
   const plant::UnitView now = view_.unit(unit);
   std::string by;
@@ -95,10 +94,11 @@ std::string Walk::unit_head(std::uint32_t unit) const {
       by += fmt::format("{}{} in {}", by.empty() ? " by " : ", ", names_.unit(other),
                         names_.state(other, view_.unit(other).state));
     }
+    const std::string malfunctions = disabling_malfunctions(unit, names_, view_.malfunctions());
+    if (!malfunctions.empty()) by += (by.empty() ? " by " : ", ") + malfunctions;
   }
-  const std::string malfunction = view_.malfunction_of_unit(unit);
-  return fmt::format("{} has been in {}{} {}{}{}", names_.unit(unit), trace::state_words(unit, names_, now), by,
-                     since_words(view_.unit_since(unit)), malfunction.empty() ? "" : ", ", malfunction);
+  return fmt::format("{} has been in {}{} {}{}", names_.unit(unit), trace::state_words(unit, names_, now), by,
+                     since_words(view_.unit_since(unit)), slowing_malfunctions(unit, names_, view_.malfunctions()));
 }
 
 /// `EXLINE_MB_AGV_I_P2 has been off since 0.5 s, PLC input X0002, event P2 of EXLINE_MB_AGV (excell.csv:3)`.
@@ -108,9 +108,8 @@ std::string Walk::symbol_head(std::uint32_t symbol) const {
                                  since_words(view_.since(symbol)));
   const std::string forced = view_.forced(symbol);
   if (!forced.empty()) text += ", forced " + forced;
-  const std::string malfunction = view_.malfunction_of_symbol(symbol);
-  if (!malfunction.empty()) text += ", " + malfunction;
-  return text + ", " + trace::symbol_words(symbol, names_);
+  return text + overriding_malfunction(symbol, names_, view_.malfunctions()) + ", " +
+         trace::symbol_words(symbol, names_);
 }
 
 /// `FIXTURE has part 11 (raw) since 3.2 s`.

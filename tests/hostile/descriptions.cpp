@@ -82,6 +82,21 @@ std::string requirements() {
       numbered("{ \"name\": \"r", R"(", "after": "L_P_AGV.P1", "expect": "L_P_AGV.P2", "within": "1s" })", 20'000) +
       " ]");
 }
+std::string malfunctions() {
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) {
+    text += (i == 0 ? "" : ",\n") + (R"({ "name": "m)" + std::to_string(i)) +
+            R"(", "of": "*", "slower": 2, "when": "L_P_AGV.P1", "becomes": { "after": "400ms", "start": "m)" +
+            std::to_string((i + 1) % 20'000) + "\" } }";
+  }
+  return plant("\"malfunctions\": [ " + text + " ]");
+}
+std::string malfunction_names() {
+  return plant(R"("malfunctions": [ { "name": "*/ \"{{x}}\\ %n", "of": "L_P_AGV", "stuck": true }, { "name": "int",
+"lose": true }, { "name": "\u202e", "force": { "L_P_AGV_I_P1": true } }, { "name": ")" +
+               std::string(20'000, 'x') +
+               R"(", "flicker": { "symbol": "L_P_AGV_I_P1", "every": "1ns", "for": "2562047h" } } ])");
+}
 std::string settings() {
   return plant("\"check\": { \"ignore\": [ " +
                numbered(R"({ "rule": "event-not-driven", "why": "x", "symbols": "*)", "*\" }", 20'000) + " ] }");
@@ -138,6 +153,11 @@ std::string scenario_values() {
       R"({ "at": "1s", "set": { "LEVEL": 1e400 } }, { "at": "2s", "force": { "LEVEL": 9007199254740993, "L_P_AGV_O_P1": "yes" } })");
 }
 
+std::string scenario_malfunctions() {
+  return scenario(R"({ "at": "1s", "start": [ )" + numbered("\"L_P_AGV stuck", "\"", 100'000) +
+                  R"( ], "stop": [ "*/ {{x}} %n", "" ] })");
+}
+
 constexpr auto kPlant = Input::Kind::plant;
 constexpr std::array kPlants{
     Input{kPlant, "an empty file", nothing},
@@ -169,6 +189,8 @@ constexpr std::array kPlants{
     Input{kPlant, "20,000 transitions of one device, each with a condition", transitions, true},
     Input{kPlant, "100,000 states of one device", states, true},
     Input{kPlant, "20,000 requirements", requirements, true},
+    Input{kPlant, "20,000 malfunctions that become each other", malfunctions, true},
+    Input{kPlant, "malfunctions called `*/`, `int`, bidi characters, and 20,000 `x`", malfunction_names},
     Input{kPlant, "20,000 rules to be ignored", settings, true},
     Input{kPlant, "links that lead nowhere", links},
     Input{kPlant, "a condition of a million parentheses", deep_condition, true},
@@ -193,6 +215,7 @@ constexpr std::array kScenarios{
     Input{kScenario, "times beyond 64 bits, negative", scenario_times},
     Input{kScenario, "times that add up to more than 292 years", scenario_far},
     Input{kScenario, "a condition of a million parentheses", scenario_condition, true},
+    Input{kScenario, "100,002 malfunctions that the plant has not", scenario_malfunctions, true},
     Input{kScenario, "values that their symbols cannot hold", scenario_values},
 };
 

@@ -20,6 +20,7 @@ RunCounts& RunCounts::operator+=(const RunCounts& other) {
   forces += other.forces;
   qualities += other.qualities;
   furthers += other.furthers;
+  malfunctions += other.malfunctions;
   cut_short += other.cut_short;
   too_many_rises += other.too_many_rises;
   return *this;

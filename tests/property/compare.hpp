@@ -25,6 +25,7 @@ struct RunCounts {
   long forces = 0;
   long qualities = 0;       ///< set_quality
   long furthers = 0;        ///< further instants that changed nothing
+  long malfunctions = 0;    ///< started and stopped from outside
   long cut_short = 0;       ///< advances that would run too many instants
   long too_many_rises = 0;  ///< runs ended because more events rose within a cycle than the engine remembers
 

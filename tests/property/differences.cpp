@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "property/malfunction_names.hpp"
 #include "property/part_differences.hpp"
 #include "support/reference/lines.hpp"
 
@@ -46,6 +47,10 @@ std::string reported_as(const reference::InstantRecord& record, const model::Pla
     text += " {" + reported_as(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
   }
   for (const std::string& part : part_texts(record, plant)) text += " [" + part + "]";
+  for (const engine::MalfunctionChange& change : record.malfunctions) {
+    text += " <" + malfunction_text(plant, change.malfunction) + (change.active ? " starts by " : " ends by ") +
+            std::to_string(static_cast<int>(change.by)) + ">";
+  }
   return text;
 }
 
@@ -103,6 +108,38 @@ std::string symbols_difference(const EnginePlant& engine, const reference::Plant
   return {};
 }
 
+std::string active_text(std::uint32_t number, tables::Time since, const model::PlantModel& plant) {
+  return malfunction_text(plant, number) + " since " + std::to_string(since) + " ";
+}
+
+std::string malfunctions_difference(const plant::Plant& engine, const reference::Plant& reference,
+                                    const model::PlantModel& plant) {
+  const reference::MalfunctionsWorld& world = reference.save().malfunctions;
+  std::string here;
+  for (const engine::ActiveMalfunction& active : engine.active_malfunctions()) {
+    here += active_text(active.number, active.since, plant);
+    if (!engine.malfunction(active.number).active) return "an active malfunction is not";
+  }
+  std::string there;
+  for (const reference::ActiveWorld& active : world.active) there += active_text(active.number, active.since, plant);
+  if (here != there) return both("active malfunctions", here, there);
+  for (std::uint32_t i = 0; i < world.written.size(); ++i) {
+    const plant::MalfunctionView view = engine.malfunction(i);
+    if (view.active == world.written[i].active && view.next_due == world.written[i].next_due()) continue;
+    return both("next_due of " + plant.malfunctions[i].name, std::to_string(view.next_due),
+                std::to_string(world.written[i].next_due()));
+  }
+  for (std::uint32_t i = 0; i < plant.units.size(); ++i) {
+    if (engine.is_stuck(i) != reference.is_stuck(i)) return "is_stuck of " + std::string(plant.units[i].path);
+  }
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    const std::uint32_t one = engine.malfunction_of_symbol(i);
+    const std::uint32_t other = reference.malfunction_of_symbol(i);
+    if (one != other) return both("malfunction of a symbol", std::to_string(one), std::to_string(other));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string instants_difference(const EnginePlant& engine, const reference::Plant& reference,
@@ -133,6 +170,7 @@ std::string state_difference(EnginePlant& engine, const reference::Plant& refere
   std::string text = units_difference(it, reference, plant);
   if (text.empty()) text = symbols_difference(engine, reference, plant);
   if (text.empty()) text = parts_difference(it, reference, plant);
+  if (text.empty()) text = malfunctions_difference(it, reference, plant);
   if (text.empty()) text = next_due_difference(it, reference);
   if (text.empty() && it.state_hash() != reference.state_hash()) text = "state_hash";
   return text;

@@ -118,7 +118,9 @@ void EnginePlant::instant(const engine::Instant& instant) noexcept {
     }
     units_reported_[unit] = true;
   }
-  const bool silent = record.changes.empty() && record.findings.empty() && record.parts.empty();
+  record.malfunctions.assign(instant.malfunctions.begin(), instant.malfunctions.end());
+  const bool silent =
+      record.changes.empty() && record.findings.empty() && record.parts.empty() && record.malfunctions.empty();
   if (!silent) instants_.push_back(std::move(record));
 }
 

@@ -4,12 +4,14 @@
 #include <charconv>
 #include <iostream>
 
+int planted_bug = 0;
+
 namespace symplant::property {
 namespace {
 
 constexpr const char* kUsage =
     "property [--plants N] [--seed S] [--minimum K] [--fixtures DIR] [--quiet] [--wrong] [--print]\n"
-    "         [--replay FILE|DIR] [--tool FILE]\n";
+    "         [--replay FILE|DIR] [--tool FILE] [--bug N]\n";
 
 template <class Number>
 bool read_number(const std::string& text, Number& number) {
@@ -28,6 +30,7 @@ bool read_value(const std::string& name, const std::string& value, Options& opti
   if (name == "--plants") return read_number(value, options.plants);
   if (name == "--seed") return read_number(value, options.seed);
   if (name == "--minimum") return read_number(value, options.minimum);
+  if (name == "--bug") return read_number(value, planted_bug);
   if (name == "--fixtures") {
     options.fixtures = value;
   } else if (name == "--replay") {

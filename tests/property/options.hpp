@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+/// The planted bug that is on (planted_bugs.cmake), in programs that contain them; 0: none. `--bug` sets it.
+extern int planted_bug;
+
 namespace symplant::property {
 
 struct Options {

@@ -52,6 +52,8 @@ struct Action {
     further,  ///< after `time`, one more instant without a change: writes the symbol's own value if `value` is 0,
               ///< releases it if not; it is not forced
     run,      ///< advance to `time` from now, over up to `value` instants
+    start,    ///< a malfunction (malfunction_names.hpp): by a scenario if `value` is 0, else by hand
+    stop,     ///< as `start`
   };
   Kind kind = Kind::advance;
   std::string what = {};

@@ -12,20 +12,6 @@ bool is_plain(std::string_view name) {
                      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; });
 }
 
-std::vector<std::string> atoms_of_plant(const model::PlantModel& model) {
-  std::vector<std::string> atoms;
-  for (const model::Unit& unit : model.units) {
-    if (!is_plain(unit.path) || atoms.size() > 200) continue;
-    for (const model::State& state : unit.states) {
-      if (is_plain(state.name)) atoms.push_back(std::string(unit.path) + "." + state.name);
-    }
-  }
-  for (const model::Symbol& symbol : model.symbols) {
-    if (symbol.type == tables::DataType::boolean) atoms.push_back("'" + std::string(symbol.name()) + "'");
-  }
-  return atoms;
-}
-
 void draw_kinds(MaterialPlan& plan) {
   static const std::vector<std::string> kNames = {"raw", "done", "tall"};
   const std::size_t count = 1 + plan.dice.below(3);
@@ -53,6 +39,20 @@ void fast_ring(MaterialPlan& plan) {
 }
 
 }  // namespace
+
+std::vector<std::string> atoms_of_plant(const model::PlantModel& model) {
+  std::vector<std::string> atoms;
+  for (const model::Unit& unit : model.units) {
+    if (!is_plain(unit.path) || atoms.size() > 200) continue;
+    for (const model::State& state : unit.states) {
+      if (is_plain(state.name)) atoms.push_back(std::string(unit.path) + "." + state.name);
+    }
+  }
+  for (const model::Symbol& symbol : model.symbols) {
+    if (symbol.type == tables::DataType::boolean) atoms.push_back("'" + std::string(symbol.name()) + "'");
+  }
+  return atoms;
+}
 
 std::string MaterialPlan::location() {
   const std::size_t index = dice.below(tracks.size() + places.size());

@@ -34,6 +34,9 @@ struct MaterialPlan {
   void row(const std::string& name, const std::string& type, bool operation);
 };
 
+/// Atoms of conditions that name units and bits.
+std::vector<std::string> atoms_of_plant(const model::PlantModel& model);
+
 /// Adds material to a plant without it. `model`: of that plant.
 void add_random_material(Dice& dice, PlantText& text, const model::PlantModel& model);
 

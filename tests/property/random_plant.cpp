@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "property/cell_plant.hpp"
+#include "property/random_malfunctions.hpp"
 #include "property/random_material.hpp"
 #include "property/random_unit.hpp"
 
@@ -94,6 +95,13 @@ void add_material(PlantText& text, std::uint64_t draw) {
   }
 }
 
+/// Malfunctions for some plants, by other dice, too.
+void add_malfunctions(PlantText& text, std::uint64_t draw) {
+  Dice dice(draw * 2 + 0x3A7F'0000'0001);
+  const bool ripples = text.rows.size() > 200;
+  if (dice.percent(ripples ? 10 : 40)) add_random_malfunctions(dice, text, build(text).plant);
+}
+
 std::string refusal(const model::Evidence& evidence) {
   if (!evidence.driven_twice.empty()) return "an address that two units move";
   if (evidence.faults.empty()) return "a behaviour that its unit does not serve";
@@ -117,6 +125,9 @@ DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
       drawn.text.description = random_description(dice, plan, drawn.text.rows);
     }
     if (options.material) add_material(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused));
+    if (options.malfunctions) {
+      add_malfunctions(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused));
+    }
     drawn.text.name = "drawn_" + std::to_string(seed);
     model::Derived derived = build_apart(drawn.text);
     const bool runs = runnable(derived);

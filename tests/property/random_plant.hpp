@@ -23,6 +23,7 @@ struct DrawOptions {
   std::size_t most_units = 1000;
   bool naming_rules = true;  ///< some plants have a custom naming rule
   bool material = true;      ///< some plants have material flow
+  bool malfunctions = true;  ///< some plants have written malfunctions
 };
 
 /// The same plant for the same seed and options, everywhere.

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "property/dice.hpp"
+#include "property/malfunction_names.hpp"
+#include "property/random_malfunctions.hpp"
 #include "property/random_material.hpp"
 #include "property/random_plant.hpp"
 
@@ -15,7 +17,10 @@ using tables::kMillisecond;
 
 class StimulusWriter {
  public:
-  StimulusWriter(Dice& dice, const model::PlantModel& plant) : dice_(dice), plant_(plant), on_(plant.symbols.size()) {
+  StimulusWriter(Dice& dice, Dice& other, const model::PlantModel& plant)
+      : dice_(dice), other_(other), plant_(plant), on_(plant.symbols.size()) {
+    const bool ripples = plant.units.size() > 200;
+    chance_ = !plant.malfunctions.empty() ? 30 : other_.percent(ripples ? 5 : 30) ? 20 : 0;
     for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
       (plant.symbols[i].direction == tables::Direction::operation ? operations_ : events_).push_back(i);
     }
@@ -29,6 +34,7 @@ class StimulusWriter {
     for (std::size_t i = (40 + dice_.below(110)) / large; i > 0; --i) {
       for (std::size_t k = dice_.below(4); k > 0; --k) act();
       if (!plant_.material.empty()) parts();
+      malfunctions();
       keep();
       advance();
     }
@@ -79,6 +85,28 @@ class StimulusWriter {
     const auto symbol = static_cast<std::uint32_t>(dice_.below(plant_.symbols.size()));
     static const std::vector<tables::Time> kTimes = {1, 7, 3 * kMillisecond, 3'333'333, 9'999'999, 0};
     add(Kind::further, name(symbol), dice_.below(2), dice_.pick(kTimes));
+  }
+
+  /// Drawn by other dice: the rest is the same without malfunctions.
+  void malfunctions() {
+    if (chance_ == 0) return;
+    const bool many = plant_.units.size() > 10;
+    if (many && other_.one_in(100)) {  // more ordinary ones than there may be
+      for (int i = 0; i < 70; ++i) add(Kind::start, ordinary(), other_.below(2), 0);
+    }
+    while (other_.percent(chance_)) {
+      const Kind kind = started_.empty() || other_.percent(60) ? Kind::start : Kind::stop;
+      const std::string what =
+          kind == Kind::stop && other_.percent(85) ? other_.pick(started_) : random_malfunction(other_, plant_);
+      if (kind == Kind::start) started_.push_back(what);
+      add(kind, what, other_.below(2), 0);
+    }
+  }
+
+  std::string ordinary() {
+    const auto written = static_cast<std::uint32_t>(plant_.malfunctions.size());
+    const std::size_t count = 2 * (plant_.units.size() + plant_.symbols.size());
+    return malfunction_text(plant_, written + static_cast<std::uint32_t>(other_.below(count)));
   }
 
   void act() {
@@ -179,7 +207,10 @@ class StimulusWriter {
   }
 
   Dice& dice_;
+  Dice& other_;
   const model::PlantModel& plant_;
+  unsigned chance_ = 0;               ///< of a malfunction that starts or stops, percent
+  std::vector<std::string> started_;  ///< malfunctions
   std::vector<std::uint32_t> operations_;
   std::vector<std::uint32_t> events_;
   std::vector<bool> on_;  ///< of operations, as they were last written
@@ -213,7 +244,8 @@ std::uint64_t random_content(Dice& dice, tables::DataType type) {
 
 std::vector<Action> random_stimulus(std::uint64_t seed, const model::PlantModel& plant) {
   Dice dice(seed * 2 + 0x5EED'0000'0000);
-  return StimulusWriter(dice, plant).write();
+  Dice other(seed * 2 + 0x5EED'0000'0001);
+  return StimulusWriter(dice, other, plant).write();
 }
 
 }  // namespace symplant::property

@@ -15,6 +15,7 @@
 #include "property/cycle_rises.hpp"
 #include "property/differences.hpp"
 #include "property/engine_plant.hpp"
+#include "property/malfunction_names.hpp"
 #include "property/part_differences.hpp"
 #include "support/reference/reference.hpp"
 
@@ -77,6 +78,9 @@ class Run {
       case Kind::put:
       case Kind::take:
         return part_by_hand(action);
+      case Kind::start:
+      case Kind::stop:
+        return malfunction(action);
       case Kind::further:
         return further(action);
     }
@@ -163,6 +167,22 @@ class Run {
     if (done == act(reference_)) return {};
     return (action.kind == Kind::put ? "put says " : "take says ") + std::string(done ? "true" : "false") +
            ", the reference the contrary";
+  }
+
+  std::string malfunction(const Action& action) {
+    const auto number = malfunction_number(plant_, action.what);
+    if (!number) return {};
+    using By = engine::MalfunctionChange::By;
+    const By by = action.value == 0 ? By::scenario : By::hand;
+    const auto act = [&](auto& plant) {
+      return action.kind == Kind::start ? plant.start_malfunction(*number, by) : plant.stop_malfunction(*number, by);
+    };
+    const bool done = act(engine_->plant());
+    act(twin_->plant());
+    if (undisturbed_ != nullptr) act(*undisturbed_);
+    ++counts_.malfunctions;
+    if (done == act(reference_)) return {};
+    return "malfunction says " + std::string(done ? "true" : "false") + ", the reference the contrary";
   }
 
   /// One more instant, for all but the undisturbed reference.

@@ -73,6 +73,7 @@ class Shrinker {
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.inverted; });
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.follow; });
     material();
+    malfunctions();
     for (std::size_t i = 0; i < best_.plant.description.devices.size(); ++i) device(i);
     // One edit after the other; a kept edit makes the plant smaller, so that the next has the same index.
     for (std::size_t i = 0; i < count_simpler(best_.plant);) {
@@ -103,6 +104,15 @@ class Shrinker {
       pieces([&](auto& the_case) -> auto& { return of(the_case).places[i].sensors; });
     }
     pieces([&](auto& the_case) -> auto& { return of(the_case).kinds; });
+  }
+
+  void malfunctions() {
+    const auto all = best_.plant.description.malfunctions;
+    for (const description::GivenMalfunction& given : all) {
+      Case candidate = best_;
+      remove_malfunction(candidate.plant, given.name);
+      keep(std::move(candidate));
+    }
   }
 
   void device(std::size_t i) {

@@ -81,6 +81,8 @@ class Edits {
     }
     each_condition(plant.description.material, [this](std::string& text, bool none) { condition(text, none); });
     each_edit(plant.description.material, [this](const std::function<void()>& make) { edit(make); });
+    each_condition(plant.description.malfunctions, [this](std::string& text, bool none) { condition(text, none); });
+    each_edit(plant.description.malfunctions, [this](const std::function<void()>& make) { edit(make); });
     if (plant.description.defaults.actuation != tables::Actuation::latched) {
       edit([&] { plant.description.defaults.actuation = tables::Actuation::latched; });
     }
@@ -151,7 +153,8 @@ std::size_t plant_size(const PlantText& plant) {
     for (const description::GivenDisables& given : device.disables) size += 1 + given.devices.size();
     for (const auto& [name, text] : device.inputs) size += text.size();
   }
-  size += plant.description.inverted.size() + material_size(plant.description.material);
+  size += plant.description.inverted.size() + material_size(plant.description.material) +
+          malfunctions_size(plant.description.malfunctions);
   for (const description::GivenFollow& given : plant.description.follow) size += 5 + given.condition.size();
   for (const description::GivenRequirement& given : plant.description.requirements) {
     size += 10 + given.never.size() + given.after.size() + given.expect.size() + (given.within == 0 ? 0 : 1);
@@ -188,6 +191,7 @@ void remove_unit(PlantText& plant, const std::string& path) {
   std::erase_if(description.requirements, [&](const auto& given) {
     return names(given.never, path) || names(given.after, path) || names(given.expect, path);
   });
+  remove_from_malfunctions(plant, of_unit, [&](const std::string& condition) { return names(condition, path); });
 }
 
 bool give_own_address(PlantText& plant, std::size_t row) {

@@ -35,4 +35,17 @@ void each_condition(description::GivenMaterial& material, const std::function<vo
 /// Calls `visit` with each single edit.
 void each_edit(description::GivenMaterial& material, const std::function<void(const std::function<void()>&)>& visit);
 
+// Of malfunctions (simpler_malfunctions.cpp).
+std::size_t malfunctions_size(const std::vector<description::GivenMalfunction>& malfunctions);
+/// With what names it.
+void remove_malfunction(PlantText& plant, const std::string& name);
+/// Removes from malfunctions the devices and symbols for which `is_of` is true, a device with `_` at its end, and the
+/// conditions for which `reads` is true.
+void remove_from_malfunctions(PlantText& plant, const std::function<bool(const std::string&)>& is_of,
+                              const std::function<bool(const std::string&)>& reads);
+void each_condition(std::vector<description::GivenMalfunction>& malfunctions,
+                    const std::function<void(std::string&, bool)>& visit);
+void each_edit(std::vector<description::GivenMalfunction>& malfunctions,
+               const std::function<void(const std::function<void()>&)>& visit);
+
 }  // namespace symplant::property

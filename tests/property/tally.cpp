@@ -18,7 +18,8 @@ std::vector<std::pair<std::string_view, long>> rows_of(const RunCounts& run) {
           {"inputs refused", run.inputs_refused},
           {"forces", run.forces},
           {"qualities of the link", run.qualities},
-          {"further instants", run.furthers}};
+          {"further instants", run.furthers},
+          {"malfunctions started and stopped from outside", run.malfunctions}};
 }
 
 }  // namespace
@@ -37,6 +38,7 @@ void Tally::add_plant(const DrawnPlant& drawn) {
   }
   following_ += std::ssize(drawn.model.follows);
   with_material_ += drawn.model.material.empty() ? 0 : 1;
+  with_malfunctions_ += drawn.model.malfunctions.empty() ? 0 : 1;
 }
 
 void Tally::print(std::ostream& out, double seconds) const {
@@ -47,7 +49,8 @@ void Tally::print(std::ostream& out, double seconds) const {
   out << plants_ << " plants in " << std::fixed << std::setprecision(1) << seconds << " s, " << refused_
       << " plans refused; units: median " << median << ", largest " << largest << "; " << behaviours_
       << " with a behaviour; " << shared_ << " symbols that follow others; " << inverted_ << " inverted; " << following_
-      << " that follow a condition; " << with_material_ << " plants with parts\n";
+      << " that follow a condition; " << with_material_ << " plants with parts; " << with_malfunctions_
+      << " with malfunctions\n";
   for (const std::string& refusal : refusals_) out << "  refused: " << refusal << "\n";
   out << run.advances << " advances over " << run.instants << " instants with an effect, " << run.cut_short
       << " cut short; " << run.too_many_rises << " runs ended early\n";

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "property/text_malfunctions.hpp"
 #include "property/text_material.hpp"
 #include "property/words.hpp"
 
@@ -95,6 +96,7 @@ std::string write_case(const Case& the_case) {
   for (const description::DeviceDescription& device : plant.description.devices) writer.device(device);
   for (const description::GivenRequirement& given : plant.description.requirements) writer.requirement(given);
   for (const std::string& line : material_lines(plant.description.material)) writer.line(line);
+  for (const std::string& line : malfunction_lines(plant.description.malfunctions)) writer.line(line);
   for (const Action& action : the_case.actions) writer.line(text_of(action));
   return writer.take();
 }

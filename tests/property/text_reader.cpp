@@ -5,6 +5,7 @@
 
 #include "property/text_form.hpp"
 #include "property/text_line.hpp"
+#include "property/text_malfunctions.hpp"
 #include "property/text_material.hpp"
 #include "property/words.hpp"
 
@@ -46,6 +47,8 @@ class Reader {
       result.plant.description.requirements.emplace_back().name = line.word();
     } else if (word == "material") {
       read_material(line, result.plant.description.material);
+    } else if (word.starts_with("malfunction")) {
+      read_malfunction(word, line, result.plant.description.malfunctions);
     } else if (!result.plant.description.requirements.empty()) {
       of_requirement(word, line);
     } else {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "property/malfunction_names.hpp"
 #include "property/part_differences.hpp"
 
 namespace symplant::test {
@@ -20,6 +21,11 @@ constexpr std::uint32_t kNothing = 0xFFFF'FFFF;
 constexpr int kMostInstants = 300;
 
 }  // namespace
+
+engine::MalfunctionChange::By Exercise::by(const Step& step) noexcept {
+  using By = engine::MalfunctionChange::By;
+  return step.value != 0 ? By::scenario : By::hand;
+}
 
 Happened& Happened::operator+=(const Happened& other) {
   instants += other.instants;
@@ -46,6 +52,11 @@ Exercise::Exercise(const model::PlantModel& model, const tables::PlantTables& ta
       if (!location || (action.kind == Kind::put && action.value >= model.material.kinds.size())) continue;
       steps_.push_back({action.kind, static_cast<std::uint32_t>(locations_.size()), action.value, 0, false});
       locations_.push_back(*location);
+      continue;
+    }
+    if (action.kind == Kind::start || action.kind == Kind::stop) {
+      const auto number = property::malfunction_number(model, action.what);
+      if (number) steps_.push_back({action.kind, *number, action.value, 0, false});
       continue;
     }
     const auto& names = action.kind == Kind::set_state ? units : symbols;
@@ -100,6 +111,10 @@ void Exercise::act(Step& step) noexcept {
       return add(plant_->put(locations_[step.what], static_cast<std::uint32_t>(step.value)) ? 1 : 0);
     case Kind::take:
       return add(plant_->take(locations_[step.what]) ? 1 : 0);
+    case Kind::start:
+      return add(plant_->start_malfunction(step.what, by(step)) ? 1 : 0);
+    case Kind::stop:
+      return add(plant_->stop_malfunction(step.what, by(step)) ? 1 : 0);
     case Kind::further:
     case Kind::run:
     case Kind::advance:
@@ -165,6 +180,7 @@ void Exercise::read_all() noexcept {
     const tables::SymbolRow& row = tables_.symbols[i];
     const bool operation = row.direction() == tables::Direction::operation;
     add(plant.is_forced(i) ? 1 : 0);
+    add(plant.malfunction_of_symbol(i));
     if (row.type() == tables::DataType::boolean) {
       add((operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0);
     } else {
@@ -173,8 +189,14 @@ void Exercise::read_all() noexcept {
   }
   for (std::uint32_t u = 0; u < tables_.units.size(); ++u) {
     const plant::UnitView view = plant.unit(u);
+    add(plant.is_stuck(u) ? 1 : 0);
     add(static_cast<std::uint64_t>(view.remaining) ^ std::bit_cast<std::uint64_t>(view.progress) ^ view.target);
   }
+  for (const engine::ActiveMalfunction& active : plant.active_malfunctions()) {
+    const plant::MalfunctionView view = plant.malfunction(active.number);
+    add(static_cast<std::uint64_t>(view.since) ^ static_cast<std::uint64_t>(view.next_due));
+  }
+  for (std::uint32_t controller = 0; controller < 2; ++controller) add(plant.is_cut(controller) ? 1 : 0);
   add(plant.changed_events().size() + plant.changed_event_values().size() + plant.lost_findings());
   plant_->forget_changed_events();
   tables::Finding finding{};
@@ -188,6 +210,7 @@ void Exercise::instant(const engine::Instant& instant) noexcept {
   for (const engine::WordChange& change : instant.events) add(change.bits);
   for (const std::uint32_t slot : instant.operation_slots) add(slot);
   for (const std::uint32_t slot : instant.event_slots) add(slot);
+  for (const engine::MalfunctionChange& change : instant.malfunctions) add(change.malfunction);
 }
 
 void Exercise::finding(const tables::Finding& finding) noexcept {

@@ -55,6 +55,7 @@ class Exercise final : private engine::Observer {
   void instant(const engine::Instant& instant) noexcept override;
   void finding(const tables::Finding& finding) noexcept override;
   void act(Step& step) noexcept;
+  static engine::MalfunctionChange::By by(const Step& step) noexcept;
   void set(const Step& step) noexcept;
   void save() noexcept;
   void restore(const Step& step) noexcept;

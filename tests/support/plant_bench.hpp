@@ -100,6 +100,17 @@ class BenchTables {
     const std::string name(model().symbols[symbol].name());
     return name.starts_with("L_P_") ? name.substr(4) : name;
   }
+  /// The number of a malfunction of the description, or of an ordinary one, by its whole name.
+  std::uint32_t malfunction(const std::string& name) const {
+    const trace::PlantNames names(rows);
+    const auto count =
+        static_cast<std::uint32_t>(model().malfunctions.size() + 2 * (model().units.size() + model().symbols.size()));
+    for (std::uint32_t number = 0; number < count; ++number) {
+      if (names.malfunction(number) == name) return number;
+    }
+    FAIL("no malfunction " << name);
+    return 0;
+  }
   std::string unit_name(std::uint32_t unit) const { return std::string(model().units[unit].path.substr(4)); }
   /// "lost AGV_O_P2"; a `+` at the end if the next finding belongs to it.
   std::string words(const tables::Finding& finding) const {
@@ -157,6 +168,14 @@ class BenchPlant final : private engine::Observer {
     plant.set_state(tables_.unit_index(device), tables_.state_index(device, state));
     return *this;
   }
+  BenchPlant& start(const std::string& malfunction) {
+    CHECK(plant.start_malfunction(tables_.malfunction(malfunction)));
+    return *this;
+  }
+  BenchPlant& stop(const std::string& malfunction) {
+    CHECK(plant.stop_malfunction(tables_.malfunction(malfunction)));
+    return *this;
+  }
   BenchPlant& to(tables::Time milliseconds) {
     plant.advance_to(milliseconds * kMs, this);
     return *this;
@@ -194,6 +213,8 @@ class BenchPlant final : private engine::Observer {
   /// Changes of BOOL symbols that the observer received since the last call, "500:AGV_O_P2=1 ...", by instant, then
   /// in list order.
   std::string changes() { return std::exchange(changes_, {}); }
+  /// Malfunctions that started and ended, "500:+blind hand ...".
+  std::string malfunctions() { return std::exchange(malfunctions_, {}); }
   /// Findings in the same format, "500:lost AGV_O_P2 ...".
   std::string reported() { return std::exchange(reported_, {}); }
   /// Findings from the ring, in the same format.
@@ -223,6 +244,13 @@ class BenchPlant final : private engine::Observer {
       const bool on = operation ? plant.operation(row.index) : plant.event(row.index);
       add(changes_, instant.time, tables_.symbol_name(i) + (on ? "=1" : "=0"));
     }
+    static const std::vector<std::string> kBy = {"scenario", "hand", "condition", "chance", "becomes", "end"};
+    const trace::PlantNames names(tables_.rows);
+    for (const engine::MalfunctionChange& change : instant.malfunctions) {
+      add(malfunctions_, instant.time,
+          (change.active ? "+" : "-") + names.malfunction(change.malfunction) + " " +
+              kBy[static_cast<std::size_t>(change.by)]);
+    }
   }
   void finding(const tables::Finding& finding) noexcept override {
     add(reported_, finding.time, tables_.words(finding));
@@ -231,6 +259,7 @@ class BenchPlant final : private engine::Observer {
   const BenchTables& tables_;
   std::string changes_;
   std::string reported_;
+  std::string malfunctions_;
 
  public:
   plant::OwnedPlant plant;

@@ -33,6 +33,8 @@ std::string reader_name(const LinkView& view, const why::SymbolReader& reader) {
       return "work " + view.of->plant.material.work[reader.index].name;
     case why::SymbolReader::Kind::source:
       return "source " + view.of->plant.material.sources[reader.index].name;
+    case why::SymbolReader::Kind::malfunction:
+      return "malfunction " + view.of->plant.malfunctions[reader.index].name;
     case why::SymbolReader::Kind::unit:
     case why::SymbolReader::Kind::behavior:
       break;

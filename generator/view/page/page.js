@@ -215,6 +215,9 @@
   const showRequirements = () => [make("h1", {}, "Requirements"), data.requirements.length
     ? requirementTable(data.requirements) : make("p", {}, "The description has no requirements.")];
 
+  const showMalfunctions = () => [make("h1", {}, "Malfunctions"),
+    table(["name", "what it does"], data.malfunctions.map(([name, text]) => [name, code(text)]))];
+
   const showNone = () => {
     const rows = data.symbols.filter((symbol) => symbol[UNIT] < 0);
     return [make("h1", {}, "Symbols in no device"), make("p", {}, "They are nevertheless in the images, on the links and in traces."),
@@ -260,6 +263,7 @@
       ["in no device", make("a", {href: "#none"}, String(data.symbols.filter((symbol) => symbol[UNIT] < 0).length))],
       ["requirements", make("a", {href: "#requirements"}, String(data.requirements.length))],
       ...(data.material ? [["tracks and places", make("a", {href: "#material"}, String(locations.length))]] : []),
+      ...(data.malfunctions ? [["malfunctions", make("a", {href: "#malfunctions"}, String(data.malfunctions.length))]] : []),
       ["symbol lists", data.lists.join(", ")], ["model hash", code(data.hash)],
       ...data.internal.map(([reason, rows]) => ["rows: " + reason, String(rows)]),
     ]),
@@ -284,6 +288,10 @@
   if (data.material) {
     pages["#material"] = showMaterial;
     document.getElementById("parts").hidden = false;
+  }
+  if (data.malfunctions) {
+    pages["#malfunctions"] = showMalfunctions;
+    document.getElementById("faults").hidden = false;
   }
   const show = () => {
     if (location.hash === "#main") return;

@@ -44,6 +44,7 @@ void Flow::condition_changed(tables::ReaderKind kind, std::uint32_t reader) noex
     case tables::ReaderKind::condition:
     case tables::ReaderKind::requirement:
     case tables::ReaderKind::follow:
+    case tables::ReaderKind::malfunction:
       return;
   }
 }

@@ -46,6 +46,7 @@ class ClientLink final : public Link {
     cycle_.leave();
     poller_.leave();
   }
+  void cut(bool on) noexcept override { poller_.cut(on); }
   exec::LinkState state() const noexcept override { return cycle_.state(); }
   std::uint32_t take_overwritten() noexcept override { return poller_.take_overwritten(); }
   bool freezes_plant() const noexcept override { return cycle_.freezes_plant(); }

@@ -77,6 +77,10 @@ bool Poller::sleep(const std::stop_token& stop, tables::Time duration) {
 void Poller::run(const std::stop_token& stop) {
   tables::Time retry = times_.first_retry;
   while (!stop.stop_requested()) {
+    if (cut_.load(std::memory_order_relaxed)) {
+      if (!sleep(stop, std::max(times_.poll, tables::kMillisecond))) return;
+      continue;
+    }
     Fault fault = dialog_->open();
     const bool opened = !fault;
     if (opened) {
@@ -127,6 +131,7 @@ Fault Poller::talk(const std::stop_token& stop) {
   next_refresh_ = steady_now() + times_.refresh;
   next_look_back_ = steady_now() + times_.read_back;
   for (;;) {
+    if (cut_.load(std::memory_order_relaxed)) return {Fault::Kind::interrupted, "cut by a malfunction"};
     const tables::Time begin = steady_now();
     fault = pass(writes);
     for (std::string& message : dialog_->take_rejections()) messages_.add(std::move(message));

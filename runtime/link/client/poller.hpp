@@ -32,6 +32,8 @@ class Poller {
   std::uint64_t signs() const noexcept { return signs_.load(std::memory_order_acquire); }
   /// Sets the number of losses so far. Any thread.
   void lost(std::uint32_t losses) noexcept { losses_.store(losses, std::memory_order_relaxed); }
+  /// While it is cut, it closes its connection and opens none. Any thread, wait-free.
+  void cut(bool on) noexcept { cut_.store(on, std::memory_order_relaxed); }
   /// The plant has ended: the events are written once more. Any thread.
   void leave() noexcept { leaving_.store(true, std::memory_order_release); }
   /// A symbol whose event the PLC overwrites, which was not returned before; else tables::kNone. Wait-free.
@@ -72,6 +74,7 @@ class Poller {
   std::atomic<std::uint32_t> overwritten_{tables::kNone};
   std::atomic<bool> armed_{false};
   std::atomic<bool> leaving_{false};
+  std::atomic<bool> cut_{false};
   std::atomic<bool> left_{false};  ///< the events were written after leave()
   std::mutex mutex_;
   std::condition_variable_any wake_;

@@ -104,6 +104,7 @@ void Server::serve() {
         ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()), milliseconds_to_wait());
     now_ = steady_now();
     if (!listening_) listen(true);
+    if (cut_.load(std::memory_order_relaxed)) close_all();
     for (int i = 0; i < count; ++i) {
       const epoll_event& event = events[static_cast<std::size_t>(i)];
       if (event.data.fd == wake_.get()) return;
@@ -131,7 +132,7 @@ void Server::accept_clients() {
     net::Descriptor socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket) {
       gave_way_ = false;
-      add_client(std::move(socket));
+      if (!cut_.load(std::memory_order_relaxed)) add_client(std::move(socket));
       continue;
     }
     switch (net::after_accept(errno)) {
@@ -231,6 +232,11 @@ bool Server::rearm(Client& client) {
 void Server::close_client(int fd) {
   clients_.erase(fd);
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
+}
+
+void Server::close_all() {
+  clients_.clear();
+  open_.store(0, std::memory_order_relaxed);
 }
 
 bool Server::make_room(tables::Time quiet) {

@@ -41,6 +41,8 @@ class Server {
   Server& operator=(const Server&) = delete;
   ~Server();
 
+  /// While it is cut, all clients are closed, within a second, and no request is answered. Any thread, wait-free.
+  void cut(bool on) noexcept { cut_.store(on, std::memory_order_relaxed); }
   /// Number of open connections. Any thread.
   std::uint32_t connections() const noexcept { return open_.load(std::memory_order_relaxed); }
   /// Number of clients closed because there was no room for all, whether new or replaced. Any thread.
@@ -58,6 +60,7 @@ class Server {
   void note_progress(Client& client, std::uint64_t requests_before) noexcept;
   bool rearm(Client& client);
   void close_client(int fd);
+  void close_all();
   /// Closes the client to be replaced, never one with a request within `quiet`. False if there is no such client.
   bool make_room(tables::Time quiet);
   void close_overdue();
@@ -74,6 +77,7 @@ class Server {
   tables::Time next_sweep_ = 0;                     ///< time of the next search for overdue clients
   bool listening_ = true;
   bool gave_way_ = false;  ///< a client was closed to get a descriptor, and none was accepted since
+  std::atomic<bool> cut_{false};
   std::atomic<std::uint32_t> open_{0};
   std::atomic<std::uint64_t> crowded_out_{0};
   std::thread thread_;

@@ -119,6 +119,7 @@ class ServerLink final : public Link {
     responder_.left();
   }
 
+  void cut(bool on) noexcept override { server_.cut(on); }
   exec::LinkState state() const noexcept override { return cycle_.state(); }
   bool freezes_plant() const noexcept override { return cycle_.freezes_plant(); }
 

@@ -8,6 +8,7 @@
 
 #include "symplant/json/document.hpp"
 #include "symplant/json/schema.hpp"
+#include "symplant/scenario/act.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "symplant/scenario/step_reader.hpp"
 
@@ -153,12 +154,18 @@ ReadActs ActReader::read(std::string_view body) {
   }
   if (root["acts"].empty() || root["acts"].size() > kMostActs) return form_error("`acts` has 1 to 100 acts");
   ReadActs read;
+  std::size_t changes = 0;
   for (const Json& json : root["acts"]) {
     if (!json.is_object()) return form_error("an act is an object");
     std::optional<Act> act = parts_->command(json, read.error);
     if (!act) act = parts_->step(json, read.error);
     if (!read.error.empty()) return {{}, std::move(read.error), false};
+    changes += scenario::changes_by_hand(act->step);
     read.acts.push_back(std::move(*act));
+  }
+  if (changes > engine::kMostByHand) {
+    return form_error("the acts change " + std::to_string(changes) + " parts and malfunctions; at most " +
+                      std::to_string(engine::kMostByHand) + " at once");
   }
   return read;
 }

@@ -15,6 +15,12 @@ std::size_t notes_of(const Order& order) noexcept {
   return notes;
 }
 
+std::size_t changes_by_hand(const Order& order) noexcept {
+  std::size_t changes = 0;
+  for (const scenario::Step& step : order.steps) changes += scenario::changes_by_hand(step);
+  return changes;
+}
+
 }  // namespace
 
 Operator::Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Player* player, std::uint64_t seed,
@@ -32,12 +38,15 @@ void Operator::stop() noexcept {
 }
 
 bool Operator::act(std::span<const scenario::Step> steps) noexcept {
+  using By = engine::MalfunctionChange::By;
   bool well = true;
   for (const scenario::Step& step : steps) {
     scenario::write_symbols(step, plant_);
     for (const scenario::NewPart& part : step.put) well = plant_.put(part.at, part.kind) && well;
     for (const tables::PartLocation& from : step.take) well = plant_.take(from) && well;
     scenario::force_symbols(step, plant_, recorder_);
+    for (const std::uint32_t malfunction : step.stop) plant_.stop_malfunction(malfunction, By::hand);
+    for (const std::uint32_t malfunction : step.start) well = plant_.start_malfunction(malfunction, By::hand) && well;
   }
   acted_ = true;
   return well;
@@ -92,6 +101,9 @@ void Operator::take_orders() noexcept {
   while (orders_.read_available() != 0) {
     const Order order = orders_.front();
     if (!recorder_.has_room(notes_of(order))) return;  // the next cycle has room again
+    const std::size_t changes = changes_by_hand(order);
+    if (changes_ != 0 && changes_ + changes > engine::kMostByHand) return;
+    changes_ += changes;
     orders_.pop();
     const bool well = carry_out(order);
     recorder_.note(plant_.now(), kOrderNote,
@@ -102,6 +114,7 @@ void Operator::take_orders() noexcept {
 void Operator::advance(tables::Time time) noexcept {
   begun_ = true;
   jumped_ = acted_ = false;
+  changes_ = 0;
   if (player_ != nullptr) {
     player_->advance_to(time);
     if (!over_noted_ && player_->over()) over_noted_ = recorder_.note(plant_.now(), kOverNote, 0);

@@ -58,9 +58,10 @@ class Operator final : public exec::Stepper {
   std::uint64_t seed_;
   tables::Time cycle_;
   Stepping stepping_ = Stepping::none;
-  bool begun_ = false;   ///< the first instant has run
-  bool jumped_ = false;  ///< the plant was reset or restored since its last instant
-  bool acted_ = false;   ///< orders acted on the plant since its last instant
+  bool begun_ = false;       ///< the first instant has run
+  bool jumped_ = false;      ///< the plant was reset or restored since its last instant
+  std::size_t changes_ = 0;  ///< of parts and malfunctions since its last instant
+  bool acted_ = false;       ///< orders acted on the plant since its last instant
   bool over_noted_ = false;
   std::atomic<bool> frozen_{false};
   std::atomic<tables::Time> now_{0};

@@ -33,8 +33,8 @@ struct Order {
 };
 
 /// The `of` of the note after an order was carried out: its value is the order's id, and kOrderFailed more if a part
-/// had no room or was not there, or a state did not fit, and from scenario::kTurnBits on its turn (Recorder::turn()).
-/// The records of the instant in which it takes effect follow.
+/// had no room or was not there, too many malfunctions are active, or a state did not fit, and from scenario::kTurnBits
+/// on its turn (Recorder::turn()). The records of the instant in which it takes effect follow.
 inline constexpr std::uint32_t kOrderNote = 0xFFFF'FFFB;
 inline constexpr std::uint64_t kOrderFailed = std::uint64_t{1} << 32;
 

@@ -2,11 +2,13 @@
 #include "symplant/panel/picture/describe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "symplant/condition/compare.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/panel/picture/json_text.hpp"
+#include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/tables/lists.hpp"
 #include "symplant/tables/names.hpp"
 
@@ -257,6 +259,29 @@ void put_material(std::string& json, const trace::PlantNames& names) {
   json += ']';
 }
 
+std::string_view kind_name(tables::MalfunctionKind kind) {
+  constexpr std::array<std::string_view, 5> kNames{"slower", "stuck", "force", "flicker", "lose"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+/// Those of the plant description, and the kinds of those that every device and BOOL event has.
+void put_malfunctions(std::string& json, const trace::PlantNames& names) {
+  const tables::PlantTables& tables = names.tables();
+  put_key(json, "malfunctions");
+  json += '[';
+  for (std::uint32_t m = 0; m < tables.malfunctions.size(); ++m) {
+    const ActsOn on = acts_on(tables, m);
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", names.malfunction(m));
+    put_member(json, "kind", kind_name(tables.malfunctions.rows[m].kind));
+    put_indexes(json, "devices", on.units);
+    put_indexes(json, "symbols", on.symbols);
+    json += '}';
+  }
+  json += R"(],"ordinary":{"device":["stuck","slow"],"event":["stuck on","stuck off"]})";
+}
+
 }  // namespace
 
 void put_plant(std::string& json, const trace::PlantNames& names, const View& view,
@@ -282,7 +307,10 @@ void put_plant(std::string& json, const trace::PlantNames& names, const View& vi
     put(json, ",\"kind\":\"{}\"}}",
         tables.requirements[r].kind == tables::RequirementRow::Kind::never ? "never" : "expect");
   }
-  json += "],\"links\":[";
+  json += ']';
+  put_malfunctions(json, names);
+  put_key(json, "links");
+  json += '[';
   for (const LinkName& link : links) {
     put_comma(json);
     json += '{';

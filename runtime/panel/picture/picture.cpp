@@ -4,14 +4,15 @@
 #include <algorithm>
 
 #include "symplant/panel/picture/json_text.hpp"
+#include "symplant/trace/malfunction_text.hpp"
 
 namespace symplant::panel {
 namespace {
 
 using trace::Record;
 
-enum : unsigned { kIsMoving = 1, kIsMidway = 2, kIsDisabled = 4, kIsFrozen = 8 };
-enum : unsigned { kIsForced = 1 };
+enum : unsigned { kIsMoving = 1, kIsMidway = 2, kIsDisabled = 4, kIsFrozen = 8, kHasMalfunction = 16 };
+enum : unsigned { kIsForced = 1, kIsOverridden = 2 };
 
 unsigned flags_of(const plant::UnitView& view) {
   return (view.moving ? kIsMoving : 0U) | (view.stopped_midway ? kIsMidway : 0U) | (view.disabled ? kIsDisabled : 0U) |
@@ -53,6 +54,7 @@ Picture::Picture(const trace::PlantNames& names, const trace::History& history)
       motions_(names.tables().units.size()),
       tracks_(names.tables().material.tracks.size()),
       track_states_(names.tables(), history),
+      malfunctions_(names.tables()),
       devices_(names.tables().units.size()),
       symbols_(names.tables().symbols.size()),
       locations_(names.tables().material.locations()) {}
@@ -93,9 +95,20 @@ void Picture::apply(const Record& record) {
       track_->parts.back().x = static_cast<std::int64_t>(record.value);
       track_->parts.back().v = static_cast<std::int32_t>(record.of);
       break;
+    case Record::Kind::malfunction:
+      set_malfunction(record);
+      break;
     default:
       break;
   }
+}
+
+void Picture::set_malfunction(const Record& record) {
+  malfunctions_.change(record.of, record.more);
+  malfunctions_changed_ = true;
+  const ActsOn on = acts_on(names_.tables(), record.of);
+  for (const std::uint32_t unit : on.units) devices_.mark(unit);
+  for (const std::uint32_t symbol : on.symbols) symbols_.mark(symbol);
 }
 
 /// A record has what is left of a move. Its whole time is the same at its begin; a move that stopped and goes on keeps
@@ -131,6 +144,9 @@ void Picture::load(const plant::Plant& plant) {
       tracks_[track].parts.push_back({part.number, part.kind, motion.v, motion.x});
     }
   }
+  malfunctions_.clear();
+  malfunctions_changed_ = true;
+  for (const engine::ActiveMalfunction& one : plant.active_malfunctions()) malfunctions_.change(one.number, true);
   for (std::uint32_t symbol = 0; symbol < symbols_.marked.size(); ++symbol) symbols_.mark(symbol);
   for (std::uint32_t location = 0; location < locations_.marked.size(); ++location) locations_.mark(location);
 }
@@ -152,14 +168,16 @@ void Picture::put_device(std::string& json, std::uint32_t unit, tables::Time now
   const plant::UnitView view = history_.unit(unit);
   const Motion& motion = motions_[unit];
   const tables::Time passed = runs(view) ? std::min(now - motion.at, motion.remaining) : 0;
-  put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state, flags_of(view),
-      is_blocked(unit, view) ? 1 : 0, history_.unit_since(unit), view.moving ? motion.remaining - passed : 0,
-      view.moving ? motion.whole : 0);
+  put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state,
+      flags_of(view) | (malfunctions_.unit(unit) ? +kHasMalfunction : 0U), is_blocked(unit, view) ? 1 : 0,
+      history_.unit_since(unit), view.moving ? motion.remaining - passed : 0, view.moving ? motion.whole : 0);
 }
 
 void Picture::put_symbol(std::string& json, std::uint32_t symbol) const {
   json += trace::json_value(names_.tables().symbols[symbol].type(), history_.value(symbol));
-  put(json, ",{},{}", history_.forced_since(symbol) >= 0 ? +kIsForced : 0U, history_.since(symbol));
+  const unsigned flags =
+      (history_.forced_since(symbol) >= 0 ? +kIsForced : 0U) | (malfunctions_.symbol(symbol) ? +kIsOverridden : 0U);
+  put(json, ",{},{}", flags, history_.since(symbol));
 }
 
 void Picture::put_track(std::string& json, std::uint32_t track) const {
@@ -192,6 +210,15 @@ void Picture::put_all(std::string& json, tables::Time now) {
   put_array(json, "tracks", tracks_.size(), [&](std::uint32_t track) { put_track(json, track); });
   put_array(json, "places", locations_.marked.size() - tracks_.size(),
             [&](std::uint32_t place) { put_place(json, place); });
+  put_malfunctions(json);
+}
+
+void Picture::put_malfunctions(std::string& json) const {
+  const auto& active = history_.malfunctions();
+  put_array(json, "malfunctions", active.size(), [&](std::uint32_t i) {
+    put_text(json, names_.malfunction(active[i].number));
+    put(json, ",{},\"{}\"", active[i].since, trace::malfunction_by(active[i].by));
+  });
 }
 
 void Picture::put_changes(std::string& json, tables::Time now) {
@@ -214,10 +241,12 @@ void Picture::put_changes(std::string& json, tables::Time now) {
     put_place(json, place);
     json += ']';
   });
+  if (malfunctions_changed_) put_malfunctions(json);
   forget_changes();
 }
 
 void Picture::forget_changes() {
+  malfunctions_changed_ = false;
   devices_.clear();
   symbols_.clear();
   locations_.clear();

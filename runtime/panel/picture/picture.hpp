@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/panel/picture/track_state.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/history.hpp"
@@ -25,11 +26,14 @@ class Picture {
   void apply(const trace::Record& record);
   /// To be called after History::load(): everything counts as changed. O(plant).
   void load(const plant::Plant& plant);
-  /// The symbol is forced, or no longer, or a malfunction decides its value.
+  /// The symbol is forced, or no longer.
   void touch_symbol(std::uint32_t symbol) { symbols_.mark(symbol); }
 
-  bool has_changes() const { return !(devices_.list.empty() && symbols_.list.empty() && locations_.list.empty()); }
-  /// Appends the keys `devices`, `symbols`, `tracks` and `places` of all of them, as at plant time `now`. O(plant).
+  bool has_changes() const {
+    return malfunctions_changed_ || !(devices_.list.empty() && symbols_.list.empty() && locations_.list.empty());
+  }
+  /// Appends the keys `devices`, `symbols`, `tracks` and `places` of all of them, as at plant time `now`, and
+  /// `malfunctions`. O(plant).
   void put_all(std::string& json, tables::Time now);
   /// Appends these keys of what changed since the last call, and forgets it. O(changes).
   void put_changes(std::string& json, tables::Time now);
@@ -69,6 +73,8 @@ class Picture {
   };
 
   void set_motion(const trace::Record& record);
+  void set_malfunction(const trace::Record& record);
+  void put_malfunctions(std::string& json) const;
   void put_device(std::string& json, std::uint32_t unit, tables::Time now) const;
   void put_symbol(std::string& json, std::uint32_t symbol) const;
   void put_track(std::string& json, std::uint32_t track) const;
@@ -82,6 +88,8 @@ class Picture {
   std::vector<Track> tracks_;
   Track* track_ = nullptr;  ///< whose parts are being recorded
   TrackStates track_states_;
+  MalfunctionMarks malfunctions_;
+  bool malfunctions_changed_ = false;
   Marks devices_;
   Marks symbols_;
   Marks locations_;

@@ -43,6 +43,9 @@ void count_actions(const Step& step, const model::PlantModel& plant, Counts& cou
   counts[Seen::lists_of_takes] += step.take.size() > 1 ? 1 : 0;
   counts[Seen::forces] += std::ssize(step.force);
   counts[Seen::releases] += std::ssize(step.release);
+  counts[Seen::malfunction_stops] += std::ssize(step.stop);
+  counts[Seen::malfunction_starts] += std::ssize(step.start);
+  counts[Seen::malfunction_stops_and_starts] += !step.stop.empty() && !step.start.empty() ? 1 : 0;
 }
 
 void count_verdict(const Step& step, const model::PlantModel& plant, const reference::Verdict& verdict,
@@ -83,6 +86,21 @@ void count_parts(const reference::Plant& reference, Counts& counts) {
   for (const reference::TrackWorld& track : reference.save().material.tracks) {
     counts[Seen::tracks_frozen] += track.frozen ? 1 : 0;
   }
+}
+
+void count_malfunctions(const reference::Plant& reference, Counts& counts) {
+  using By = engine::MalfunctionChange::By;
+  for (const reference::InstantRecord& instant : reference.instants()) {
+    for (const engine::MalfunctionChange& change : instant.malfunctions) {
+      ++counts[change.by == By::condition ? Seen::changed_by_condition
+               : change.by == By::chance  ? Seen::changed_by_chance
+               : change.by == By::becomes ? Seen::changed_by_becoming
+               : change.by == By::end     ? Seen::changed_by_end
+                                          : Seen::changed_by_scenario];
+    }
+  }
+  counts[Seen::malfunction_starts_of_ordinary] += reference.counters[reference::Counted::ordinary_started];
+  counts[Seen::malfunction_starts_refused] += reference.counters[reference::Counted::start_refused];
 }
 
 /// Plays all steps; false if the case is invalid.
@@ -138,6 +156,7 @@ std::optional<Outcome> expected(const FileCase& it, Counts& counts) {
   const auto verdicts = CountingRun(it, plant, reference, counts).play();
   if (!verdicts) return std::nullopt;
   count_parts(reference, counts);
+  count_malfunctions(reference, counts);
   Outcome outcome;
   outcome.header = header_of(plant, it.seed);
   outcome.trace = reference::trace_lines(plant, reference.instants());

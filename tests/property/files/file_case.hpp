@@ -26,8 +26,10 @@ struct Step {
   std::vector<std::string> take;                            ///< locations
   std::vector<Setting> force;
   std::vector<std::string> release;
-  std::vector<Setting> expect;   ///< symbols with their values
-  std::string expect_condition;  ///< or a condition
+  std::vector<std::string> stop;   ///< malfunctions, as users name them
+  std::vector<std::string> start;  ///< malfunctions
+  std::vector<Setting> expect;     ///< symbols with their values
+  std::string expect_condition;    ///< or a condition
 
   friend bool operator==(const Step&, const Step&) = default;
 };

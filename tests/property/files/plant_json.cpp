@@ -11,6 +11,7 @@
 #include "property/files/joined_material.hpp"
 #include "property/files/joined_requirements.hpp"
 #include "property/files/json_printer.hpp"
+#include "property/files/malfunctions_json.hpp"
 #include "property/files/material_json.hpp"
 #include "property/files/spread.hpp"
 #include "property/words.hpp"
@@ -132,6 +133,7 @@ void make_sayable(PlantText& plant, std::uint64_t seed) {
     plant.second_list = dice.below(plant.rows.size());
     if (dice.percent(50)) plant.second_controller = "PLC2";
   }
+  make_malfunctions_sayable(plant);
   for (description::DeviceDescription& device : description.devices) {
     for (description::GivenTransition& transition : device.transitions) {
       clip(transition.after);
@@ -176,6 +178,9 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
   }
   if (!plant.description.material.empty()) {
     said["material"] = material_json(joined_material(plant, style, counts), sayer, counts);
+  }
+  if (!plant.description.malfunctions.empty()) {
+    said["malfunctions"] = malfunctions_json(plant.description, model, sayer, counts);
   }
   if (style.decorated) {
     if (dice.percent(10)) said["$schema"] = "plant.schema.json";

@@ -7,6 +7,7 @@
 
 #include "property/files/plan_of_model.hpp"
 #include "property/files/random_hands.hpp"
+#include "property/files/random_starts.hpp"
 #include "property/files/resolved_steps.hpp"
 #include "property/files/shared_symbols.hpp"
 #include "property/random_material.hpp"
@@ -93,6 +94,7 @@ class ScenarioDrawer {
     const tables::Time nominal = step.when == When::at ? *step.time : earliest_ + *step.time;
     actions(step);
     hands(step);
+    add_starts(dice_, plant_, reference_.save(), fails_ != 0, step);
     if (dice_.percent(35)) expect(step);
     take(std::move(step), nominal);
   }

@@ -1,10 +1,12 @@
 // Looks up the names of a scenario's steps, as simply as possible.
 #include "property/files/resolved_steps.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <variant>
 
 #include "property/part_differences.hpp"
+#include "support/reference/lines.hpp"
 #include "support/reference/rules.hpp"
 #include "symplant/condition/resolve.hpp"
 
@@ -90,6 +92,17 @@ bool StepResolver::settings(const std::vector<Setting>& from,
   return true;
 }
 
+bool StepResolver::malfunctions(const std::vector<std::string>& names, std::vector<std::uint32_t>& to) const {
+  const std::size_t all = plant_.malfunctions.size() + 2 * plant_.units.size() + 2 * plant_.symbols.size();
+  for (const std::string& name : names) {
+    std::uint32_t number = 0;
+    while (number < all && !same_name(reference::malfunction_name(plant_, number), name)) ++number;
+    if (number == all) return false;
+    to.push_back(number);
+  }
+  return true;
+}
+
 std::optional<reference::ScenarioStep> StepResolver::resolve(const Step& step) {
   const PlainNames names(plant_);
   reference::ScenarioStep it;
@@ -121,6 +134,9 @@ std::optional<reference::ScenarioStep> StepResolver::resolve(const Step& step) {
     if (!symbol) return std::nullopt;
     it.release.push_back(symbol->index);
   }
+  if (!malfunctions(step.stop, it.stop) || !malfunctions(step.start, it.start)) return std::nullopt;
+  it.starts_ordinary = std::any_of(it.start.begin(), it.start.end(),
+                                   [&](std::uint32_t number) { return number >= plant_.malfunctions.size(); });
   if (!step.expect_condition.empty()) {
     it.expect_condition = condition(step.expect_condition);
     if (it.expect_condition == nullptr) return std::nullopt;

@@ -25,6 +25,7 @@ class StepResolver {
   const condition::Tree* condition(const std::string& text);
 
  private:
+  bool malfunctions(const std::vector<std::string>& names, std::vector<std::uint32_t>& to) const;
   bool settings(const std::vector<Setting>& from, std::vector<std::pair<std::uint32_t, std::uint64_t>>& to) const;
 
   const model::PlantModel& plant_;

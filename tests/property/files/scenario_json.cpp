@@ -36,6 +36,8 @@ class ScenarioWriter {
     if (!step.take.empty()) said["take"] = takes(step);
     if (!step.force.empty()) said["force"] = settings(step.force);
     for (const std::string& symbol : step.release) said["release"].push_back(sayer_.name(symbol));
+    if (!step.stop.empty()) said["stop"] = names(step.stop);
+    if (!step.start.empty()) said["start"] = names(step.start);
     if (!step.expect.empty()) said["expect"] = settings(step.expect);
     if (!step.expect_condition.empty()) said["expect"] = sayer_.condition(step.expect_condition);
     return said;
@@ -57,6 +59,12 @@ class ScenarioWriter {
   json takes(const Step& step) {
     json all = json::array();
     for (const std::string& from : step.take) all.push_back(sayer_.location(from));
+    return listed(std::move(all));
+  }
+
+  json names(const std::vector<std::string>& names) {
+    json all = json::array();
+    for (const std::string& name : names) all.push_back(sayer_.name(name));
     return listed(std::move(all));
   }
 

@@ -59,6 +59,8 @@ class Shrinker {
       each([](Step & step) -> auto& { return step.take; });
       each([](Step & step) -> auto& { return step.force; });
       each([](Step & step) -> auto& { return step.release; });
+      each([](Step & step) -> auto& { return step.stop; });
+      each([](Step & step) -> auto& { return step.start; });
       each([](Step & step) -> auto& { return step.expect; });
     }
   }

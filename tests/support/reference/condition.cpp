@@ -53,7 +53,11 @@ bool atom_holds(const condition::Atom& atom, const World& world) {
 
 }  // namespace
 
-std::uint64_t effective(const SymbolWorld& symbol) { return symbol.forced ? symbol.forced_value : symbol.value; }
+std::uint64_t effective(const SymbolWorld& symbol) {
+  if (symbol.forced) return symbol.forced_value;
+  if (symbol.broken.kind == SymbolOverride::Kind::value) return symbol.broken.value;
+  return symbol.broken.kind == SymbolOverride::Kind::opposite ? symbol.value ^ 1 : symbol.value;
+}
 
 bool is_on(const Rules& rules, const World& world, std::uint32_t symbol) {
   return rules.turned(symbol, effective(world.symbols[symbol])) != 0;

@@ -1,5 +1,5 @@
-// Counts how often a run of the reference takes each path of docs/model.md and docs/material.md, so that a test of
-// random plants can report it.
+// Counts how often a run of the reference takes each path of docs/model.md, docs/material.md and
+// docs/malfunctions.md, so that a test of random plants can report it.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace symplant::reference {
 
-/// Every step, cell, event and finding in docs/model.md and docs/material.md, in the order of `kCountedNames`.
+/// Every step, cell, event and finding in these pages, in the order of `kCountedNames`.
 enum class Counted : std::size_t {
   settle,
   automatic_fired,
@@ -127,6 +127,39 @@ enum class Counted : std::size_t {
   work_frozen,
   track_frozen,
   found_part_blocked,
+  // Malfunctions.
+  started_by_scenario,
+  started_by_hand,
+  started_by_condition,
+  started_by_chance,
+  started_by_becoming,
+  started_while_active,
+  started_once_at_a_time,  ///< not again by its condition
+  start_refused,
+  ordinary_started,
+  lose_started,
+  stopped_by_hand,
+  remedied,
+  lasted,
+  further_instant,
+  slow_by_written,
+  slow_by_ordinary,
+  slow_by_several,
+  slower_takes_nothing,
+  slower_starts_during_a_move,
+  stuck_settled,
+  stuck_moving,
+  stuck_disabled,
+  stuck_in_a_state,
+  stuck_ended_moving,
+  stuck_ended_disabled,
+  force_hides_malfunction,
+  operation_broken,
+  number_broken,
+  inverted_broken,
+  flickered,
+  flickered_below_a_force,
+  flickered_above_another,
   number_of,
 };
 inline constexpr std::size_t kCounted = static_cast<std::size_t>(Counted::number_of);

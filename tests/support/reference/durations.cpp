@@ -1,7 +1,7 @@
 // How long a transition waits and travels: fixed, drawn, or asked of a behavior (docs/model.md, "One instant").
 #include <algorithm>
 
-#include "support/reference/round.hpp"
+#include "support/reference/malfunctions.hpp"
 #include "symplant/tables/digest.hpp"
 
 namespace symplant::reference {
@@ -54,6 +54,19 @@ Time duration_of(Round& round, std::uint32_t unit, std::uint16_t transition, con
   return draw_duration(round.next.seed, round.of(unit).path, transition, k, duration);
 }
 
+Time takes_without_malfunctions(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint8_t from,
+                                std::uint8_t to) {
+  const UnitRules& rules = round.of(unit);
+  if (rules.behaviour != nullptr && rules.behaviour->takes != nullptr) {
+    View view(round, unit);
+    return std::max<Time>(0, rules.behaviour->takes(view, transition));
+  }
+  const std::uint16_t source = transition != kNoTransition ? transition : first_not_automatic(rules, from, to);
+  if (source == kNoTransition) return rules.travel;
+  if (rules.transitions[source].takes.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
+  return duration_of(round, unit, source, rules.transitions[source].takes);
+}
+
 }  // namespace
 
 Time draw_duration(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k,
@@ -87,15 +100,8 @@ bool remembers(const UnitRules& unit, const Transition& transition) {
 }
 
 Time takes_of(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint8_t from, std::uint8_t to) {
-  const UnitRules& rules = round.of(unit);
-  if (rules.behaviour != nullptr && rules.behaviour->takes != nullptr) {
-    View view(round, unit);
-    return std::max<Time>(0, rules.behaviour->takes(view, transition));
-  }
-  const std::uint16_t source = transition != kNoTransition ? transition : first_not_automatic(rules, from, to);
-  if (source == kNoTransition) return rules.travel;
-  if (rules.transitions[source].takes.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
-  return duration_of(round, unit, source, rules.transitions[source].takes);
+  const Time time = takes_without_malfunctions(round, unit, transition, from, to);
+  return slowed(round.rules, round.next, unit, time, round.counters);
 }
 
 Time after_of(Round& round, std::uint32_t unit, std::uint16_t transition) {

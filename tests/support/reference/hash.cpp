@@ -120,6 +120,19 @@ void add_material(Digest& digest, const MaterialWorld& material) {
   digest.u64(material.next_number);
 }
 
+void add_malfunctions(Digest& digest, const MalfunctionsWorld& malfunctions) {
+  for (const MalfunctionWorld& its : malfunctions.written) {
+    digest.byte(static_cast<std::uint8_t>((its.active ? 1 : 0) | (its.shows_opposite ? 2 : 0) | (its.truth ? 4 : 0)));
+    digest.i64(its.since);
+    digest.i64(its.next_due());
+    for (const std::uint32_t draws : its.draws) digest.u32(draws);
+  }
+  for (const ActiveWorld& one : malfunctions.active) {
+    digest.u32(one.number);
+    digest.i64(one.since);
+  }
+}
+
 }  // namespace
 
 std::uint64_t state_hash(const Rules& rules, const World& world) {
@@ -135,6 +148,7 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
     digest.flag(monitor.truth);
   }
   add_material(digest, world.material);
+  add_malfunctions(digest, world.malfunctions);
   for (std::uint32_t i = 0; i < world.units.size(); ++i) {
     if (!world.units[i].conflicting) continue;
     digest.byte(0);

@@ -86,7 +86,25 @@ std::string part_line(const model::Material& material, Time time, const engine::
   return line + (change.by_hand ? ",\"by\":\"hand\"}" : "}");
 }
 
+std::string malfunction_line(const model::PlantModel& model, Time time, const engine::MalfunctionChange& change) {
+  static constexpr std::array<std::string_view, 6> kBy = {"scenario", "hand", "condition", "chance", "becomes", "end"};
+  return "{\"t\":" + std::to_string(time) + ",\"malfunction\":\"" + malfunction_name(model, change.malfunction) +
+         "\",\"active\":" + (change.active ? "true" : "false") + ",\"by\":\"" +
+         std::string(kBy[static_cast<std::size_t>(change.by)]) + "\"}";
+}
+
 }  // namespace
+
+std::string malfunction_name(const model::PlantModel& model, std::uint32_t number) {
+  std::size_t rest = number;
+  if (rest < model.malfunctions.size()) return model.malfunctions[rest].name;
+  rest -= model.malfunctions.size();
+  if (rest < 2 * model.units.size()) {
+    return std::string(model.units[rest / 2].path) + (rest % 2 == 0 ? " stuck" : " slow");
+  }
+  rest -= 2 * model.units.size();
+  return std::string(model.symbols[rest / 2].name()) + (rest % 2 == 0 ? " stuck off" : " stuck on");
+}
 
 std::string_view finding_name(tables::FindingKind kind) {
   static constexpr std::array<std::string_view, tables::kFindingKinds> kNames = {"conflicting operations",
@@ -113,6 +131,9 @@ std::vector<std::string> trace_lines(const model::PlantModel& model, const std::
     }
     for (const engine::PartChange& change : instant.parts) {
       lines.push_back(part_line(model.material, instant.time, change));
+    }
+    for (const engine::MalfunctionChange& change : instant.malfunctions) {
+      lines.push_back(malfunction_line(model, instant.time, change));
     }
   }
   return lines;

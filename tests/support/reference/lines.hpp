@@ -12,6 +12,9 @@ namespace symplant::reference {
 /// As the table in docs/model.md names it: `lost command`.
 std::string_view finding_name(tables::FindingKind kind);
 
+/// The name of a malfunction of the description, or of an ordinary one.
+std::string malfunction_name(const model::PlantModel& model, std::uint32_t number);
+
 /// The lines of a trace after its header.
 std::vector<std::string> trace_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants);
 

@@ -7,6 +7,7 @@
 #include "support/reference/difference.hpp"
 #include "support/reference/findings.hpp"
 #include "support/reference/hash.hpp"
+#include "support/reference/malfunctions.hpp"
 #include "support/reference/material.hpp"
 #include "support/reference/start.hpp"
 
@@ -33,6 +34,7 @@ void pass(World& world, Time time) {
 void run_instant(const Rules& rules, World& world, bool sample, Counters& counters,
                  std::vector<InstantRecord>& instants) {
   const bool first = world.last_instant < 0;
+  const std::vector<engine::MalfunctionChange> changes = begin_instant_of_malfunctions(rules, world, counters);
   world.instant_pending = false;
   if (sample) {
     world.written_pending = false;
@@ -47,6 +49,9 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
   InstantRecord record;
   record.parts = world.material.by_hand;
   record.parts.insert(record.parts.end(), notes.parts.begin(), notes.parts.end());
+  record.malfunctions = world.malfunctions.by_hand;
+  record.malfunctions.insert(record.malfunctions.end(), changes.begin(), changes.end());
+  world.malfunctions.by_hand.clear();
   record.time = world.time;
   record.findings = findings_of(rules, world, notes, counters);
   for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
@@ -62,7 +67,9 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
   }
   end_instant_of_parts(rules, world, counters);
   world.shown_material = world.material;
-  const bool silent = record.changes.empty() && record.findings.empty() && record.parts.empty();
+  end_instant_of_malfunctions(rules, world, counters);
+  const bool silent =
+      record.changes.empty() && record.findings.empty() && record.parts.empty() && record.malfunctions.empty();
   if (!silent) instants.push_back(std::move(record));
 }
 
@@ -71,6 +78,7 @@ World as_shown(World world) {
   for (SymbolWorld& symbol : world.symbols) {
     symbol.value = symbol.shown;
     symbol.forced = false;
+    symbol.broken = {};
   }
   for (UnitWorld& unit : world.units) {
     unit.state = unit.shown_settled;
@@ -86,6 +94,26 @@ std::uint64_t as_type(const Rules& rules, std::uint32_t symbol, std::uint64_t va
 
 }  // namespace
 
+// A manual move is a leaving and an entering like any other: user code is called for both. It sees conditions and
+// operations as the last instant left them.
+void put_into_state(const Rules& rules, World& world, std::uint32_t index, std::uint8_t state, Counters& counters) {
+  const World old = as_shown(world);
+  InstantNotes notes = empty_notes(rules);
+  Round round{rules, old, world, counters, notes};
+  UnitWorld& unit = world.units[index];
+  if (unit.moving) ++counters[Counted::set_state_moving];
+  if (unit.disabled) ++counters[Counted::set_state_disabled];
+  if (unit.frozen) ++counters[Counted::set_state_frozen];
+  end_holds(unit);
+  if (!unit.moving) leave(round, index, unit.state);
+  unit.state = unit.target = state;
+  unit.moving = unit.stopped_midway = unit.stopped_by_while = unit.returning = unit.automatic = false;
+  unit.moving_now = kNoTransition;
+  unit.remaining = unit.whole = 0;
+  enter(round, index, state);
+  world.instant_pending = true;
+}
+
 Plant::Plant(const model::PlantModel& model, std::map<std::string, Behaviour> behaviours)
     : model_(model), rules_(std::make_unique<Rules>(derive(model, std::move(behaviours)))) {
   reset();
@@ -99,6 +127,7 @@ void Plant::reset(std::uint64_t seed, Time cycle) {
   world_ = first_world(*rules_);
   world_.seed = seed;
   world_.cycle = cycle;
+  reset_malfunctions(*rules_, world_);
   const World old = as_shown(world_);
   InstantNotes notes = empty_notes(*rules_);
   Round round{*rules_, old, world_, counters, notes};
@@ -145,24 +174,28 @@ void Plant::release(std::uint32_t symbol) {
 
 bool Plant::is_forced(std::uint32_t symbol) const { return world_.symbols[symbol].forced; }
 
-// A manual move is a leaving and an entering like any other: user code is called for both. It sees conditions and
-// operations as the last instant left them.
-void Plant::set_state(std::uint32_t index, std::uint8_t state) {
-  const World old = as_shown(world_);
-  InstantNotes notes = empty_notes(*rules_);
-  Round round{*rules_, old, world_, counters, notes};
-  UnitWorld& unit = world_.units[index];
-  if (unit.moving) ++counters[Counted::set_state_moving];
-  if (unit.disabled) ++counters[Counted::set_state_disabled];
-  if (unit.frozen) ++counters[Counted::set_state_frozen];
-  end_holds(unit);
-  if (!unit.moving) leave(round, index, unit.state);
-  unit.state = unit.target = state;
-  unit.moving = unit.stopped_midway = unit.stopped_by_while = unit.returning = unit.automatic = false;
-  unit.moving_now = kNoTransition;
-  unit.remaining = unit.whole = 0;
-  enter(round, index, state);
-  world_.instant_pending = true;
+void Plant::set_state(std::uint32_t unit, std::uint8_t state) {
+  put_into_state(*rules_, world_, unit, state, counters);
+}
+
+bool Plant::start_malfunction(std::uint32_t number, engine::MalfunctionChange::By by) {
+  constexpr std::size_t kMostOrdinary = 64;
+  if (!malfunction_exists(*rules_, number)) return false;
+  const std::size_t written = model_.malfunctions.size();
+  const auto ordinary = std::count_if(world_.malfunctions.active.begin(), world_.malfunctions.active.end(),
+                                      [&](const ActiveWorld& one) { return one.number >= written; });
+  if (number >= written && !is_active(world_, number) && static_cast<std::size_t>(ordinary) == kMostOrdinary) {
+    ++counters[Counted::start_refused];
+    return false;
+  }
+  reference::start_malfunction(*rules_, world_, number, by, counters, world_.malfunctions.by_hand);
+  return true;
+}
+
+bool Plant::stop_malfunction(std::uint32_t number, engine::MalfunctionChange::By by) {
+  if (!malfunction_exists(*rules_, number)) return false;
+  end_malfunction(*rules_, world_, number, by, counters, world_.malfunctions.by_hand);
+  return true;
 }
 
 void Plant::set_quality(bool well) {
@@ -182,6 +215,10 @@ void Plant::advance_to(Time time) {
   const Time to = std::max(time, world_.time);
   advance_before(to);
   if (world_.written_pending || next_due() <= to) run_instant(*rules_, world_, true, counters, instants_);
+  while (world_.malfunctions.pending) {
+    ++counters[Counted::further_instant];
+    run_instant(*rules_, world_, false, counters, instants_);
+  }
 }
 
 Time Plant::now() const { return world_.time; }
@@ -189,6 +226,7 @@ Time Plant::now() const { return world_.time; }
 Time Plant::next_due() const {
   if (world_.instant_pending) return world_.time;
   Time due = std::max(world_.time, next_due_of_parts(world_.material));
+  due = std::min(due, std::max(world_.time, next_due_of_malfunctions(world_)));
   for (const UnitWorld& unit : world_.units) {
     if (unit.disabled || unit.frozen) continue;
     if (unit.moving && !unit.stopped_midway) due = std::min(due, later(world_.time, unit.remaining));
@@ -228,6 +266,17 @@ bool Plant::disarmed(std::uint32_t symbol) const {
   return !world_.units[owner].operations[static_cast<std::size_t>(index)].armed;
 }
 
+bool Plant::is_stuck(std::uint32_t unit) const { return reference::is_stuck(*rules_, world_, unit); }
+
+std::uint32_t Plant::malfunction_of_symbol(std::uint32_t symbol) const {
+  std::uint32_t found = kNone;
+  const std::vector<std::uint32_t> together = rules_->together(symbol);
+  for (const ActiveWorld& one : world_.malfunctions.active) {
+    if (overrides_one_of(*rules_, one.number, together)) found = one.number;
+  }
+  return found;
+}
+
 std::uint64_t Plant::state_hash() const { return reference::state_hash(*rules_, world_); }
 
 const World& Plant::save() const { return world_; }
@@ -235,6 +284,7 @@ const World& Plant::save() const { return world_; }
 void Plant::restore(const World& world) {
   world_ = world;
   world_.material.by_hand.clear();  // changes that no instant has reported are not part of a save
+  world_.malfunctions.by_hand.clear();
   ++counters[Counted::restored];
 }
 

@@ -29,8 +29,9 @@ struct InstantRecord {
   /// Symbol and value, in list order: what differs from the end of the previous instant. At the first instant after a
   /// reset: bits that are on, and numbers that differ from their initial values.
   std::vector<std::pair<std::uint32_t, std::uint64_t>> changes;
-  std::vector<tables::Finding> findings;  ///< in their order
-  std::vector<engine::PartChange> parts;  ///< those by hand first
+  std::vector<tables::Finding> findings;                ///< in their order
+  std::vector<engine::PartChange> parts;                ///< those by hand first
+  std::vector<engine::MalfunctionChange> malfunctions;  ///< those by hand first
 };
 
 struct UnitView {
@@ -71,6 +72,8 @@ class Plant {
   void set_quality(bool well);
   bool put(const tables::PartLocation& to, std::uint32_t kind);
   bool take(const tables::PartLocation& from);
+  bool start_malfunction(std::uint32_t number, engine::MalfunctionChange::By by);
+  bool stop_malfunction(std::uint32_t number, engine::MalfunctionChange::By by);
 
   void advance_to(Time time);
   void advance_before(Time time);
@@ -83,8 +86,10 @@ class Plant {
 
   std::uint64_t value(std::uint32_t symbol) const;  ///< effective; an operation's as last sampled
   UnitView unit(std::uint32_t unit) const;
-  bool disarmed(std::uint32_t symbol) const;  ///< an operation that is on and not armed
-  std::uint64_t state_hash() const;           ///< docs/engine.md lists its fields
+  bool is_stuck(std::uint32_t unit) const;
+  std::uint32_t malfunction_of_symbol(std::uint32_t symbol) const;  ///< the active one that started last; kNone
+  bool disarmed(std::uint32_t symbol) const;                        ///< an operation that is on and not armed
+  std::uint64_t state_hash() const;                                 ///< docs/engine.md lists its fields
 
   const World& save() const;
   void restore(const World& world);

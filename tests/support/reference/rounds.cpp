@@ -1,4 +1,5 @@
 // The rounds of one instant: disables, the step of every unit, loops (docs/model.md, "One instant").
+#include "support/reference/malfunctions.hpp"
 #include "support/reference/material.hpp"
 
 namespace symplant::reference {
@@ -112,6 +113,8 @@ bool work_out_disabled(const Rules& rules, World& world, Counters& counters, Ins
       }
     }
     UnitWorld& its = world.units[unit];
+    its.disabled_by_units = disabled;
+    disabled = disabled || is_stuck(rules, world, unit);
     if (its.disabled == disabled) continue;
     changed = true;
     its.disabled = disabled;

@@ -32,12 +32,15 @@ struct ScenarioStep {
   std::vector<tables::PartLocation> take;
   std::vector<std::pair<std::uint32_t, std::uint64_t>> force;
   std::vector<std::uint32_t> release;
+  std::vector<std::uint32_t> stop;   ///< malfunctions
+  std::vector<std::uint32_t> start;  ///< malfunctions
+  bool starts_ordinary = false;
   bool expects = false;
   std::vector<std::pair<std::uint32_t, std::uint64_t>> expect;
   const condition::Tree* expect_condition = nullptr;
 
   /// Whether it has a verdict.
-  bool is_checked() const { return expects || when == When::wait || !put.empty() || !take.empty(); }
+  bool is_checked() const { return expects || when == When::wait || !put.empty() || !take.empty() || starts_ordinary; }
 };
 
 /// Plays the given steps, one after the other, on a plant that has just been reset.
@@ -59,7 +62,7 @@ class ScenarioPlayer {
 
  private:
   bool go_to(Time time);
-  /// False if a part had no room, or there was none to take.
+  /// False if a part had no room, or there was none to take, or too many malfunctions are active.
   bool act(const ScenarioStep& step);
   void wait(const ScenarioStep& step);
   bool expected(const ScenarioStep& step) const;

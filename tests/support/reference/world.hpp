@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "support/reference/malfunction_world.hpp"
 #include "support/reference/material_world.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -35,6 +36,7 @@ struct UnitWorld {
   bool moving = false;
   bool stopped_midway = false;  ///< moving, but stopped
   bool disabled = false;
+  bool disabled_by_units = false;  ///< as last worked out; it may be stuck as well
   bool frozen = false;
   bool automatic = false;         ///< the current move is automatic
   bool returning = false;         ///< the current move has turned round
@@ -54,9 +56,17 @@ struct UnitWorld {
   std::vector<std::uint64_t> memory;  ///< of its behavior
 };
 
+/// What malfunctions make of a symbol, below the user's force.
+struct SymbolOverride {
+  enum class Kind : std::uint8_t { none, value, opposite };
+  Kind kind = Kind::none;
+  std::uint64_t value = 0;
+};
+
 struct SymbolWorld {
   std::uint64_t written = 0;  ///< operations: last written, perhaps not yet sampled
   std::uint64_t value = 0;    ///< operations: as last sampled; events: as made or set; before forces
+  SymbolOverride broken;
   bool forced = false;
   std::uint64_t forced_value = 0;
   std::uint64_t shown = 0;  ///< the effective value at the end of the last instant
@@ -83,6 +93,7 @@ struct World {
   std::vector<bool> frozen_follows;  ///< as Rules::follows
   MaterialWorld material;
   MaterialWorld shown_material;  ///< at the end of the last instant
+  MalfunctionsWorld malfunctions;
 };
 
 }  // namespace symplant::reference

@@ -53,6 +53,36 @@ inline void add_units(model::PlantModel& plant, const description::DeviceDescrip
   second.transitions[1].once = true;
 }
 
+/// One of each kind, with all times and conditions.
+inline void add_malfunctions(model::PlantModel& plant) {
+  using description::Duration;
+  using tables::MalfunctionKind;
+  const auto add = [&](const char* name, MalfunctionKind kind) -> model::Malfunction& {
+    model::Malfunction& malfunction = plant.malfunctions.emplace_back();
+    malfunction.name = name;
+    malfunction.kind = kind;
+    return malfunction;
+  };
+  model::Malfunction& slow = add("AGV's wheel*/ \"?\?/\\", MalfunctionKind::slower);
+  slow.units = {{0, tables::kNoState}, {3, tables::kNoState}};
+  slow.factor = 1'500;
+  slow.condition = settled(0, 1) && bit(symbol_of(plant, "STOP?\?/"));
+  slow.chance = Duration{Duration::Kind::normal, 600 * tables::kSecond, 5};
+  slow.after = 20 * tables::kSecond;
+  slow.next = 1;
+  slow.unless = moving(1);
+  model::Malfunction& stuck = add("int", MalfunctionKind::stuck);
+  stuck.units = {{0, 1}};
+  stuck.lasts = Duration{Duration::Kind::uniform, 7, 9};
+  add("eye blind {{x}}", MalfunctionKind::force).forces = {{symbol_of(plant, "HALT\\"), 1},
+                                                           {symbol_of(plant, "LEVEL"), static_cast<std::uint64_t>(-3)}};
+  model::Malfunction& loose = add("1st", MalfunctionKind::flicker);
+  loose.subject = symbol_of(plant, "L_P_MC_I_RUN2");
+  loose.every = Duration{Duration::Kind::uniform, tables::kSecond, 5 * tables::kSecond};
+  loose.shows = 80;
+  add("\xC3\xBC 1", MalfunctionKind::lose).subject = 0;
+}
+
 inline std::unique_ptr<const Everything> everything() {
   auto made = std::make_unique<Everything>();
   made->described.type = "class";
@@ -84,6 +114,7 @@ inline std::unique_ptr<const Everything> everything() {
   made->plant.requirements = {
       {"never both\\\n\"}; //", tables::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},
       {"answers", tables::RequirementRow::Kind::expect, settled(0, 1), settled(1, 1), 5 * tables::kSecond}};
+  add_malfunctions(made->plant);
   return made;
 }
 

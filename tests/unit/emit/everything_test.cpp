@@ -36,7 +36,11 @@ TEST_CASE("Every table of the golden has rows") {
                                  tables.behaviour_units.size(),
                                  tables.behaviour_values.size(),
                                  tables.requirement_names.size(),
-                                 tables.behaviour_names.size()}) {
+                                 tables.behaviour_names.size(),
+                                 tables.malfunctions.rows.size(),
+                                 tables.malfunctions.units.size(),
+                                 tables.malfunctions.forces.size(),
+                                 tables.malfunctions.names.size()}) {
     CHECK(size != 0);
   }
 }
@@ -55,6 +59,34 @@ TEST_CASE("A class states which devices it disables, and which events its states
   static_assert(MC::l_leave(MC::State::RUN2).off == 0b110);
   static_assert(MC::d_ext(MC::State::IDLE1, MC::Operation::O_RUN2).lead_to(MC::State::RUN2), "guarded or not");
   static_assert(MC::d_int(MC::State::RUN2).lead_to(MC::State::IDLE1), "guarded or not");
+}
+
+TEST_CASE("A generated plant starts and ends the malfunctions of its description, its devices and its inputs by name") {
+  using ::everything::Malfunction;
+  using ::everything::Symbol;
+  ::everything::Plant plant;
+  CHECK_FALSE(plant.is_active(Malfunction::int_));
+  plant.start(Malfunction::int_);
+  plant.advance_to(0);
+  CHECK(plant.is_active(Malfunction::int_));
+  CHECK(plant.agv().is_in(::everything::AGV::State::P2));
+  CHECK(plant.agv().disabled());
+  plant.stop(Malfunction::int_);
+  plant.advance_to(1);
+  CHECK_FALSE(plant.agv().disabled());
+  CHECK(plant.agv2().set_stuck());
+  CHECK(plant.agv2().set_slow());
+  CHECK(plant.set_stuck(Symbol::L_P_MC_I_BUSY3, false));
+  plant.advance_to(2);
+  CHECK(plant.agv2().disabled());
+  CHECK_FALSE(plant.is_on(Symbol::L_P_MC_I_BUSY3));
+  CHECK(plant.active_malfunctions().size() == 3);
+  plant.free(Symbol::L_P_MC_I_BUSY3);
+  CHECK(plant.agv2().set_stuck(false));
+  CHECK(plant.agv2().set_slow(false));
+  plant.advance_to(3);
+  CHECK(plant.is_on(Symbol::L_P_MC_I_BUSY3));
+  CHECK(plant.active_malfunctions().empty());
 }
 
 }  // namespace

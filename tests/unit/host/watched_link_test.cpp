@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "support/plant_bench.hpp"
+#include "support/malfunction_bench.hpp"
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/trace/finding_words.hpp"
 
@@ -20,8 +20,10 @@ class SetLink final : public link::Link {
   void read_operations(plant::Plant&, tables::Time) noexcept override {}
   void write_events(const plant::Plant&, const exec::CycleStatus&) noexcept override {}
   LinkState state() const noexcept override { return stands; }
+  void cut(bool on) noexcept override { is_cut = on; }
 
   LinkState stands = LinkState::waiting;
+  bool is_cut = false;
 };
 
 constexpr std::uint8_t kP2 = 1;
@@ -43,7 +45,7 @@ struct Bench {
   static Reported reported() {
     Reported reported;
     reported.device("A").behaviour = "Safe";
-    return reported;
+    return with_malfunctions(R"({"name":"cable","lose":true})", reported);
   }
   /// A cycle of 10 ms with the link in this state.
   void cycle(LinkState state) {
@@ -96,6 +98,25 @@ TEST_CASE("A behavior sees from the first instant that the PLC has not been hear
   Bench bench(0);
   bench.plant.advance_to(0, &bench.recorder);
   CHECK(bench.plant.unit(0).moving);
+}
+
+TEST_CASE("A malfunction cuts the link of its controller while it is active, and no other") {
+  Bench bench(0);
+  Bench other(1);
+  const auto cycle = [&] {
+    bench.cycle(LinkState::live);
+    other.cycle(LinkState::live);
+  };
+  cycle();
+  CHECK_FALSE(bench.link->is_cut);
+  bench.plant.start_malfunction(0);
+  other.plant.start_malfunction(0);
+  cycle();
+  CHECK(bench.link->is_cut);
+  CHECK_FALSE(other.link->is_cut);
+  bench.plant.stop_malfunction(0);
+  cycle();
+  CHECK_FALSE(bench.link->is_cut);
 }
 
 TEST_CASE("A behavior ignores a link that carries none of its operations") {

@@ -60,6 +60,8 @@ class LinkedCell {
 
   link::Link& link() { return *link_; }
   exec::LinkState state() const { return state_; }
+  /// Cycles with the link lost, so far.
+  std::uint64_t cycles_lost() const { return cycles_lost_; }
   /// Symbols that the PLC overwrites, so far.
   std::uint64_t overwritten() const { return overwritten_; }
   /// All messages so far, each with a line end.
@@ -80,6 +82,7 @@ class LinkedCell {
       plant_->advance_to(plant_->now() + tables::kMillisecond);
       write();
       state_ = link_->state();
+      if (state_ == exec::LinkState::lost) ++cycles_lost_;
       std::this_thread::yield();
     }
   }
@@ -90,6 +93,7 @@ class LinkedCell {
   std::string messages_;
   std::atomic<bool> stop_{false};
   std::atomic<exec::LinkState> state_{exec::LinkState::waiting};
+  std::atomic<std::uint64_t> cycles_lost_{0};
   std::atomic<std::uint64_t> overwritten_{0};
   std::thread cycling_;
 };

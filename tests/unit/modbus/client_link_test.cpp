@@ -169,3 +169,21 @@ TEST_CASE("A server plant and a client plant exchange their signals") {
   CHECK(client.link().status().armed);
   CHECK_THAT(client.messages(), Contains("armed: the PLC is `symplant"));
 }
+
+TEST_CASE("A cut Modbus client sends nothing and is lost; afterwards it connects again by itself") {
+  ModbusPlc plc(cell_setup(coil_input, coil_output));
+  LinkedCell cell(url_of(plc, "events=coils:100"), armed(), test::kGetsLost);
+  CHECK(finishes_rounds(plc, 1));
+  cell.link().cut(true);
+  CHECK(plc.wait_until([&](PlcMemory&) { return cell.link().status().connections == 0; }));
+  CHECK(plc.wait_until([&](PlcMemory&) { return cell.state() == LinkState::lost; }));
+  const std::uint64_t requests = cell.link().status().requests;
+  const auto written = plc.written().size();
+  CHECK(plc.wait_until([&](PlcMemory&) { return cell.cycles_lost() > 1000; }));
+  CHECK(cell.link().status().requests == requests);
+  CHECK(plc.written().size() == written);
+  cell.link().cut(false);
+  int before = 0;
+  plc.with([&](PlcMemory& memory) { before = memory.holding_registers[kRounds]; });
+  CHECK(finishes_rounds(plc, before + 1));
+}

@@ -105,10 +105,17 @@ class Play {
       turn_ = record.value;
       return;
     }
-    if (record.kind == trace::Record::Kind::note) {
-      const scenario::Failure failure{record.of, turn_, static_cast<tables::Time>(record.value), {}};
-      failures_ += why::in_one_line(scenario::failure_words(scenario_, failure, explainer_, history_, &plant)) + "\n";
+    if (record.kind == trace::Record::Kind::note && record.of == scenario::kHandNote) {
+      hands_.push_back(record.value);
       return;
+    }
+    if (record.kind == trace::Record::Kind::note) {
+      const scenario::Failure failure{record.of, turn_, static_cast<tables::Time>(record.value),
+                                      std::exchange(hands_, {})};
+      failures_ += why::in_one_line(scenario::failure_words(scenario_, failure, explainer_, history_, &plant)) +
+                   "
+                   ";
+                   return;
     }
     if (record.kind == trace::Record::Kind::change) {
       const std::string value = trace::json_value(tables_.rows.symbols[record.of].type(), record.value);
@@ -127,6 +134,7 @@ class Play {
   const BenchTables& tables_;
   const Files files_;
   std::uint64_t turn_ = 0;
+  std::vector<std::uint64_t> hands_;  ///< what failed by hand in the step whose failure is next
   trace::PlantNames names_;
   trace::History history_;
   why::Explainer explainer_;

@@ -42,6 +42,10 @@ struct Sample {
   std::vector<tables::RequirementRow> requirements{{tables::RequirementRow::Kind::expect, 0, 1, 9}};
   std::vector<tables::BehaviourUnit> behaviours{{0, 0, 0, 1, 0, 1}};
   std::vector<std::uint32_t> behaviour_values{3};
+  std::vector<tables::MalfunctionRow> malfunctions{
+      {tables::MalfunctionKind::slower, {0, 1}, 3000, 0, 1, 2, 0, 3, 4, 5, 0, 0}};
+  std::vector<tables::MalfunctionUnit> malfunction_units{{0, 0}};
+  std::vector<tables::MalfunctionForce> malfunction_forces{{0, 1}};
   std::uint8_t rest = tables::kNoState;
   tables::Actuation actuation = tables::Actuation::latched;
   std::string name = "plant";
@@ -50,6 +54,7 @@ struct Sample {
   std::string symbol_names{"S\0Y3\0", 5};
   std::string requirement_names{"R\0", 2};
   std::string behaviour_names{"B\0", 2};
+  std::string malfunction_names{"M\0", 2};
   std::string list_names{"list.csv\0", 9};
   std::string controller_names{"PLC1\0PLC2\0", 10};
   std::vector<tables::SymbolListRow> lists{{0, 0}};
@@ -93,6 +98,7 @@ struct Sample {
     tables.list_names = list_names;
     tables.controller_names = controller_names;
     tables.lists = lists;
+    tables.malfunctions = {malfunctions, malfunction_units, malfunction_forces, malfunction_names};
     return tables::model_hash(tables);
   }
 };
@@ -196,6 +202,25 @@ TEST_CASE("Every field of every row changes the hash") {
       [](Sample& s) { s.behaviours[0].first_value = 1; },
       [](Sample& s) { s.behaviours[0].value_count = 0; },
       [](Sample& s) { s.behaviour_values[0] = 4; },
+      [](Sample& s) { s.malfunctions[0].kind = tables::MalfunctionKind::stuck; },
+      [](Sample& s) { s.malfunctions[0].of.first = 1; },
+      [](Sample& s) { s.malfunctions[0].of.count = 0; },
+      [](Sample& s) { s.malfunctions[0].factor = 2000; },
+      [](Sample& s) { s.malfunctions[0].subject = 1; },
+      [](Sample& s) { s.malfunctions[0].every = 2; },
+      [](Sample& s) { s.malfunctions[0].shows = 3; },
+      [](Sample& s) { s.malfunctions[0].condition = tables::kNone; },
+      [](Sample& s) { s.malfunctions[0].chance = -1; },
+      [](Sample& s) { s.malfunctions[0].lasts = -1; },
+      [](Sample& s) { s.malfunctions[0].after = 0; },
+      [](Sample& s) { s.malfunctions[0].next = tables::kNone; },
+      [](Sample& s) { s.malfunctions[0].unless = tables::kNone; },
+      [](Sample& s) { s.malfunctions.push_back(s.malfunctions[0]); },
+      [](Sample& s) { s.malfunction_units[0].unit = 1; },
+      [](Sample& s) { s.malfunction_units[0].state = tables::kNoState; },
+      [](Sample& s) { s.malfunction_forces[0].symbol = 1; },
+      [](Sample& s) { s.malfunction_forces[0].value = 0; },
+      [](Sample& s) { s.malfunction_names[0] = 'N'; },
       [](Sample& s) { s.name = "plane"; },
       [](Sample& s) { s.unit_names[0] = 'V'; },
       [](Sample& s) { s.state_names[0] = 'C'; },
@@ -243,6 +268,16 @@ TEST_CASE("The controllers of symbols change the hash, and the division into lis
   const std::uint64_t before = named.hash();
   named.controller_names = {"PLC1\0PLC3\0", 10};
   CHECK(named.hash() != before);
+}
+
+TEST_CASE("A plant without malfunctions digests none of their tables") {
+  Sample without;
+  without.malfunctions.clear();
+  const std::uint64_t hash = without.hash();
+  without.malfunction_units.clear();
+  without.malfunction_forces.clear();
+  without.malfunction_names.clear();
+  CHECK(without.hash() == hash);
 }
 
 TEST_CASE("The path of the list and the lines of symbols do not change the hash") {

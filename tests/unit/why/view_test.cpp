@@ -1,4 +1,4 @@
-// What a view adds: malfunctions, a standstill, links, and things that the records do not have.
+// What a view adds: a standstill, links, and things that the records do not have.
 #include "why_support.hpp"
 
 namespace symplant::test {
@@ -10,8 +10,6 @@ class Phrases final : public why::RecordedView {
   std::string unwritten(std::uint32_t) const override { return "no link carries it"; }
   std::string violated(std::uint32_t) const override { return "was violated at 3 s"; }
   std::string standstill() const override { return "link slmp: is lost, and the plant is frozen"; }
-  std::string malfunction_of_unit(std::uint32_t) const override { return "stuck by malfunction `rust`"; }
-  std::string malfunction_of_symbol(std::uint32_t) const override { return "forced by malfunction `wire`"; }
 };
 
 TEST_CASE("The phrases of a view end the sentences that they are about") {
@@ -19,13 +17,12 @@ TEST_CASE("The phrases of a view end the sentences that they are about") {
   const Asked asked(cell);
   const Phrases view(asked.history(), 0, &asked.plant);
   CHECK(asked.why("AGV", view) ==
-        "L_P_AGV has been in P1 since the start, stuck by malfunction `rust`: %QX3 (operation P2, symbols.csv:5) has "
-        "never been on (no link carries it), forced by malfunction `wire`\n"
+        "L_P_AGV has been in P1 since the start: %QX3 (operation P2, symbols.csv:5) has "
+        "never been on (no link carries it)\n"
         "    link slmp: is lost, and the plant is frozen\n");
   CHECK(contains(asked.why("AGV_O_P2", view),
-                 "L_P_AGV_O_P2 has been off since the start, forced by malfunction "
-                 "`wire`, PLC output %QX3, operation P2 of L_P_AGV (symbols.csv:5): no "
-                 "link carries it\n"));
+                 "L_P_AGV_O_P2 has been off since the start, PLC output %QX3, operation P2 of L_P_AGV "
+                 "(symbols.csv:5): no link carries it\n"));
   CHECK(contains(asked.why("one", view), "; it was violated at 3 s\n"));
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "symplant/plant/device.hpp"
+#include "symplant/plant/malfunctions_plant.hpp"
 #include "tables_gen.hpp"
 #include "types_gen.hpp"
 
@@ -35,6 +36,15 @@ enum class Symbol : std::uint32_t {
   L_P_AGV2_O_P2 = 17,
   L_P_AGV2_I_P1 = 18,
   L_P_AGV2_I_P2 = 19,
+};
+
+/// The malfunctions of the description, in the order of tables().malfunctions.
+enum class Malfunction : std::uint32_t {
+  AGV_u0027_s_wheel_u002A_u002F_u0022_u003F_u003F_u002F_u005C = 0,
+  int_ = 1,
+  eye_blind_u007B_u007B_x_u007D_u007D = 2,
+  n1st = 3,
+  u00FC_1 = 4,
 };
 
 /// The devices of a line, and of a process.
@@ -66,9 +76,9 @@ class L {
 }  // namespace groups
 
 /// A running plant with its own memory. A process may have any number of plants; use each in one thread at a time.
-class Plant final : public symplant::plant::NamedPlant<Symbol> {
+class Plant final : public symplant::plant::MalfunctionsPlant<symplant::plant::NamedPlant<Symbol>, Malfunction> {
  public:
-  Plant() : NamedPlant(::everything::tables(), ::everything::behaviours()) {}
+  Plant() : MalfunctionsPlant(::everything::tables(), ::everything::behaviours()) {}
 
   // Its lines; processes and devices whose names nothing else has.
   groups::L l() noexcept { return groups::L(*this); }

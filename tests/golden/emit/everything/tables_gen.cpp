@@ -41,7 +41,7 @@ constexpr std::array<tables::TypeRow, 3> kTypes{{
     tables::row_of<::everything::MC>(),
     tables::row_of<::everything::MyStopper_u005C, ::everything::class_>(),
 }};
-static_assert(tables::times_are_sound(kTypes, 2), "a Dt of a class has a negative time");
+static_assert(tables::times_are_sound(kTypes, 5), "a Dt of a class has a negative time");
 
 // The kinds of symbols: direction, type, form of the address, whether a device uses the symbol.
 constexpr auto kOperation_real_number_free = tables::symbol_kind(tables::DataType::real, tables::Direction::operation, tables::AddressForm::number, false);
@@ -68,6 +68,9 @@ constexpr tables::TransitionTimes kTimes[] = {
 constexpr tables::RandomTime kRandomTimes[] = {
     {tables::RandomTime::Kind::uniform, 1000000000, 2000000000},  // -1: L_P_AGV, d_ext(P2, O_P1) = P1
     {tables::RandomTime::Kind::normal, 500, 20},  // -2: L_P_MC, d_int(RUN2) = IDLE1
+    {tables::RandomTime::Kind::normal, 600000000000, 5},  // -3: malfunction AGV's wheel*/ "?<U+003F>/<U+005C>
+    {tables::RandomTime::Kind::uniform, 7, 9},  // -4: malfunction int
+    {tables::RandomTime::Kind::uniform, 1000000000, 5000000000},  // -5: malfunction 1st
 };
 
 // A symbol: bit or slot, device, number of its address, line in the list, kind.
@@ -124,8 +127,10 @@ constexpr tables::ConditionRow kConditions[] = {
     {0x8, 0, 0, tables::ReaderKind::requirement},  // 3: never both<U+005C><U+000A>"}; //, never: L_P_AGV.P2 and L_P_MC.RUN2
     {0x2, 1, 0, tables::ReaderKind::requirement},  // 4: answers, after: L_P_AGV.P2
     {0x2, 1, 1, tables::ReaderKind::requirement},  // 5: answers, expect: L_P_MC.RUN2
-    {0x8000000000000000, 2, 0, tables::ReaderKind::condition},  // 6: input 0 of condition 2
-    {0x80, 2, 1, tables::ReaderKind::condition},  // 7: input 1 of condition 2
+    {0x8, 0, 0, tables::ReaderKind::malfunction},  // 6: AGV's wheel*/ "?<U+003F>/<U+005C>, when: L_P_AGV.P2 and 'STOP?<U+003F>/'
+    {0x2, 0, 1, tables::ReaderKind::malfunction},  // 7: AGV's wheel*/ "?<U+003F>/<U+005C>, unless: L_P_MC.moving
+    {0x8000000000000000, 2, 0, tables::ReaderKind::condition},  // 8: input 0 of condition 2
+    {0x80, 2, 1, tables::ReaderKind::condition},  // 9: input 1 of condition 2
 };
 
 // A device with conditions: device, its first condition.
@@ -139,27 +144,30 @@ constexpr tables::UnitWatch kUnitWatches[] = {
     {0, 0, 1, 0},  // L_P_AGV.P2
     {0, 3, 1, 0},  // L_P_AGV.P2
     {0, 4, 1, 0},  // L_P_AGV.P2
+    {0, 6, 1, 0},  // L_P_AGV.P2
     {1, 3, 1, 1},  // L_P_MC.RUN2
     {1, 5, 1, 0},  // L_P_MC.RUN2
+    {1, 7, tables::kMovingState, 0},  // L_P_MC.moving
     {2, 0, tables::kMovingState, 1},  // L_P_STOPPER.moving
 };
 
 // An operation that a condition watches: bit, condition, input of the condition.
 constexpr tables::BitWatch kOperationWatches[] = {
-    {0, 6, 0},  // L_P_AGV_O_P1
-    {1, 6, 1},  // L_P_AGV_O_P2
-    {2, 6, 4},  // L_P_MC_O_IDLE1
-    {3, 6, 5},  // L_P_MC_O_RUN2
+    {0, 8, 0},  // L_P_AGV_O_P1
+    {1, 8, 1},  // L_P_AGV_O_P2
+    {2, 8, 4},  // L_P_MC_O_IDLE1
+    {3, 8, 5},  // L_P_MC_O_RUN2
 };
 
 // An event that a condition watches: bit, condition, input of the condition.
 constexpr tables::BitWatch kEventWatches[] = {
-    {0, 6, 2},  // L_P_AGV_I_P1
-    {1, 6, 3},  // L_P_AGV_I_P2
-    {2, 7, 0},  // L_P_MC_I_IDLE1
-    {3, 7, 1},  // L_P_MC_I_RUN2
-    {4, 7, 2},  // L_P_MC_I_BUSY3
+    {0, 8, 2},  // L_P_AGV_I_P1
+    {1, 8, 3},  // L_P_AGV_I_P2
+    {2, 9, 0},  // L_P_MC_I_IDLE1
+    {3, 9, 1},  // L_P_MC_I_RUN2
+    {4, 9, 2},  // L_P_MC_I_BUSY3
     {9, 0, 2},  // STOP?<U+003F>/
+    {9, 6, 1},  // STOP?<U+003F>/
 };
 
 // A numeric operation that a condition compares: operand, slot, condition, input of the condition, comparison, kind of number.
@@ -178,6 +186,28 @@ constexpr tables::RequirementRow kRequirements[] = {
     {tables::RequirementRow::Kind::expect, 4, 5, 5000000000},  // answers
 };
 
+// A malfunction: kind, its devices or symbols (first, count), how many times slower (thousandths), symbol or controller, every and for (ns), condition, chance and lasts (ns), becomes: after (ns), which one, unless (condition). Times below 0 are random.
+constexpr tables::MalfunctionRow kMalfunctions[] = {
+    {tables::MalfunctionKind::slower, {0, 2}, 1500, tables::kNone, 0, 0, 6, -3, 0, 20000000000, 1, 7},  // AGV's wheel*/ "?<U+003F>/<U+005C>
+    {tables::MalfunctionKind::stuck, {2, 1}, 0, tables::kNone, 0, 0, tables::kNone, 0, -4, 0, tables::kNone, tables::kNone},  // int
+    {tables::MalfunctionKind::force, {0, 2}, 0, tables::kNone, 0, 0, tables::kNone, 0, 0, 0, tables::kNone, tables::kNone},  // eye blind {{x}}
+    {tables::MalfunctionKind::flicker, {3, 0}, 0, 7, -5, 80, tables::kNone, 0, 0, 0, tables::kNone, tables::kNone},  // 1st
+    {tables::MalfunctionKind::lose, {3, 0}, 0, 0, 0, 0, tables::kNone, 0, 0, 0, tables::kNone, tables::kNone},  // <U+00FC> 1
+};
+
+// A device of a malfunction: device, state.
+constexpr tables::MalfunctionUnit kMalfunctionUnits[] = {
+    {0, tables::kNoState},  // L_P_AGV
+    {3, tables::kNoState},  // L_P_AGV2
+    {0, 1},  // L_P_AGV.P2
+};
+
+// A symbol of a malfunction: symbol, value.
+constexpr tables::MalfunctionForce kMalfunctionForces[] = {
+    {13, 0x1},  // HALT<U+005C>
+    {14, 0xfffffffffffffffd},  // LEVEL
+};
+
 // A device with a custom behavior: device, class, its inputs (first, count), its values (first, count).
 constexpr tables::BehaviourUnit kBehaviourUnits[] = {
     {2, 0, 0, 1, 0, 2},  // L_P_STOPPER, MyStopper<U+005C>
@@ -188,6 +218,14 @@ constexpr std::uint32_t kBehaviourValues[] = {
     14,  // LEVEL
     15,  // SPEED
 };
+
+// The malfunctions' names.
+constexpr char kMalfunctionNames[] =
+    "AGV's wheel*/ \042\077\077/\134\0"
+    "int\0"
+    "eye blind {{x}}\0"
+    "1st\0"
+    "\303\274 1\0";
 
 // The devices' names.
 constexpr char kUnitNames[] =
@@ -266,6 +304,7 @@ constinit const tables::PlantTables kTables = [] {
   plant.operation_value_watches = kOperationValueWatches;
   plant.event_value_watches = kEventValueWatches;
   plant.requirements = kRequirements;
+  plant.malfunctions = {.rows = kMalfunctions, .units = kMalfunctionUnits, .forces = kMalfunctionForces, .names = {kMalfunctionNames, sizeof kMalfunctionNames - 1}};
   plant.behaviour_units = kBehaviourUnits;
   plant.behaviour_values = kBehaviourValues;
   plant.operation_bits = 64;

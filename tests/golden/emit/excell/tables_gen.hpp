@@ -8,7 +8,7 @@
 
 #include "symplant/tables/version.hpp"
 
-static_assert(symplant::tables::kTablesVersion == 5,
+static_assert(symplant::tables::kTablesVersion == 6,
               "generated for another version of the runtime: run symplant generate again");
 
 namespace symplant::tables {

@@ -1,0 +1,11 @@
+// Lowers the malfunctions.
+#pragma once
+
+#include "lower/lower_material.hpp"
+
+namespace symplant::lower {
+
+/// Fills EngineTables::malfunctions, and adds their random times.
+void lower_malfunctions(const model::PlantModel& plant, const AddCondition& add_condition, EngineTables& tables);
+
+}  // namespace symplant::lower

@@ -1,0 +1,13 @@
+// Lowers times that may be random.
+#pragma once
+
+#include "description/duration.hpp"
+#include "lower/engine_tables.hpp"
+
+namespace symplant::lower {
+
+/// A fixed time, or a negative number that refers to EngineTables::random_times, to which it is added if it is not
+/// there. O(random times).
+tables::Time lower_time(const description::Duration& duration, EngineTables& tables);
+
+}  // namespace symplant::lower

@@ -1,0 +1,165 @@
+// Starts and ends malfunctions: from outside, at their times, and by their conditions.
+#include <algorithm>
+#include <cstring>
+
+#include "symplant/engine/draw.hpp"
+#include "symplant/engine/engine_inline.hpp"
+#include "symplant/engine/malfunction/malfunctions.hpp"
+
+namespace symplant::engine {
+namespace {
+
+/// MalfunctionState::wishes
+constexpr std::uint8_t kStarts = 1;
+constexpr std::uint8_t kEnds = 2;
+
+}  // namespace
+
+tables::Time Malfunctions::now() const noexcept { return engine_.head_->now; }
+
+const ActiveMalfunction* Malfunctions::find(std::uint32_t number) const noexcept {
+  const ActiveMalfunction* const end = active_ + head_->active;
+  const auto* const found =
+      std::find_if(active_, active_ + head_->active, [&](const ActiveMalfunction& a) { return a.number == number; });
+  return found == end ? nullptr : found;
+}
+
+bool Malfunctions::is_active(std::uint32_t number) const noexcept {
+  return numbers_.is_written(number) ? states_[number].active != 0 : find(number) != nullptr;
+}
+
+tables::Time Malfunctions::next_due(std::uint32_t number) const noexcept {
+  if (!numbers_.is_written(number)) return tables::kNever;
+  const MalfunctionState& state = states_[number];
+  return std::min({state.due, state.becomes, state.flickers});
+}
+
+tables::Time Malfunctions::drawn(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept {
+  if (time >= 0) return time;
+  const auto n = static_cast<std::uint16_t>(stream);
+  const std::uint64_t start = draw_start(engine_.head_->seed, name_hashes_[number], n, states_[number].draws[n]++);
+  return std::max<tables::Time>(1, random_time(tables_.random_times[static_cast<std::size_t>(-1 - time)], start));
+}
+
+/// The time that is `time` of the tables from now; kNever if it is not given.
+tables::Time Malfunctions::after(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept {
+  return time == 0 ? tables::kNever : later(now(), drawn(number, time, stream));
+}
+
+bool Malfunctions::start(std::uint32_t number, By by) noexcept {
+  if (!numbers_.exists(number)) return false;
+  if (is_active(number)) return true;
+  if (!numbers_.is_written(number)) {
+    if (head_->ordinary == tables::kMostOrdinaryMalfunctions) return false;
+    ++head_->ordinary;
+  } else {
+    MalfunctionState& state = states_[number];
+    state.active = 1;
+    state.wishes = 0;
+    state.since = now();
+    state.due = after(number, row(number).lasts, MalfunctionStream::lasts);
+    state.becomes = row(number).after == 0 ? tables::kNever : later(now(), row(number).after);
+    state.flickers = after(number, row(number).every, MalfunctionStream::every);
+    seen_.mark(number);
+  }
+  active_[head_->active++] = {now(), number, by, {}};
+  affect(number);
+  note(number, true, by);
+  return true;
+}
+
+bool Malfunctions::stop(std::uint32_t number, By by) noexcept {
+  if (!numbers_.exists(number)) return false;
+  if (is_active(number)) end(number, by);
+  return true;
+}
+
+void Malfunctions::end(std::uint32_t number, By by) noexcept {
+  const ActiveMalfunction* const found = find(number);
+  const std::size_t behind = static_cast<std::size_t>(active_ + head_->active - found) - 1;
+  std::memmove(active_ + (found - active_), found + 1, behind * sizeof(ActiveMalfunction));
+  --head_->active;
+  if (numbers_.is_written(number)) {
+    MalfunctionState& state = states_[number];
+    state.active = state.shows = state.wishes = 0;
+    state.since = 0;
+    state.becomes = state.flickers = tables::kNever;
+    state.due = after(number, row(number).chance, MalfunctionStream::chance);
+  } else {
+    --head_->ordinary;
+  }
+  release(number);
+  note(number, false, by);
+}
+
+void Malfunctions::note(std::uint32_t number, bool active, By by) noexcept {
+  engine_.head_->waits |= kActed;
+  engine_.suspects_ |= kMalfunctionsChanged;
+  const bool outside = by == By::hand || by == By::scenario;
+  if (outside) set_next();
+  if (changes_.size < (outside ? kMostByHand : most_changes_)) changes_.add({number, active, by});
+}
+
+void Malfunctions::set_next() noexcept {
+  head_->next = tables::kNever;
+  for (std::uint32_t m = 0; m < written_; ++m) head_->next = std::min(head_->next, next_due(m));
+}
+
+void Malfunctions::begin() noexcept {
+  if (head_->next > now() && head_->pending == 0) return;
+  head_->pending = 0;
+  for (std::uint32_t m = 0; m < written_; ++m) begin_one(m);
+  set_next();
+}
+
+/// What ends an active one comes first; it then does nothing else in this instant.
+void Malfunctions::begin_one(std::uint32_t number) noexcept {
+  MalfunctionState& state = states_[number];
+  const std::uint8_t wishes = state.wishes;
+  state.wishes = 0;
+  if (state.active != 0) {
+    if ((wishes & kEnds) != 0) {
+      end(number, By::condition);
+    } else if (state.due <= now()) {
+      end(number, By::end);
+    } else if (state.becomes <= now()) {
+      become(number);
+    } else if (state.flickers <= now()) {
+      flicker(number);
+    }
+  } else if (state.due <= now()) {
+    start(number, By::chance);
+  } else if ((wishes & kStarts) != 0) {
+    state.by_itself = now();
+    start(number, By::condition);
+  }
+}
+
+void Malfunctions::become(std::uint32_t number) noexcept {
+  end(number, By::becomes);
+  start(row(number).next, By::becomes);
+}
+
+void Malfunctions::flicker(std::uint32_t number) noexcept {
+  MalfunctionState& state = states_[number];
+  state.shows ^= 1;
+  state.flickers =
+      state.shows != 0 ? later(now(), row(number).shows) : after(number, row(number).every, MalfunctionStream::every);
+  override_again(row(number).subject);
+}
+
+/// A malfunction starts by its condition once at a time, so that those of several cannot start each other for ever.
+void Malfunctions::close() noexcept {
+  seen_.take_all([&](std::uint32_t m) {
+    MalfunctionState& state = states_[m];
+    const tables::MalfunctionRow& row = this->row(m);
+    const bool holds = row.condition != tables::kNone && engine_.truth(row.condition);
+    const bool begins = holds && state.held == 0;
+    state.held = holds ? 1 : 0;
+    if (begins && state.active == 0 && state.by_itself != now()) state.wishes |= kStarts;
+    if (state.active != 0 && row.unless != tables::kNone && engine_.truth(row.unless)) state.wishes |= kEnds;
+    if (state.wishes != 0) head_->pending = 1;
+  });
+}
+
+}  // namespace symplant::engine

@@ -1,0 +1,145 @@
+// The malfunctions of a plant: which are active, what starts and ends them, and what they do (docs/malfunctions.md).
+//
+// They change a plant as actions from outside do, before the first round of an instant. What a plant without active
+// malfunctions does is not touched.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "symplant/engine/arena.hpp"
+#include "symplant/engine/dirty_set.hpp"
+#include "symplant/engine/instant.hpp"
+#include "symplant/engine/malfunction/active_malfunction.hpp"
+#include "symplant/engine/planes.hpp"
+#include "symplant/tables/digest.hpp"
+#include "symplant/tables/malfunction_numbers.hpp"
+#include "symplant/tables/tables.hpp"
+
+namespace symplant::engine {
+
+class Engine;
+
+/// The numbers of a malfunction's streams of random times.
+enum class MalfunctionStream : std::uint8_t { chance, lasts, every };
+
+/// The changing state of a written malfunction. Times that are not given or not running are kNever.
+struct MalfunctionState {
+  tables::Time since;      ///< when it started; 0 if it is not active
+  tables::Time due;        ///< active: when it ends by itself; else: when it starts by chance
+  tables::Time becomes;    ///< when it becomes another one
+  tables::Time flickers;   ///< when its symbol changes next
+  tables::Time by_itself;  ///< when it last started by its condition
+  std::array<std::uint32_t, 3> draws;
+  std::uint8_t active;
+  std::uint8_t shows;   ///< its symbol shows the opposite
+  std::uint8_t held;    ///< `when` held at the end of the last instant
+  std::uint8_t wishes;  ///< of the next instant: kStarts, kEnds
+};
+
+class Malfunctions {
+ public:
+  using By = MalfunctionChange::By;
+
+  // place() and place_block() set all other members.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+  explicit Malfunctions(Engine& engine) noexcept;
+
+  // Memory (malfunction_memory.cpp).
+  void place(Arena& arena) noexcept;  ///< what is outside the flat block
+  void place_block(Arena& arena) noexcept;
+  void reset() noexcept;
+  /// Looks at all conditions at the end of the next instant, as in the first one.
+  void mark_all() noexcept;
+  void hash(tables::Fnv1a64& hash) const noexcept;
+
+  /// Whether the plant has written ones.
+  bool written() const noexcept { return written_ != 0; }
+  std::span<const ActiveMalfunction> active() const noexcept { return {active_, head_->active}; }
+  /// Null if it is not active. O(active ones).
+  const ActiveMalfunction* find(std::uint32_t number) const noexcept;
+  /// The next time at which one changes by itself. O(1) for all together.
+  tables::Time next_due() const noexcept { return head_->next; }
+  tables::Time next_due(std::uint32_t number) const noexcept;
+  bool is_stuck(std::uint32_t unit) const noexcept;
+  bool is_cut(std::uint32_t controller) const noexcept;
+  /// The one that overrides a symbol, forced by the user or not; kNone: none.
+  std::uint32_t of_symbol(std::uint32_t symbol) const noexcept;
+
+  // Changes (malfunction_changes.cpp). Between instants.
+  bool start(std::uint32_t number, By by) noexcept;
+  bool stop(std::uint32_t number, By by) noexcept;
+  /// Makes the changes that are due at now(). Before the instant there.
+  void begin() noexcept;
+  void condition_changed(std::uint32_t number) noexcept { seen_.mark(number); }
+  /// Looks at the conditions at the end of an instant.
+  void close() noexcept;
+  /// Whether a further instant at the same time must make changes.
+  bool pending() const noexcept { return head_->pending != 0; }
+  std::span<const MalfunctionChange> changes() const noexcept { return changes_.view(); }
+  void forget_changes() noexcept { changes_.size = 0; }
+
+  // What they do (malfunction_effects.cpp).
+  /// The travel time of a unit's move that begins now and would take `time`.
+  tables::Time slowed(std::uint32_t unit, const tables::UnitRow& row, tables::Time time) noexcept;
+  /// The total time of the current move of a unit without a GeneralState, of which the tables say `time`.
+  tables::Time whole(std::uint32_t unit, tables::Time time) const noexcept;
+  /// Overrides a symbol as the active ones do together, if the user does not force it.
+  void override_again(std::uint32_t symbol) noexcept;
+
+ private:
+  struct Head {
+    tables::Time next;       ///< the earliest time of the written ones
+    std::uint32_t active;    ///< the number of active ones
+    std::uint32_t ordinary;  ///< the number of ordinary ones among them
+    std::uint64_t pending;   ///< 1: the `wishes` of some are not empty
+  };
+
+  const tables::MalfunctionRow& row(std::uint32_t number) const noexcept { return tables_.malfunctions.rows[number]; }
+  tables::Time now() const noexcept;
+  tables::Time drawn(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept;
+  tables::Time after(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept;
+  void begin_one(std::uint32_t number) noexcept;
+  void become(std::uint32_t number) noexcept;
+  void flicker(std::uint32_t number) noexcept;
+  void end(std::uint32_t number, By by) noexcept;
+  void set_next() noexcept;
+  void note(std::uint32_t number, bool active, By by) noexcept;
+
+  template <class Function>
+  void for_units(std::uint32_t number, Function function) const noexcept;
+  template <class Function>
+  void for_values(std::uint32_t number, Function function) const noexcept;
+  bool is_active(std::uint32_t number) const noexcept;
+  void affect(std::uint32_t number) noexcept;
+  void release(std::uint32_t number) noexcept;
+  void stick(std::uint32_t unit, std::uint8_t state) noexcept;
+  void unstick(std::uint32_t unit) noexcept;
+  void slow(std::uint32_t unit) noexcept;
+  void set_whole(std::uint32_t unit, tables::Time time, bool slower) noexcept;
+  tables::Time* place_of_whole(std::uint32_t unit) const noexcept;
+  std::uint64_t address_of(std::uint32_t symbol) const noexcept;
+  Override override_of(std::uint32_t symbol) const noexcept;
+
+  Engine& engine_;
+  const tables::PlantTables& tables_;
+  tables::MalfunctionNumbers numbers_;
+  std::uint32_t written_;
+
+  // --- in the flat block
+  Head* head_;
+  MalfunctionState* states_;   ///< of the written ones
+  ActiveMalfunction* active_;  ///< in the order in which they started
+  std::uint64_t* slowed_;      ///< one bit per unit: `whole` is not the time of the tables
+  tables::Time* wholes_;       ///< of those of slow_units_
+
+  // --- outside of it
+  const std::uint64_t* name_hashes_;  ///< fnv1a64 of each written one's name in upper case
+  List<std::uint32_t> slow_units_;    ///< units of written `slower`, ascending
+  DirtySet seen_;                     ///< written ones to look at when this instant ends
+  List<MalfunctionChange> changes_;
+  std::uint32_t most_changes_;
+};
+
+}  // namespace symplant::engine

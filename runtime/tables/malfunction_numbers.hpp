@@ -1,0 +1,75 @@
+// The numbers of malfunctions: those of the plant description, then the ordinary ones that every plant has.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "symplant/tables/tables.hpp"
+
+namespace symplant::tables {
+
+/// At most so many ordinary malfunctions are active at a time.
+inline constexpr std::uint32_t kMostOrdinaryMalfunctions = 64;
+
+/// With n written malfunctions and U units: the written ones have the numbers 0 to n - 1; unit u is stuck by n + 2u and
+/// three times slower by n + 2u + 1; the bit of symbol k is off by n + 2U + 2k and on by n + 2U + 2k + 1, if it is a
+/// BOOL event. All members O(1) unless noted.
+class MalfunctionNumbers {
+ public:
+  explicit constexpr MalfunctionNumbers(const PlantTables& tables) noexcept
+      : tables_(tables),
+        written_(static_cast<std::uint32_t>(tables.malfunctions.rows.size())),
+        first_symbol_(written_ + 2 * static_cast<std::uint32_t>(tables.units.size())) {}
+
+  std::uint32_t stuck(std::uint32_t unit) const noexcept { return written_ + 2 * unit; }
+  std::uint32_t slow(std::uint32_t unit) const noexcept { return written_ + 2 * unit + 1; }
+  std::uint32_t stuck(std::uint32_t symbol, bool on) const noexcept {
+    return first_symbol_ + 2 * symbol + (on ? 1 : 0);
+  }
+
+  bool is_written(std::uint32_t number) const noexcept { return number < written_; }
+  bool exists(std::uint32_t number) const noexcept {
+    if (number < first_symbol_) return true;
+    const std::uint32_t of = (number - first_symbol_) / 2;
+    return of < tables_.symbols.size() && is_bool_event(of);
+  }
+  bool is_bool_event(std::uint32_t symbol) const noexcept {
+    const SymbolRow& row = tables_.symbols[symbol];
+    return row.type() == DataType::boolean && row.direction() == Direction::event;
+  }
+
+  /// Of an ordinary one: of a unit, else of a symbol.
+  bool is_of_unit(std::uint32_t number) const noexcept { return number < first_symbol_; }
+  std::uint32_t unit(std::uint32_t number) const noexcept { return (number - written_) / 2; }
+  std::uint32_t symbol(std::uint32_t number) const noexcept { return (number - first_symbol_) / 2; }
+  bool is_on(std::uint32_t number) const noexcept { return (number - first_symbol_) % 2 != 0; }
+
+  /// The units of a written one that slows or stops them; of another kind none.
+  std::span<const MalfunctionUnit> units_of(std::uint32_t written) const noexcept {
+    const MalfunctionRow& row = tables_.malfunctions.rows[written];
+    if (row.kind == MalfunctionKind::force) return {};
+    return tables_.malfunctions.units.subspan(row.of.first, row.of.count);
+  }
+  /// Whether a malfunction slows or stops a unit. O(log its units).
+  bool names_unit(std::uint32_t number, std::uint32_t unit) const noexcept {
+    if (!is_written(number)) return is_of_unit(number) && this->unit(number) == unit;
+    const auto units = units_of(number);
+    const auto found = std::lower_bound(units.begin(), units.end(), unit,
+                                        [](const MalfunctionUnit& a, std::uint32_t b) { return a.unit < b; });
+    return found != units.end() && found->unit == unit;
+  }
+
+  MalfunctionKind kind(std::uint32_t number) const noexcept {
+    if (is_written(number)) return tables_.malfunctions.rows[number].kind;
+    if (!is_of_unit(number)) return MalfunctionKind::force;
+    return (number - written_) % 2 == 0 ? MalfunctionKind::stuck : MalfunctionKind::slower;
+  }
+
+ private:
+  const PlantTables& tables_;
+  std::uint32_t written_;
+  std::uint32_t first_symbol_;
+};
+
+}  // namespace symplant::tables

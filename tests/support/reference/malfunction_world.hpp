@@ -1,0 +1,47 @@
+// What changes in the malfunctions of the reference's plant.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "symplant/engine/instant.hpp"
+#include "symplant/tables/time.hpp"
+
+namespace symplant::reference {
+
+/// A written malfunction. Times are absolute; kNever: none runs.
+struct MalfunctionWorld {
+  bool active = false;
+  tables::Time since = 0;  ///< 0 if it is not active
+  tables::Time chance = tables::kNever;
+  tables::Time ends = tables::kNever;
+  tables::Time becomes = tables::kNever;
+  tables::Time flickers = tables::kNever;
+  bool shows_opposite = false;
+  bool truth = false;                 ///< of `when`, at the end of the last instant
+  tables::Time by_condition_at = -1;  ///< its last start by `when`
+  bool wants_start = false;           ///< in a further instant at the same time
+  bool wants_end = false;
+  std::array<std::uint32_t, 3> draws{};
+
+  tables::Time next_due() const {
+    return std::min({active ? ends : chance, active ? becomes : tables::kNever, active ? flickers : tables::kNever});
+  }
+};
+
+/// Of any kind, by its number.
+struct ActiveWorld {
+  std::uint32_t number = 0;
+  tables::Time since = 0;
+};
+
+struct MalfunctionsWorld {
+  std::vector<MalfunctionWorld> written;
+  std::vector<ActiveWorld> active;                 ///< in the order in which they started
+  bool pending = false;                            ///< a further instant must make changes
+  std::vector<engine::MalfunctionChange> by_hand;  ///< since the last instant
+};
+
+}  // namespace symplant::reference
