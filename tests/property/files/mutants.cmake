@@ -41,20 +41,20 @@ symplant_planted_bug(description once_is_not_read
   "    if (!BUG) given.once = flag_member(value, \"once\");")
 
 symplant_planted_bug(scenario last_instant_of_a_wait_not_looked_at
-  "  if (!waiting_ || met_ || instant.time > deadline_) return;"
-  "  if (!waiting_ || met_ || instant.time > deadline_ - (BUG ? 1 : 0)) return;")
+  "  if (!position_.waiting || position_.met || instant.time > position_.deadline) return;"
+  "  if (!position_.waiting || position_.met || instant.time > position_.deadline - (BUG ? 1 : 0)) return;")
 
 symplant_planted_bug(scenario past_at_counts_from_its_own_time
-  "  return step.when == Step::When::at ? std::max(step.time, moment_) : moment_ + step.time;"
-  "  return step.when == Step::When::at ? (BUG ? step.time : std::max(step.time, moment_)) : moment_ + step.time;")
+  "  return step.when == Step::When::at ? std::max(step.time, position_.moment) : position_.moment + step.time;"
+  "  return step.when == Step::When::at ? (BUG ? step.time : std::max(step.time, position_.moment)) : position_.moment + step.time;")
 
 symplant_planted_bug(scenario plus_counts_from_the_start_of_a_wait
-  "met_ ? met_time_ : deadline_);"
-  "met_ ? met_time_ : BUG ? moment_ : deadline_);")
+  "position_.met ? position_.met_time : position_.deadline);"
+  "position_.met ? position_.met_time : BUG ? position_.moment : position_.deadline);")
 
 symplant_planted_bug(scenario release_before_force
-  "    plant_.release(symbol);"
-  "    bool forced = false; for (const SymbolValue& value : step.force) forced = forced || value.symbol == symbol; if (!BUG || !forced) plant_.release(symbol);")
+  "  for (const std::uint32_t symbol : step.release) release(symbol, plant, recorder);"
+  "  for (const std::uint32_t symbol : step.release) { bool forced = false; for (const SymbolValue& value : step.force) forced = forced || value.symbol == symbol; if (!BUG || !forced) release(symbol, plant, recorder); }")
 
 symplant_planted_bug(model cycle_without_its_wrap
   "return ranks_[to] == (ranks_[from] + 1) % numbers_;"

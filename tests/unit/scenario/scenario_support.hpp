@@ -112,10 +112,8 @@ class Play {
     if (record.kind == trace::Record::Kind::note) {
       const scenario::Failure failure{record.of, turn_, static_cast<tables::Time>(record.value),
                                       std::exchange(hands_, {})};
-      failures_ += why::in_one_line(scenario::failure_words(scenario_, failure, explainer_, history_, &plant)) +
-                   "
-                   ";
-                   return;
+      failures_ += why::in_one_line(scenario::failure_words(scenario_, failure, explainer_, history_, &plant)) + "\n";
+      return;
     }
     if (record.kind == trace::Record::Kind::change) {
       const std::string value = trace::json_value(tables_.rows.symbols[record.of].type(), record.value);
