@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/plant_bench.hpp"
@@ -110,8 +111,8 @@ class Play {
       return;
     }
     if (record.kind == trace::Record::Kind::note) {
-      const scenario::Failure failure{record.of, turn_, static_cast<tables::Time>(record.value),
-                                      std::exchange(hands_, {})};
+      const std::vector<std::uint64_t> hands = std::exchange(hands_, {});
+      const scenario::Failure failure{record.of, turn_, static_cast<tables::Time>(record.value), hands};
       failures_ += why::in_one_line(scenario::failure_words(scenario_, failure, explainer_, history_, &plant)) + "\n";
       return;
     }

@@ -23,11 +23,11 @@ void start(Asked& asked, std::uint32_t malfunction) {
 TEST_CASE("A stuck device is disabled by its malfunction, a slow one is slowed by it") {
   const DescribedPlant plant = cell();
   Asked asked(plant);
-  asked.set("AGV_O_P2");
+  asked.to(100).set("AGV_O_P2");
   start(asked, 0);
-  asked.to(100);
+  asked.to(150);
   CHECK(contains(asked.why("AGV"), "L_P_AGV has been in P1, disabled by malfunction `jam` since 0.1 s"));
-  asked.plant.stop_malfunction(0, engine::MalfunctionChange::By::hand);
+  asked.to(160).plant.stop_malfunction(0, engine::MalfunctionChange::By::hand);
   start(asked, 1);
   asked.to(200);
   CHECK_FALSE(contains(asked.why("AGV"), "jam"));
@@ -38,9 +38,10 @@ TEST_CASE("A stuck device is disabled by its malfunction, a slow one is slowed b
 TEST_CASE("A symbol that a malfunction overrides says so, and ordinary malfunctions are named like others") {
   const DescribedPlant plant = cell();
   Asked asked(plant);
+  asked.to(100);
   start(asked, 2);
   start(asked, 3);
-  asked.to(100);
+  asked.to(150);
   CHECK(contains(asked.why("AGV_I_P1"),
                  "L_P_AGV_I_P1 has been off since 0.1 s, forced by malfunction `wire`, PLC input"));
   CHECK(contains(asked.why("MC_I_IDLE1"), ", forced by malfunction `contact`, PLC input"));
@@ -49,18 +50,19 @@ TEST_CASE("A symbol that a malfunction overrides says so, and ordinary malfuncti
   start(asked, numbers.stuck(plant.symbol("L_P_AGV_I_P1"), true));
   start(asked, numbers.slow(plant.unit("L_P_MC")));
   asked.to(200);
-  CHECK(contains(asked.why("AGV_I_P1"), "has been on since 0.2 s, forced by malfunction `L_P_AGV_I_P1 stuck on`, PLC"));
+  CHECK(contains(asked.why("AGV_I_P1"), "has been on since 0.15 s, forced by malfunction `L_P_AGV_I_P1 stuck on`, PLC"));
   CHECK(contains(asked.why("MC"), ", slowed by malfunction `L_P_MC slow`"));
 }
 
 TEST_CASE("A violated requirement names the active malfunctions that no cause names") {
   const DescribedPlant plant = cell();
   Asked asked(plant);
+  asked.to(100);
   start(asked, 0);
   start(asked, 1);
-  asked.state("MC", "RUN2").to(100);
+  asked.state("MC", "RUN2").to(150);
   const std::string words =
-      why::in_one_line(asked.explainer.violation(0, why::RecordedView(asked.history(), 100 * kMs, &asked.plant)));
+      why::in_one_line(asked.explainer.violation(0, why::RecordedView(asked.history(), 150 * kMs, &asked.plant)));
   CHECK(contains(words, "; malfunction `jam` is active since 0.1 s; malfunction `rust` is active since 0.1 s"));
 
   why::Explanation explanation{"L_P_AGV is disabled by malfunction `jam`", {}, {}};
