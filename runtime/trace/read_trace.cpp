@@ -91,9 +91,10 @@ class TraceReader {
     }
     const auto malfunctions = json.find("malfunctions");
     if (malfunctions == json.end()) return "";
-    if (!malfunctions->is_object()) return "`malfunctions` is not an object";
-    for (const auto& [name, by] : malfunctions->items()) {
-      if (std::string wrong = add_malfunction(name, true, by, at); !wrong.empty()) return wrong;
+    for (const Json& one : *malfunctions) {
+      if (!one.is_array() || one.size() != 2 || !one[0].is_string()) return "`malfunctions` is not an array of pairs";
+      if (std::string wrong = add_malfunction(one[0].get<std::string>(), true, one[1], at); !wrong.empty())
+        return wrong;
     }
     return "";
   }

@@ -124,15 +124,15 @@ void TraceFile::put_values(const History& history) {
   file_.put("}\n");
 }
 
-/// `,"malfunctions":{"eye blind":"hand"}`, unless none is active.
+/// `,"malfunctions":[["eye blind","hand"]]`, unless none is active.
 void TraceFile::put_malfunctions(const History& history) {
   if (history.malfunctions().empty()) return;
-  file_.put(",\"malfunctions\":{");
+  file_.put(",\"malfunctions\":[");
   for (const History::Malfunction& one : history.malfunctions()) {
     if (&one != &history.malfunctions().front()) file_.put(",");
-    file_.put(fmt::format(R"({}:"{}")", json_string(plant_names_.malfunction(one.number)), malfunction_by(one.by)));
+    file_.put(fmt::format(R"([{},"{}"])", json_string(plant_names_.malfunction(one.number)), malfunction_by(one.by)));
   }
-  file_.put("}");
+  file_.put("]");
 }
 
 }  // namespace symplant::trace

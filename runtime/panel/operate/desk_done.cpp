@@ -40,7 +40,10 @@ std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
       for (const scenario::Step& step : pending.steps) {
         log(note.time, turn, "hand", scenario::actions_json(step, setup_.names), true);
       }
-      if (failed) group.error = "a part has no room there, or there is no part to take; the other acts were done";
+      if (failed)
+        group.error =
+            "a part has no room there, or there is no part to take, or too many malfunctions are active; the other "
+            "acts were done";
       break;
     case Purpose::control:
       if (pending.order.kind == Order::Kind::reset) back = set_back(pending, note.time);
