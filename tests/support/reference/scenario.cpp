@@ -60,9 +60,9 @@ bool ScenarioPlayer::act(const ScenarioStep& step) {
   for (const tables::PartLocation& from : step.take) all = plant_->take(from) && all;
   for (const auto& [symbol, value] : step.force) plant_->force(symbol, value);
   for (const std::uint32_t symbol : step.release) plant_->release(symbol);
-  using By = engine::MalfunctionChange::By;
-  for (const std::uint32_t number : step.stop) plant_->stop_malfunction(number, By::scenario);
-  for (const std::uint32_t number : step.start) all = plant_->start_malfunction(number, By::scenario) && all;
+  constexpr auto kBy = engine::MalfunctionChange::By::scenario;
+  for (const std::uint32_t number : step.stop) plant_->stop_malfunction(number, kBy);
+  for (const std::uint32_t number : step.start) all = plant_->start_malfunction(number, kBy) && all;
   return all;
 }
 
