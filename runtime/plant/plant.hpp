@@ -230,7 +230,8 @@ class Plant {
   /// model_hash by the same build of the runtime. It must be unaltered: restore() trusts its bytes. Findings not yet
   /// taken and changes not yet forgotten are not part of it.
   std::span<const std::byte> save() const noexcept;
-  /// Restores a copy of save(). Returns false and does nothing if the block is of another model or invalid. O(plant).
+  /// Restores a copy of save(), except for the cycle, which remains that of the last reset(). Returns false and does
+  /// nothing if the block is of another model or invalid. O(plant).
   bool restore(std::span<const std::byte> block) noexcept;
   /// Digest of the logical state, independent of its history (docs/engine.md lists its fields). O(plant).
   std::uint64_t state_hash() const noexcept;

@@ -23,9 +23,9 @@ class CycleRises {
     constexpr std::size_t kRemembered = 64;
     if (cycle == 0) return false;
     for (const reference::InstantRecord& instant : instants) {
-      while (!times_.empty() && instant.time - times_.front() > cycle) times_.pop_front();
       times_.insert(times_.end(), words_of(instant), instant.time);
-      if (times_.size() >= kRemembered) return true;
+      while (times_.size() > kRemembered) times_.pop_front();
+      if (times_.size() == kRemembered && instant.time - times_.front() <= cycle) return true;
     }
     return false;
   }

@@ -221,6 +221,8 @@ class Run {
     if (elsewhere) {  // into new plants, each the block of the other
       engine_ = std::make_unique<EnginePlant>(tables_, behaviours_);
       twin_ = std::make_unique<EnginePlant>(tables_, behaviours_);
+      engine_->plant().reset(0, reference_.save().cycle);
+      twin_->plant().reset(0, reference_.save().cycle);
       ++counts_.restores_elsewhere;
     }
     const bool restored = engine_->plant().restore(elsewhere ? saved.twin : saved.engine) &&

@@ -145,8 +145,9 @@ void find_of_event(Finder& finder, std::uint32_t i) {
   if (finder.notes.event_changed[i] && on == was_on && !frozen(finder, i)) {
     finder.add(FindingKind::event_too_short, i, Counted::found_event_too_short);
   }
-  if (on && !was_on) symbol.rose = finder.world.time;
-  const bool short_on = finder.world.cycle != 0 && finder.world.time - symbol.rose < finder.world.cycle;
+  const bool real_time = finder.world.cycle != 0;  // rises of a run without a cycle are not noted
+  if (on && !was_on && real_time) symbol.rose = finder.world.time;
+  const bool short_on = real_time && finder.world.time - symbol.rose < finder.world.cycle;
   if (!on && was_on && short_on && !frozen(finder, i)) {
     finder.add(FindingKind::event_too_short, i, Counted::found_event_too_short_real_time);
   }

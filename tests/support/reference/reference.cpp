@@ -282,7 +282,9 @@ std::uint64_t Plant::state_hash() const { return reference::state_hash(*rules_, 
 const World& Plant::save() const { return world_; }
 
 void Plant::restore(const World& world) {
+  const Time cycle = world_.cycle;  // of this run, not of the one that was saved
   world_ = world;
+  world_.cycle = cycle;
   world_.material.by_hand.clear();  // changes that no instant has reported are not part of a save
   world_.malfunctions.by_hand.clear();
   ++counters[Counted::restored];

@@ -53,7 +53,6 @@ World first_world(const Rules& rules) {
     symbol.value = symbol.written = first_value(rules, rules.leader(i));
     // Off; an event on the address of another one as if that were off.
     symbol.shown = rules.is_bool(i) ? rules.turned(rules.is_operation(i) ? i : rules.leader(i), 0) : symbol.value;
-    if (rules.is_bool(i) && rules.turned(i, symbol.shown) != 0) symbol.rose = -tables::kNever / 2;  // never
     world.symbols.push_back(symbol);
   }
   world.monitors.resize(rules.model->requirements.size());

@@ -70,7 +70,8 @@ struct SymbolWorld {
   bool forced = false;
   std::uint64_t forced_value = 0;
   std::uint64_t shown = 0;  ///< the effective value at the end of the last instant
-  Time rose = 0;            ///< the instant at whose end its last rise was seen
+  /// The instant at whose end its last rise in a run with a cycle was seen.
+  Time rose = -tables::kNever / 2;
 };
 
 struct MonitorWorld {
