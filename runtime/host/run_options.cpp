@@ -99,7 +99,7 @@ panel::PanelOptions& panel_of(RunOptions& options) {
 }
 
 void add_panel(CLI::App& app, RunOptions& options) {
-  add_address_options(app, options);
+  add_address_options(app, options, "show and operate the plant");
   app.add_flag_callback(
       "--panel-view", [&options] { panel_of(options).view_only = true; }, "the panel only shows: no acts");
   app.add_option_function<std::string>(
@@ -178,7 +178,7 @@ void add_real_time(CLI::App& app, RunOptions& options) {
 
 }  // namespace
 
-void add_address_options(CLI::App& app, RunOptions& options) {
+void add_address_options(CLI::App& app, RunOptions& options, const std::string& purpose) {
   app.add_option_function<std::vector<std::string>>(
          "--panel",
          [&options](const std::vector<std::string>& texts) {
@@ -191,7 +191,7 @@ void add_address_options(CLI::App& app, RunOptions& options) {
            }
            panel.address = text;
          },
-         "show and operate the plant in a browser, at this address (default: 127.0.0.1:8137); prints the link")
+         purpose + " in a browser, at this address (default: 127.0.0.1:8137); prints the link")
       ->type_name("[[HOST:]PORT]")
       ->expected(0, 1);
   app.add_option_function<std::string>(

@@ -56,7 +56,7 @@ struct RunOptions {
 void add_run_options(CLI::App& app, RunOptions& options);
 
 /// Adds only the options of where the panel serves: --panel, --panel-token.
-void add_address_options(CLI::App& app, RunOptions& options);
+void add_address_options(CLI::App& app, RunOptions& options, const std::string& purpose);
 
 /// Parses `catch-up:N`, `catch-up` (10) or `slip` (0): the most cycles to catch up. Nothing for any other text.
 std::optional<std::int64_t> parse_late(const std::string& text);

@@ -93,7 +93,7 @@ void add_show(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("show", "Show a trace file in the browser, without a running plant");
   command->add_option("TRACE", options->trace, "a file that `run --trace` wrote")->required();
   command->add_option("PLANT", options->plant, "the plant.json or symbol list of its plant")->required();
-  host::add_address_options(*command, options->panel);
+  host::add_address_options(*command, options->panel, "play the trace");
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Examples:\n  symplant show trace.jsonl plant.json\n  symplant show trace.jsonl plant.json --panel 8200");

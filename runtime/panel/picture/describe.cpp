@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 
 #include "symplant/condition/compare.hpp"
@@ -64,19 +65,27 @@ Stations stations_by_path(const trace::PlantNames& names) {
   return found;
 }
 
+/// The path of a device without the names of its station, each followed by a separator; the path if it is in a group.
+std::string_view within(const Station& station, std::string_view path) {
+  std::string_view rest = path;
+  for (const std::string_view level : {station.line, station.process}) {
+    if (level.empty()) continue;
+    if (!rest.starts_with(level) || rest.size() < level.size() + 2) return path;
+    if (std::isalnum(static_cast<unsigned char>(rest[level.size()])) != 0) return path;
+    rest.remove_prefix(level.size() + 1);
+  }
+  return rest;
+}
+
 Stations stations_of(const trace::PlantNames& names, const View& view) {
   if (view.devices.empty()) return stations_by_path(names);
   Stations found;
   const std::vector<std::string_view> texts = tables::split_names(view.stations);
   for (std::size_t i = 0; i + 1 < texts.size(); i += 2) found.stations.push_back({texts[i], texts[i + 1]});
   for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) {
-    const Station& station = found.stations[view.devices[unit].station];
-    const std::string_view path = names.unit(unit);
-    const std::size_t begin = station.line.size() + station.process.size() + 2;
-    const bool within = path.starts_with(station.line) && path.size() > begin &&
-                        path.substr(station.line.size() + 1).starts_with(station.process);
-    found.of_unit.push_back(view.devices[unit].station);
-    found.labels.push_back(within ? path.substr(begin) : path);
+    const std::uint32_t station = view.devices[unit].station;
+    found.of_unit.push_back(station);
+    found.labels.push_back(within(found.stations[station], names.unit(unit)));
   }
   return found;
 }

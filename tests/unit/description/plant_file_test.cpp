@@ -156,6 +156,40 @@ TEST_CASE("Requirements and the settings of check are read") {
   CHECK(description.check.severity == std::vector<std::pair<std::string, std::string>>{{"event-not-driven", "error"}});
 }
 
+TEST_CASE("`view` places a device, or names its frame") {
+  const auto file = sound(R"("view": {"L1_A_D1": {"x": 3, "y": 1}, "L1_A_D2": {"group": "Safety"}})");
+  REQUIRE(file.description.view.size() == 2);
+  const description::GivenView& placed = file.description.view[0];
+  CHECK(placed.device == "L1_A_D1");
+  CHECK(placed.x == 3);
+  CHECK(placed.y == 1);
+  CHECK(placed.group == "");
+  const description::GivenView& grouped = file.description.view[1];
+  CHECK(grouped.x == -1);
+  CHECK(grouped.y == -1);
+  CHECK(grouped.group == "Safety");
+}
+
+TEST_CASE("A place in `view` without `y`, below 0 or too far is rejected") {
+  const std::string half = "/view/D: a place has `x` and `y`; add the other one";
+  CHECK(shape(R"("view": {"D": {"x": 3}})") == half);
+  CHECK(shape(R"("view": {"D": {"y": 3}})") == half);
+  const std::string expected = ": expected a whole number from 0 to 1000, but found the number ";
+  CHECK(shape(R"("view": {"D": {"x": -1, "y": 0}})") == "/view/D/x" + expected + "`-1`");
+  CHECK(shape(R"("view": {"D": {"x": 0, "y": 1001}})") == "/view/D/y" + expected + "`1001`");
+  CHECK_THAT(shape(R"("view": {"D": {"x": 0.5, "y": 0}})"), Catch::StartsWith("/view/D/x" + expected + "`0.5`"));
+  CHECK(shape(R"("view": {"D": 3})") ==
+        "/view/D: expected an object with `x` and `y`, or `group`, but found the number `3`");
+}
+
+TEST_CASE("A frame in `view` has a name that can be shown") {
+  CHECK(shape(R"("view": {"D": {"group": ""}})") ==
+        "/view/D/group: expected the name of a frame, but found an empty text");
+  CHECK_THAT(shape(R"("view": {"D": {"group": "two\nlines"}})"), Catch::Contains("control character"));
+  CHECK(shape(R"("view": {"D": {"grp": "Safety"}})") ==
+        "/view/D/grp: the key `grp` is unknown here; the known keys are `group`, `x`, `y`");
+}
+
 TEST_CASE("A duration is exact, uniform between two values, or normal around a mean") {
   CHECK(takes("\"2s\"") == Duration::fixed(2 * tables::kSecond));
   CHECK(takes("\"0.000000001 s\"") == Duration::fixed(1));

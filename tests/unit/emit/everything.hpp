@@ -115,6 +115,9 @@ inline std::unique_ptr<const Everything> everything() {
       {"never both\\\n\"}; //", tables::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},
       {"answers", tables::RequirementRow::Kind::expect, settled(0, 1), settled(1, 1), 5 * tables::kSecond}};
   add_malfunctions(made->plant);
+  description::Description places = *made->plant.description;
+  places.view = {{"L_P_MC", 3, 1, ""}, {"L_P_AGV2", -1, -1, "to \"move\"?\?/\\"}};
+  made->plant.description = std::make_shared<const description::Description>(std::move(places));
   return made;
 }
 

@@ -19,6 +19,18 @@ constexpr std::array<symplant::host::IgnoredFinding, 0> kIgnored{{
 
 }};
 
+// Where the panel shows the devices: station, x, y.
+constexpr std::array<symplant::panel::DeviceView, 4> kDevices{{
+    {0, -1, -1},
+    {0, 3, 1},
+    {0, -1, -1},
+    {1, -1, -1},
+}};
+// The names of lines and processes.
+constexpr char kStations[] =
+    "L\0" "P\0"
+    "\0" "to \042move\042\077\077/\134\0";
+
 }  // namespace
 
 // The link that the program opens if it is started without --link; the build sets it (LINK_DEFAULT).
@@ -32,6 +44,7 @@ int main(int argc, char** argv) {
                                              .links = kLinks,
                                              .link_settings = everything::link_settings(),
                                              .default_link = SYMPLANT_LINK_DEFAULT,
-                                             .ignored = kIgnored};
+                                             .ignored = kIgnored,
+                                             .view = {kDevices, {kStations, sizeof kStations - 1}}};
   return symplant::host::run_plant(argc, argv, program);
 }
