@@ -11,7 +11,7 @@ const kMostRows = 100;
 const partsAt = (app, location, rank) => location.kind === "track" ? app.store.partsOn(rank, app.clock.now()) : app.store.places[rank] ?? [];
 
 /// A row of the table of parts; it stays while the part is there, so that its button can be pressed while the part moves.
-const partRow = (app, location, rank, result, number) => {
+const partRow = (app, location, rank, hand, number) => {
   const isTrack = location.kind === "track";
   const cells = Array.from({length: isTrack ? 3 : 1}, () => make("td", {}));
   // A track gives the part that covers a position: the middle of this one when the button is pressed.
@@ -20,8 +20,10 @@ const partRow = (app, location, rank, result, number) => {
     if (kind === undefined) throw new Error("part " + number + " is not there any more");
     return location.name + "@" + Math.round(x - app.plant.part_kinds[kind].length / 2) + " um";
   };
-  const take = app.canAct && isTrack ? make("td", {}, actButton(app, result, "Take", () => ({take: where()}), {class: "small", "aria-label": "Take part " + number})) : null;
-  const element = make("tr", {}, make("th", {scope: "row"}, String(number)), cells, take);
+  const acts = hand && isTrack ? make("td", {}, make("span", {class: "row"},
+    hand.button("Take", () => ({take: where()}), {class: "small", "aria-label": "Take part " + number}), " ",
+    hand.button("Change", () => hand.change(where()), {class: "small", "aria-label": "Change the kind of part " + number}))) : null;
+  const element = make("tr", {}, make("th", {scope: "row"}, String(number)), cells, acts);
   return {element, update: ([, kind, x, v]) => {
     setText(cells[0], app.plant.part_kinds[kind].name);
     if (!isTrack) return;
@@ -30,9 +32,9 @@ const partRow = (app, location, rank, result, number) => {
   }};
 };
 
-const partTable = (pane, location, rank, result) => {
+const partTable = (pane, location, rank, hand) => {
   const {app} = pane;
-  const heads = location.kind === "track" ? ["Part", "Kind", "Front at", "Speed", ...(app.canAct ? ["Act"] : [])] : ["Part", "Kind"];
+  const heads = location.kind === "track" ? ["Part", "Kind", "Front at", "Speed", ...(hand ? ["Act"] : [])] : ["Part", "Kind"];
   const element = table("Parts", heads, []);
   const body = element.tBodies[0];
   const none = make("p", {class: "soft"}, "no parts");
@@ -43,7 +45,7 @@ const partTable = (pane, location, rank, result) => {
     if (order.join() !== [...rows.keys()].join()) {
       const kept = new Map(rows);
       rows.clear();
-      for (const number of order) rows.set(number, kept.get(number) ?? partRow(app, location, rank, result, number));
+      for (const number of order) rows.set(number, kept.get(number) ?? partRow(app, location, rank, hand, number));
       for (const [number, {element: row}] of kept) if (!rows.has(number)) row.remove();
       [...rows.values()].forEach(({element: row}, i) => { if (body.children[i] !== row) body.insertBefore(row, body.children[i] ?? null); });
     }
@@ -54,15 +56,20 @@ const partTable = (pane, location, rank, result) => {
   return [element, none];
 };
 
-const handControls = (app, location, result) => {
+/// What a hand can do with the parts of a location; null if the page may not act. `change` replaces the part at a location by
+/// one of the chosen kind, in one instant.
+const handOn = (app, location, result) => {
   if (!app.canAct) return null;
   const isTrack = location.kind === "track";
   const kinds = select("Kind of the part", app.plant.part_kinds.map(({name}) => [name, name]));
   const at = make("input", {type: "text", size: 7, "aria-label": "Position on the track", placeholder: "300 mm", autocomplete: "off"});
   const where = () => isTrack && at.value.trim() !== "" ? location.name + "@" + at.value.trim() : location.name;
-  return make("div", {class: "row controls"}, kinds, isTrack ? at : null,
-    actButton(app, result, "Put", () => ({put: {at: where(), kind: kinds.value}})),
-    actButton(app, result, "Take", () => ({take: where()})));
+  const put = (to) => ({put: {at: to, kind: kinds.value}});
+  const change = (from) => [{take: from}, put(from)];
+  const button = (label, acts, attributes) => actButton(app, result, label, acts, attributes);
+  const controls = make("div", {class: "row controls"}, kinds, isTrack ? at : null, button("Put", () => put(where())),
+    button("Take", () => ({take: where()})), isTrack ? null : button("Change", () => change(where()), {"aria-label": "Change the kind"}));
+  return {controls, change, button};
 };
 
 export const fillLocation = (pane, index) => {
@@ -70,9 +77,10 @@ export const fillLocation = (pane, index) => {
   const {plant, store} = app;
   const location = plant.locations[index];
   const {result} = pane;
+  const hand = handOn(app, location, result);
   const facts = location.kind === "track" ? "A track of " + length(location.length) : "A place for " + location.holds + " parts";
-  pane.section("Parts", make("p", {class: "soft"}, facts), partTable(pane, location, store.rankOfLocation[index], result),
-    handControls(app, location, result));
+  pane.section("Parts", make("p", {class: "soft"}, facts), partTable(pane, location, store.rankOfLocation[index], hand),
+    hand?.controls);
   if (location.sensors.length > 0) {
     pane.section("Sensors", make("ul", {class: "plain"}, location.sensors.map(({symbol, at}) =>
       symbolItem(pane, symbol, at === undefined ? "" : "at " + length(at), result))));

@@ -177,6 +177,29 @@ const kTests = [
       await until("the last symbol", async () => page.evaluate(() => document.activeElement.textContent === symplant.plant.symbols[symplant.plant.symbols.length - 1].name));
     });
   }],
+  ["a part is put, changed and taken by hand", async () => {
+    await withServer({name: "material"}, async (page, server) => {
+      await page.goto(server.link);
+      await ready(page);
+      const {locations} = server.plant.description;
+      await view(page, new URLSearchParams({view: "line", location: "BUFFER"}).toString());
+      const details = page.getByRole("complementary", {name: "Details"});
+      const kinds = async () => (await details.getByRole("table", {name: "Parts"}).getByRole("cell").allInnerTexts()).join();
+      const buffer = server.plant.places[locations.filter(({kind}) => kind === "place").findIndex(({name}) => name === "BUFFER")];
+      buffer.length = 0;
+      await details.getByLabel("Kind of the part").selectOption("tall box");
+      await details.getByRole("button", {name: "Put"}).click();
+      await until("the tall box", async () => await kinds() === "tall box" || await kinds());
+      await details.getByLabel("Kind of the part").selectOption("tray");
+      await details.getByRole("button", {name: "Change the kind"}).click();
+      await until("the tray", async () => await kinds() === "tray" || await kinds());
+      await details.getByRole("button", {name: "Take"}).click();
+      await until("no part", async () => buffer.length === 0);
+      await view(page, new URLSearchParams({view: "line", location: locations[0].name}).toString());
+      await noFaults(page, "the details of a track");
+      assert.ok(await details.getByRole("button", {name: /Change the kind of part/}).count() > 0);
+    });
+  }],
   ["all views of plants of all sizes are without overlaps, narrow and wide", async () => {
     for (const [name, width, height, scheme] of [["cell", 1024, 700, "dark"], ["material", 1920, 1080, "light"], ["body-shop", 1024, 700, "light"], ["body-shop", 768, 1024, "dark"]]) {
       await withServer({name, activity: 20}, async (page, server) => {

@@ -83,15 +83,28 @@ TEST_CASE("A frozen plant is stepped by a cycle, and to the next change") {
   CHECK(bench.value("AGV_I_P2") == true);
 }
 
-TEST_CASE("Parts without room, and parts that are not there, fail and are said") {
+/// A plant with a place for one part.
+PanelPlan with_fixture() {
   PanelPlan plan;
   description::GivenMaterial& material = plan.reported.description.material;
   material.kinds.push_back({"raw", 200'000, 1});
+  material.kinds.push_back({"machined", 200'000, 2});
   description::GivenPlace place;
   place.name = "FIXTURE";
   place.holds = 1;
   material.places.push_back(place);
-  const PanelBench bench(plan);
+  return plan;
+}
+
+TEST_CASE("A part taken and another one put in one request is a part that changes its kind") {
+  const PanelBench bench(with_fixture());
+  bench.act(R"({"put":{"at":"FIXTURE","kind":"raw"}})");
+  bench.act(R"({"take":"FIXTURE"},{"put":{"at":"FIXTURE","kind":"machined"}})");
+  CHECK(bench.picture().at("places").at(0) == Json::parse("[[2,1]]"));
+}
+
+TEST_CASE("Parts without room, and parts that are not there, fail and are said") {
+  const PanelBench bench(with_fixture());
   CHECK(bench.post(R"({"take":"FIXTURE"})").status == 422);
   bench.act(R"({"put":{"at":"FIXTURE","kind":"raw"}})");
   CHECK(bench.picture().at("places").at(0) == Json::parse("[[1,0]]"));
