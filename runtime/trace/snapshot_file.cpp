@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -14,6 +12,7 @@
 #include "symplant/tables/digest.hpp"
 #include "symplant/tables/version.hpp"
 #include "symplant/trace/value_text.hpp"
+#include "symplant/trace/whole_file.hpp"
 
 namespace symplant::trace {
 namespace {
@@ -32,10 +31,6 @@ std::string header(std::string_view plant_name, const Snapshot& snapshot) {
       "\n",
       tables::version(), json_string(plant_name), snapshot.model_hash, snapshot.time, snapshot.block.size(),
       digest(snapshot.block));
-}
-
-std::string failure(const std::string& path, const char* what) {
-  return fmt::format("cannot {} the snapshot `{}`: {}", what, path, std::strerror(errno));
 }
 
 /// What a header says; `error` if it is not one.
@@ -97,31 +92,15 @@ Snapshot Snapshot::of(const plant::Plant& plant) {
 }
 
 std::string write_snapshot(const std::string& path, std::string_view plant_name, const Snapshot& snapshot) {
-  const std::string part = path + ".part";
-  {
-    errno = 0;
-    std::ofstream file(part, std::ios::binary | std::ios::trunc);
-    file << header(plant_name, snapshot);
-    file.write(reinterpret_cast<const char*>(snapshot.block.data()),
-               static_cast<std::streamsize>(snapshot.block.size()));
-    file.close();
-    if (!file) {
-      std::string error = failure(path, "write");
-      std::remove(part.c_str());
-      return error;
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(part, path, error);
-  if (!error) return "";
-  std::remove(part.c_str());
-  return fmt::format("cannot write the snapshot `{}`: {}", path, error.message());
+  const std::string_view block(reinterpret_cast<const char*>(snapshot.block.data()), snapshot.block.size());
+  const std::string failure = write_whole_file(path, {header(plant_name, snapshot), block});
+  return failure.empty() ? "" : fmt::format("cannot write the snapshot `{}`: {}", path, failure);
 }
 
 ReadSnapshot read_snapshot(const std::string& path, std::uint64_t model_hash, std::size_t block) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) return {{}, failure(path, "read")};
+  if (!file) return {{}, fmt::format("cannot read the snapshot `{}`: {}", path, std::strerror(errno))};
   std::string line(kLongestHeader, '\0');
   file.getline(line.data(), static_cast<std::streamsize>(line.size()));
   line.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount() - 1, 0)));

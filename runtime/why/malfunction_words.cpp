@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/trace/finding_words.hpp"
@@ -55,10 +54,10 @@ std::string slowing_malfunctions(std::uint32_t unit, const trace::PlantNames& na
 }
 
 std::string overriding_malfunction(std::uint32_t symbol, const trace::PlantNames& names, ActiveMalfunctions active) {
-  for (const trace::History::Malfunction& one : std::views::reverse(active)) {
-    if (overrides(one.number, symbol, names.tables())) return ", forced by " + named(one.number, names);
-  }
-  return {};
+  const auto last = std::find_if(active.rbegin(), active.rend(), [&](const trace::History::Malfunction& one) {
+    return overrides(one.number, symbol, names.tables());
+  });
+  return last == active.rend() ? "" : ", forced by " + named(last->number, names);
 }
 
 void add_malfunctions(Explanation& explanation, const trace::PlantNames& names, ActiveMalfunctions active) {

@@ -1,29 +1,16 @@
 // The state of a panel: the session as files.
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-
 #include "symplant/panel/operate/desk.hpp"
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/trace/junit_xml.hpp"
+#include "symplant/trace/whole_file.hpp"
 
 namespace symplant::panel {
 namespace {
 
-/// Writes a whole file, or leaves it unchanged; returns why not, or an empty text.
+/// Returns why a file cannot be written, or an empty text.
 std::string write_file(const std::string& path, std::string_view text) {
-  const std::string part = path + ".part";
-  errno = 0;
-  std::ofstream file(part, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (file && !error) return "";
-  std::remove(part.c_str());
-  return fmt::format("cannot write `{}`: {}", path, error ? error.message() : std::strerror(errno));
+  const std::string failure = trace::write_whole_file(path, {text});
+  return failure.empty() ? "" : fmt::format("cannot write `{}`: {}", path, failure);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// Writes a file that is complete, or as it was before.
+#include "symplant/trace/whole_file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace symplant::trace {
+namespace {
+
+/// A rename would replace a device or a pipe.
+bool is_replaced(const std::string& path) {
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+}
+
+/// The reason of a failure, or an empty text.
+std::string write_parts(const std::string& path, std::initializer_list<std::string_view> parts) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  for (const std::string_view part : parts) file.write(part.data(), static_cast<std::streamsize>(part.size()));
+  file.close();
+  return file ? "" : std::strerror(errno);
+}
+
+}  // namespace
+
+std::string write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
+  if (!is_replaced(path)) return write_parts(path, parts);
+  const std::string part_path = path + ".part";
+  std::string failure = write_parts(part_path, parts);
+  std::error_code error;
+  if (failure.empty()) std::filesystem::rename(part_path, path, error);
+  if (error) failure = error.message();
+  if (!failure.empty()) std::remove(part_path.c_str());
+  return failure;
+}
+
+}  // namespace symplant::trace
