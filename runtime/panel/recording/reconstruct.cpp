@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "symplant/panel/recording/stays.hpp"
+
 namespace symplant::panel {
 namespace {
 
@@ -72,77 +74,6 @@ class States {
   std::set<std::uint32_t> touched_;
 };
 
-/// A part on a track, from when to when.
-struct Stay {
-  std::uint64_t number = 0;
-  std::uint32_t kind = 0;
-  tables::Time from = 0;
-  tables::Time to = tables::kNever;
-  std::int64_t x = 0;  ///< at `from`, um
-  std::int32_t v = 0;
-};
-
-/// The parts on tracks, which move evenly to the end of their track.
-class Stays {
- public:
-  Stays(const std::vector<Record>& records, const trace::PlantNames& names) : names_(names) {
-    Record part{};
-    for (const Record& record : records) {
-      if (record.kind == Record::Kind::part) part = record;
-      if (record.kind == Record::Kind::part_move) add(trace::part_record(part, record));
-    }
-    for (auto& [track, stays] : by_track_) {
-      const std::int64_t length = names.tables().material.tracks[track].length;
-      for (Stay& stay : stays) {
-        if (stay.to == tables::kNever || stay.to <= stay.from) continue;
-        const double seconds = static_cast<double>(stay.to - stay.from) / 1e9;
-        stay.v = static_cast<std::int32_t>(static_cast<double>(length - stay.x) / seconds);
-      }
-    }
-  }
-
-  /// Appends the records of a track's parts at a time, from the front.
-  void append(std::uint32_t track, tables::Time time, std::vector<Record>& records) const {
-    const auto found = by_track_.find(track);
-    if (found == by_track_.end()) return;
-    std::vector<std::pair<std::int64_t, const Stay*>> parts;
-    for (const Stay& stay : found->second) {
-      if (stay.from > time || stay.to <= time) continue;
-      parts.emplace_back(
-          stay.x + static_cast<std::int64_t>(static_cast<double>(stay.v) * static_cast<double>(time - stay.from) / 1e9),
-          &stay);
-    }
-    std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    records.push_back({time, parts.size(), track, Record::Kind::track});
-    for (const auto& [x, stay] : parts) {
-      records.push_back({time, stay->number, stay->kind, Record::Kind::part_at});
-      records.push_back(
-          {time, static_cast<std::uint64_t>(x), static_cast<std::uint32_t>(stay->v), Record::Kind::part_speed});
-    }
-  }
-
- private:
-  bool is_track(std::uint32_t location) const {
-    return location != tables::kOut && location != tables::kNone && names_.tables().material.is_track(location);
-  }
-
-  void add(const trace::PartRecord& part) {
-    if (part.changed()) return;
-    if (const auto open = open_.find(part.number); open != open_.end()) {
-      by_track_[open->second.first][open->second.second].to = part.time;
-      open_.erase(open);
-    }
-    if (!is_track(part.to)) return;
-    std::vector<Stay>& stays = by_track_[part.to];
-    open_[part.number] = {part.to, stays.size()};
-    stays.push_back({part.number, part.kind, part.time, tables::kNever, part.x, 0});
-  }
-
-  const trace::PlantNames& names_;
-  std::map<std::uint32_t, std::vector<Stay>> by_track_;
-  std::map<std::uint64_t, std::pair<std::uint32_t, std::size_t>> open_;  ///< a part -> its stay
-};
-
 /// Sets the times of moves: from a record of a device that moves to its next one.
 void set_times(std::vector<Record>& records) {
   std::map<std::uint32_t, std::size_t> moves;  ///< a device -> its record
@@ -161,7 +92,7 @@ void set_times(std::vector<Record>& records) {
 }  // namespace
 
 std::vector<Record> reconstruct(std::vector<Record> records, const trace::PlantNames& names) {
-  const Stays stays(records, names);
+  Stays stays(records, names);
   States states(names);
   std::vector<Record> all;
   all.reserve(records.size() * 2);
@@ -170,7 +101,10 @@ std::vector<Record> reconstruct(std::vector<Record> records, const trace::PlantN
     const Record& record = records[i];
     all.push_back(record);
     all.back().last = false;
-    if (record.kind == Record::Kind::change) states.change(record.of, record.value != 0);
+    if (record.kind == Record::Kind::change) {
+      states.change(record.of, record.value != 0);
+      if (const std::uint32_t track = stays.track_of(record.of); track != tables::kNone) tracks.insert(track);
+    }
     if (record.kind == Record::Kind::part_move) {
       for (const auto location :
            {static_cast<std::uint32_t>(record.value >> 32), static_cast<std::uint32_t>(record.value)}) {

@@ -18,8 +18,8 @@
 namespace symplant::panel {
 
 /// A trace has no states of devices and no positions of parts between the locations. Both are reconstructed: a device
-/// is in the state whose events are on, and moves while none is; a part moves evenly from where it came to the end of
-/// its track. Used by one thread at a time.
+/// is in the state whose events are on, and moves while none is; a part moves evenly from where it came past the
+/// sensors that saw it to the end of its track. Used by one thread at a time.
 class Recording final : public Source {
  public:
   /// `names` must outlive it. O(records * log(records)).

@@ -13,8 +13,13 @@ const std::string kHead = R"({"symplant-trace":1,"plant":"p","model_hash":"00000
                           "\n";
 
 struct Belt {
-  Belt() : tables(names(), reported()), plant_names(tables.rows) {}
-  static std::vector<std::string> names() { return {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1"}; }
+  Belt() : Belt(reported(), {}) {}
+  Belt(const Reported& described, std::vector<std::string> further)
+      : tables(names(std::move(further)), described), plant_names(tables.rows) {}
+  static std::vector<std::string> names(std::vector<std::string> further) {
+    further.insert(further.begin(), {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1"});
+    return further;
+  }
   static Reported reported() {
     Reported reported;
     description::GivenMaterial& material = reported.description.material;
@@ -69,6 +74,28 @@ TEST_CASE("A part moves evenly from where it came to the end of its track") {
   const Json over = Json::parse(recording.picture_at(1'000'000'000));
   CHECK(over.at("tracks").at(0).at(1).empty());
   CHECK(over.at("places").at(0) == Json::parse("[[1,0]]"));
+}
+
+TEST_CASE("A part is where a sensor begins or ends to see it") {
+  Reported reported = Belt::reported();
+  description::GivenSensor sensor;
+  sensor.symbol = "L_P_EYE_I_ON";
+  sensor.at = 600'000;
+  reported.description.material.tracks.front().sensors.push_back(sensor);
+  const Belt belt(reported, {"EYE_I_ON"});
+  panel::Recording recording = belt.recording(kHead + R"({"t":0,"part":1,"kind":"raw","to":"BELT","x":100000}
+{"t":1000000000,"symbol":"L_P_EYE_I_ON","value":true}
+{"t":2000000000,"part":2,"kind":"raw","to":"BELT","x":100000}
+{"t":9000000000,"symbol":"L_P_EYE_I_ON","value":false}
+{"t":10000000000,"part":1,"kind":"raw","from":"BELT","to":"BOX"}
+)");
+  const auto parts = [&](tables::Time seconds) {
+    return Json::parse(recording.picture_at(seconds * 1'000'000'000)).at("tracks").at(0).at(1);
+  };
+  CHECK(parts(0) == Json::parse("[[1,0,100000,500000]]"));
+  CHECK(parts(1) == Json::parse("[[1,0,600000,12500]]"));  // it stood at a stop
+  CHECK(parts(9) == Json::parse("[[1,0,700000,300000],[2,0,100000,0]]"));
+  CHECK(parts(10) == Json::parse("[[2,0,100000,0]]"));
 }
 
 TEST_CASE("Of a plant that was set back, the trace after the last time is shown") {
