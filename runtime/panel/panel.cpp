@@ -84,6 +84,11 @@ struct Panel::Parts final : Source {
     return json;
   }
 
+  bool begun_again() override {
+    const std::lock_guard guard(mutex);
+    return desk.begun_again();
+  }
+
   void each_second() {
     const std::lock_guard guard(mutex);
     desk.look_at_time(options.backtrack);

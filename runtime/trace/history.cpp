@@ -95,6 +95,17 @@ void History::load_symbol(std::uint32_t symbol, const plant::Plant& plant) {
   if (plant.is_forced(symbol)) forced_[symbol] = plant.now();
 }
 
+void History::forget_after(tables::Time now) {
+  for (std::uint32_t s = 0; s < bits_.size(); ++s) {
+    if (changed_[s] > now) changed_[s] = now;
+    if (names_.tables().symbols[s].direction() == tables::Direction::event || rose(s) <= now) continue;
+    rose_[risen(s)] = commands(s) ? now + 1 : 0;
+  }
+  for (std::uint32_t u = 0; u < units_.size(); ++u) {
+    if (unit_changed_[u] > now) unit_changed_[u] = now;
+  }
+}
+
 void History::load(const plant::Plant& plant) {
   forced_.clear();
   for (std::uint32_t s = 0; s < bits_.size(); ++s) load_symbol(s, plant);
@@ -102,6 +113,7 @@ void History::load(const plant::Plant& plant) {
     const auto word = static_cast<std::uint32_t>(pack_unit(plant.unit(u)));
     if (word != units_[u]) apply({plant.now(), word, u, Record::Kind::unit});
   }
+  forget_after(plant.now());
   malfunctions_.clear();
   for (const engine::ActiveMalfunction& one : plant.active_malfunctions()) {
     malfunctions_.push_back({one.number, one.since, one.by});

@@ -21,8 +21,8 @@ class History {
 
   /// O(1).
   void apply(const Record& record);
-  /// Takes everything from a plant that was reset or restored. What differs counts as changed at the plant's time.
-  /// O(plant).
+  /// Takes everything from a plant that was reset or restored. What differs counts as changed at the plant's time, and
+  /// so does what changed after it. O(plant).
   void load(const plant::Plant& plant);
   /// Notes that a symbol is forced, or no longer. O(log forced).
   void force(std::uint32_t symbol, bool forced, tables::Time time);
@@ -69,6 +69,7 @@ class History {
   std::size_t slot(const tables::SymbolRow& symbol) const;
   /// The index of an operation in `rose_`.
   std::size_t risen(std::uint32_t operation) const;
+  void forget_after(tables::Time now);
   void load_symbol(std::uint32_t symbol, const plant::Plant& plant);
 
   std::vector<bool> bits_;              ///< by symbol, if it is BOOL

@@ -85,9 +85,11 @@ void Desk::step_noted(const trace::Record& record) {
 }
 
 void Desk::step_failed(std::size_t step, tables::Time time) {
-  const why::Explanation words =
-      scenario::failure_words(*playing_, {step, 0, time, {}}, setup_.explainer, setup_.history, nullptr);
-  add_finding(time, "expectation failed", fmt::format("step {}", step + 1), "error", why::in_one_line(words));
+  const std::string words = why::in_one_line(
+      scenario::failure_words(*playing_, {step, 0, time, {}}, setup_.explainer, setup_.history, nullptr));
+  const std::string name = fmt::format("step {}", step + 1);
+  const bool of_exercise = exercise_ != nullptr && &exercise_->scenario() == playing_;
+  add_finding({time, "", tables::kNone, of_exercise ? "" : name, words}, "expectation failed", name, "error");
 }
 
 void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {
@@ -105,25 +107,35 @@ void Desk::finding(const trace::FoundThing& found, const std::string& words) {
     violation.changed = true;
     if (exercise_ != nullptr) exercise_->requirement_violated(found.of.front(), found.time);
   }
-  add_finding(found.time, trace::finding_name(found.kind), trace::name_of(found, setup_.names),
+  add_finding({found.time, "", violated ? found.of.front() : tables::kNone, "", words}, trace::finding_name(found.kind),
+              trace::name_of(found, setup_.names),
               violated              ? "error"
               : is_note(found.kind) ? "note"
-                                    : "warning",
-              words);
+                                    : "warning");
 }
 
-void Desk::add_finding(tables::Time time, std::string_view kind, std::string_view of, std::string_view severity,
-                       std::string_view text) {
-  std::string json;
-  put(json, "\"t\":{}", time);
-  put_member(json, "finding", kind);
-  put_member(json, "of", of);
-  put_member(json, "severity", severity);
-  put_member(json, "text", text);
-  findings_.push_back({time, std::move(json)});
+void Desk::add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity) {
+  put(found.json, "\"t\":{}", found.time);
+  put_member(found.json, "finding", kind);
+  put_member(found.json, "of", of);
+  put_member(found.json, "severity", severity);
+  put_member(found.json, "text", found.text);
+  findings_.push_back(std::move(found));
   if (findings_.size() <= kMostFindings) return;
   findings_.pop_front();
   ++first_finding_;
+}
+
+void Desk::forget_findings(tables::Time after) {
+  while (!findings_.empty() && findings_.back().time > after) findings_.pop_back();
+  if (findings_.empty()) first_finding_ = 0;
+  sent_findings_ = first_finding_ + findings_.size();
+  std::fill(violations_.begin(), violations_.end(), Violation{});
+  for (const Found& found : findings_) {
+    if (found.requirement == tables::kNone) continue;
+    ++violations_[found.requirement].count;
+    violations_[found.requirement].since = found.time;
+  }
 }
 
 void Desk::put_clock(std::string& json) const {

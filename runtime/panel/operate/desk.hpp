@@ -91,6 +91,8 @@ class Desk {
   /// The data of the event `picture`, and of `changes`; the latter is empty if there is nothing new.
   std::string picture();
   std::string changes();
+  /// Whether the plant was set to another state since the last call: then the stream needs the picture again.
+  bool begun_again() { return std::exchange(begun_again_, false); }
   /// The beginning of an event that has only the time, without the brace at its end.
   std::string beat() const;
   /// Keeps a backtrack if one is due; `every` 0: never. To be called about once a second.
@@ -125,7 +127,10 @@ class Desk {
   };
   struct Found {
     tables::Time time;
-    std::string json;  ///< its members without `n`
+    std::string json;           ///< its members without `n`
+    std::uint32_t requirement;  ///< that is violated, or kNone
+    std::string step;           ///< the step of a scenario that failed, and why; empty: none
+    std::string text;
   };
 
   std::string refusal(const std::vector<Act>& acts);
@@ -145,8 +150,9 @@ class Desk {
   void log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step);
   void step_noted(const trace::Record& record);
   void step_failed(std::size_t step, tables::Time time);
-  void add_finding(tables::Time time, std::string_view kind, std::string_view of, std::string_view severity,
-                   std::string_view text);
+  void add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity);
+  /// The plant went back: what was found after a time did not happen.
+  void forget_findings(tables::Time after);
   plant::OwnedPlant& shadow();
   const ExerciseFile* exercise_file(std::string_view name) const;
   void put_clock(std::string& json) const;
@@ -194,6 +200,7 @@ class Desk {
   const Exercise* sent_of_ = nullptr;
   std::string sent_clock_;
   tables::Time last_backtrack_ = 0;
+  bool begun_again_ = false;
   bool ended_ = false;
 };
 

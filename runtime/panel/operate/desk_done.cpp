@@ -93,6 +93,8 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   setup_.history.load(shadow());
   picture_.load(shadow());
   chart_.set_back(time);
+  forget_findings(is_reset ? -1 : time);
+  begun_again_ = true;
   session_.begin_again(pending.state);
   last_backtrack_ = time;
   return SetBack{is_reset ? "reset" : "restored", pending.state == nullptr ? std::string() : pending.name, time};

@@ -35,6 +35,9 @@ std::string Desk::session_json() const {
 std::string Desk::session_junit() const {
   std::vector<trace::TestCase> cases;
   if (exercise_ != nullptr) exercise_->add_cases(cases);
+  for (const Found& found : findings_) {
+    if (!found.step.empty()) cases.push_back({"scenario: " + found.step, found.time, found.text});
+  }
   for (std::uint32_t r = 0; r < violations_.size(); ++r) {
     const Violation& violation = violations_[r];
     cases.push_back({fmt::format("requirement: {}", setup_.names.requirement(r)), violation.since,

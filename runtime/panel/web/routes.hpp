@@ -49,6 +49,8 @@ class Source {
   /// The events of the stream: `picture`, and `changes` (empty: nothing new).
   virtual std::string picture() = 0;
   virtual std::string changes() = 0;
+  /// Whether all clients need the picture again.
+  virtual bool begun_again() { return false; }
 };
 
 /// Checks access, and finds what a request asks for. For the panel's thread.

@@ -87,10 +87,17 @@ struct Server::Parts {
     });
   }
 
-  void send_changes() {
+  /// The event of this period; null: nothing new.
+  std::shared_ptr<const std::string> news() {
     std::string changes = shared.source.changes();
-    if (changes.empty()) return;
-    const auto event = std::make_shared<const std::string>("event: changes\ndata: " + changes + "\n\n");
+    if (shared.source.begun_again()) return shared.picture();
+    if (changes.empty()) return nullptr;
+    return std::make_shared<const std::string>("event: changes\ndata: " + changes + "\n\n");
+  }
+
+  void send_changes() {
+    const std::shared_ptr<const std::string> event = news();
+    if (event == nullptr) return;
     const std::list<std::shared_ptr<web::Connection>> all = shared.connections;
     for (const std::shared_ptr<web::Connection>& each : all) {
       if (each->is_stream()) each->send(event);

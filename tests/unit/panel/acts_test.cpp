@@ -130,6 +130,26 @@ TEST_CASE("A reset begins again at time 0") {
   CHECK(picture.at("clock").at("state") == "frozen");
 }
 
+TEST_CASE("After a reset nothing has a time of the run before, and its findings are gone") {
+  PanelPlan plan;
+  plan.reported.description.requirements.push_back({"never in P2", "L_P_AGV.P2", "", "", 0, ""});
+  const PanelBench bench(plan);
+  bench.act(R"({"set":{"L_P_AGV_O_P2":true}})");
+  bench.wait_for([&] { return bench.value("AGV_I_P2") == true; });
+  bench.act(R"({"freeze":true})");
+  const Json before = bench.picture();
+  CHECK(before.at("findings").size() == 1);
+  CHECK(before.at("requirements").at(0).at(0) == "violated");
+  bench.act(R"({"reset":true})");
+  const Json after = bench.picture();
+  for (const Json& symbol : after.at("symbols")) CHECK(symbol.at(2) == 0);
+  for (const Json& device : after.at("devices")) CHECK(device.at(4) == 0);
+  CHECK(after.at("findings").empty());
+  CHECK(after.at("requirements").at(0) == Json::parse(R"(["ok",0,0])"));
+  const std::string why = bench.get("/api/v1/why?name=L_P_AGV").dump();
+  CHECK_FALSE(contains(why, "was on from"));
+}
+
 TEST_CASE("A snapshot brings the plant back to its state and time") {
   const PanelBench bench;
   bench.act(R"({"freeze":true})");
