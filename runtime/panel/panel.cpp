@@ -48,12 +48,15 @@ struct Panel::Parts final : Source {
     constexpr std::string_view kSession = "session/";
     if (!path.starts_with(kSession)) return std::nullopt;
     const std::string_view kind = path.substr(kSession.size());
-    if (kind != "scenario" && kind != "session" && kind != "junit") return std::nullopt;
+    static const std::map<std::string_view, std::pair<std::string, std::string_view>> kKinds{
+        {"scenario", {"session.scenario.json", "application/json"}},
+        {"start", {"session.start.snapshot", "application/octet-stream"}},
+        {"session", {"session.session.json", "application/json"}},
+        {"junit", {"session.junit.xml", "application/xml"}}};
+    const auto found = kKinds.find(kind);
+    if (found == kKinds.end()) return std::nullopt;
     Reply reply{Reply::Kind::now, desk.session_file(kind)};
-    if (reply.answer.status == 200) {
-      reply.file_name = kind == "junit" ? "session.junit.xml" : fmt::format("session.{}.json", kind);
-      if (kind == "junit") reply.content_type = "application/xml";
-    }
+    if (reply.answer.status == 200) std::tie(reply.file_name, reply.content_type) = found->second;
     return reply;
   }
 

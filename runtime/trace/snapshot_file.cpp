@@ -91,9 +91,13 @@ Snapshot Snapshot::of(const plant::Plant& plant) {
   return {{block.begin(), block.end()}, plant.model_hash(), plant.now()};
 }
 
+std::string snapshot_bytes(std::string_view plant_name, const Snapshot& snapshot) {
+  std::string bytes = header(plant_name, snapshot);
+  return bytes.append(reinterpret_cast<const char*>(snapshot.block.data()), snapshot.block.size());
+}
+
 std::string write_snapshot(const std::string& path, std::string_view plant_name, const Snapshot& snapshot) {
-  const std::string_view block(reinterpret_cast<const char*>(snapshot.block.data()), snapshot.block.size());
-  const std::string failure = write_whole_file(path, {header(plant_name, snapshot), block});
+  const std::string failure = write_whole_file(path, snapshot_bytes(plant_name, snapshot));
   return failure.empty() ? "" : fmt::format("cannot write the snapshot `{}`: {}", path, failure);
 }
 

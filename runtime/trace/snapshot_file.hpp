@@ -26,6 +26,9 @@ struct Snapshot {
 /// Returns the reason of a failure, or an empty text. O(block).
 std::string write_snapshot(const std::string& path, std::string_view plant_name, const Snapshot& snapshot);
 
+/// What write_snapshot() writes. O(block).
+std::string snapshot_bytes(std::string_view plant_name, const Snapshot& snapshot);
+
 struct ReadSnapshot {
   Snapshot snapshot;
   std::string error;  ///< empty: the snapshot is valid

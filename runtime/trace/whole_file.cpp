@@ -19,20 +19,20 @@ bool is_replaced(const std::string& path) {
 }
 
 /// The reason of a failure, or an empty text.
-std::string write_parts(const std::string& path, std::initializer_list<std::string_view> parts) {
+std::string write(const std::string& path, std::string_view bytes) {
   errno = 0;
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  for (const std::string_view part : parts) file.write(part.data(), static_cast<std::streamsize>(part.size()));
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
   return file ? "" : std::strerror(errno);
 }
 
 }  // namespace
 
-std::string write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
-  if (!is_replaced(path)) return write_parts(path, parts);
+std::string write_whole_file(const std::string& path, std::string_view bytes) {
+  if (!is_replaced(path)) return write(path, bytes);
   const std::string part_path = path + ".part";
-  std::string failure = write_parts(part_path, parts);
+  std::string failure = write(part_path, bytes);
   std::error_code error;
   if (failure.empty()) std::filesystem::rename(part_path, path, error);
   if (error) failure = error.message();

@@ -52,6 +52,7 @@ plant::OwnedPlant& Desk::shadow() {
 
 void Desk::after(const trace::Record& record) {
   picture_.apply(record);
+  last_change_ = record.time;
   ++revision_;
 }
 
@@ -59,12 +60,14 @@ std::optional<SetBack> Desk::note(const trace::Record& record) {
   ++revision_;
   if (record.of == scenario::kForceNote) {
     picture_.touch_symbol(static_cast<std::uint32_t>(record.value / 2));
+  } else if (record.of == scenario::kTurnNote) {
+    step_turn_ = record.value;
   } else if (record.of == scenario::kStepNote) {
     step_noted(record);
   } else if (record.of == kOverNote && exercise_ != nullptr && &exercise_->scenario() == playing_) {
     exercise_->over(record.time);
   } else if (record.of == kOrderNote) {
-    const auto found = pending_.find(static_cast<std::uint32_t>(record.value));
+    const auto found = pending_.find(static_cast<std::uint32_t>(record.value % kNoRoom));
     if (found == pending_.end()) return std::nullopt;
     Pending pending = std::move(found->second);
     pending_.erase(found);
@@ -86,7 +89,7 @@ void Desk::step_noted(const trace::Record& record) {
 
 void Desk::step_failed(std::size_t step, tables::Time time) {
   const std::string words = why::in_one_line(
-      scenario::failure_words(*playing_, {step, 0, time, {}}, setup_.explainer, setup_.history, nullptr));
+      scenario::failure_words(*playing_, {step, step_turn_, time, {}}, setup_.explainer, setup_.history, nullptr));
   const std::string name = fmt::format("step {}", step + 1);
   const bool of_exercise = exercise_ != nullptr && &exercise_->scenario() == playing_;
   add_finding({time, "", tables::kNone, of_exercise ? "" : name, words}, "expectation failed", name, "error");
@@ -94,7 +97,8 @@ void Desk::step_failed(std::size_t step, tables::Time time) {
 
 void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {
   if (is_step && by == "hand" && !members.empty()) new_acts_.push_back("{" + members + "}");
-  session_.add({time, turn, std::string(by), "{" + members + "}", is_step ? members : std::string()});
+  session_.add(
+      {time, turn, last_change_ == time, std::string(by), "{" + members + "}", is_step ? members : std::string()});
 }
 
 void Desk::finding(const trace::FoundThing& found, const std::string& words) {

@@ -97,7 +97,7 @@ class Desk {
   std::string beat() const;
   /// Keeps a backtrack if one is due; `every` 0: never. To be called about once a second.
   void look_at_time(tables::Time every);
-  /// The session as a file of this kind: `scenario`, `session` or `junit`.
+  /// The session as a file of this kind: `scenario`, `start` (the snapshot with which it begins), `session` or `junit`.
   Answer session_file(std::string_view kind);
   /// Real speed, for the clock of the stream.
   void note_real_speed(double speed) { real_speed_ = speed; }
@@ -191,6 +191,8 @@ class Desk {
   const scenario::Player* asked_player_;      ///< that the plant plays after all orders so far; null: none
   std::uint64_t play_;                        ///< its number; 0: none
   std::uint64_t plays_ = 1;
+  tables::Time last_change_ = -1;  ///< of the plant since it was set back
+  std::uint64_t step_turn_ = 0;    ///< of the step about which the next note is
 
   std::uint64_t revision_ = 0;
   std::uint64_t sent_findings_ = 0;

@@ -1,4 +1,5 @@
 // The state of a panel: what follows when the thread of the plant has carried out an order.
+#include <algorithm>
 #include <utility>
 
 #include "symplant/panel/operate/desk.hpp"
@@ -13,25 +14,41 @@ namespace {
 class OperatedView final : public why::RecordedView {
  public:
   OperatedView(const trace::History& history, tables::Time now, const plant::Plant& plant, bool frozen,
-               const std::vector<bool>& carried)
-      : RecordedView(history, now, &plant), frozen_(frozen), carried_(carried) {}
+               const std::vector<bool>& carried, const scenario::Scenario* played)
+      : RecordedView(history, now, &plant), frozen_(frozen), carried_(carried), played_(played) {}
 
   std::string standstill() const override { return frozen_ ? "the plant is frozen at the panel" : ""; }
   std::string unwritten(std::uint32_t operation) const override {
-    return carried_[operation] ? "" : "no link carries it; set it at the panel";
+    if (carried_[operation]) return "";
+    return is_set_by_scenario(operation) ? "the scenario sets it in another step"
+                                         : "no link carries it; set it at the panel";
   }
 
  private:
+  bool is_set_by_scenario(std::uint32_t operation) const {
+    return played_ != nullptr &&
+           std::any_of(played_->steps.begin(), played_->steps.end(), [&](const scenario::Step& step) {
+             return std::any_of(step.set.begin(), step.set.end(),
+                                [&](const scenario::SymbolValue& value) { return value.symbol == operation; });
+           });
+  }
+
   bool frozen_;
   const std::vector<bool>& carried_;
+  const scenario::Scenario* played_;  ///< may be null
 };
+
+std::string_view failure_text(std::uint64_t note) {
+  if ((note & kNoRoom) != 0) return "a part has no room there";
+  return (note & kNoPart) != 0 ? "there is no part there" : "too many malfunctions are active";
+}
 
 }  // namespace
 
 /// An order was carried out.
 std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
   const std::uint64_t turn = note.value >> scenario::kTurnBits;
-  const bool failed = (note.value & kOrderFailed) != 0;
+  const bool failed = (note.value & kFailed) != 0;
   Group& group = *pending.group;
   group.time = note.time;
   std::optional<SetBack> back;
@@ -40,10 +57,7 @@ std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
       for (const scenario::Step& step : pending.steps) {
         log(note.time, turn, "hand", scenario::actions_json(step, setup_.names), true);
       }
-      if (failed)
-        group.error =
-            "a part has no room there, or there is no part to take, or too many malfunctions are active; the other "
-            "acts were done";
+      if (failed) group.error = std::string(failure_text(note.value)) + "; the other acts were done";
       break;
     case Purpose::control:
       if (pending.order.kind == Order::Kind::reset) back = set_back(pending, note.time);
@@ -95,6 +109,7 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   chart_.set_back(time);
   forget_findings(is_reset ? -1 : time);
   begun_again_ = true;
+  last_change_ = -1;
   session_.begin_again(pending.state);
   last_backtrack_ = time;
   return SetBack{is_reset ? "reset" : "restored", pending.state == nullptr ? std::string() : pending.name, time};
@@ -123,7 +138,7 @@ void Desk::copied(Pending& pending, tables::Time time) {
 
 /// The answer to `why`: the shadow has the state.
 std::string Desk::explain(const std::string& name, tables::Time time) {
-  const OperatedView view(setup_.history, time, shadow(), operator_.frozen(), setup_.carried);
+  const OperatedView view(setup_.history, time, shadow(), operator_.frozen(), setup_.carried, playing_);
   std::string text;
   std::string trees;
   for (const why::Reference& thing : why::things_named(name, setup_.names)) {

@@ -9,7 +9,7 @@ namespace {
 
 /// Returns why a file cannot be written, or an empty text.
 std::string write_file(const std::string& path, std::string_view text) {
-  const std::string failure = trace::write_whole_file(path, {text});
+  const std::string failure = trace::write_whole_file(path, text);
   return failure.empty() ? "" : fmt::format("cannot write `{}`: {}", path, failure);
 }
 
@@ -47,16 +47,17 @@ std::string Desk::session_junit() const {
 }
 
 Answer Desk::session_file(std::string_view kind) {
+  if (kind == "start") {
+    if (session_.from() == nullptr) return error_answer(404, "the session does not begin with a snapshot");
+    return {200, trace::snapshot_bytes(setup_.names.tables().name, session_.from()->snapshot)};
+  }
   if (kind == "session") return {200, session_json()};
   if (kind == "junit") return {200, session_junit()};
   if (setup_.with_plc) {
     return error_answer(422, "with a PLC the session cannot be played again: only the acts at the panel are known");
   }
   if (!session_.is_complete()) return error_answer(422, "the session has more than 100000 acts on the plant");
-  if (session_.from() != nullptr) {
-    return error_answer(422, "the session begins with a snapshot: save it to the folder of `--panel-files`");
-  }
-  return {200, session_.scenario("", operator_.now())};
+  return {200, session_.scenario("session.start.snapshot", operator_.now())};
 }
 
 /// Writes the files of a session; returns why not, or an empty text.

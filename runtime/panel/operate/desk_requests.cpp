@@ -204,7 +204,8 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
 }
 
 void Desk::offer(Pending pending) {
-  const std::uint32_t id = next_id_++;
+  const std::uint32_t id = next_id_;
+  next_id_ = static_cast<std::uint32_t>((next_id_ + 1) % kNoRoom);
   pending.order.id = id;
   ++pending.group->waiting;
   Pending& kept = pending_.emplace(id, std::move(pending)).first->second;

@@ -37,38 +37,40 @@ void Operator::stop() noexcept {
   frozen_.store(true, std::memory_order_relaxed);
 }
 
-bool Operator::act(std::span<const scenario::Step> steps) noexcept {
+std::uint64_t Operator::act(std::span<const scenario::Step> steps) noexcept {
   using By = engine::MalfunctionChange::By;
-  bool well = true;
+  std::uint64_t failures = 0;
   for (const scenario::Step& step : steps) {
     scenario::write_symbols(step, plant_);
-    for (const scenario::NewPart& part : step.put) well = plant_.put(part.at, part.kind) && well;
-    for (const tables::PartLocation& from : step.take) well = plant_.take(from) && well;
+    for (const scenario::NewPart& part : step.put) failures |= plant_.put(part.at, part.kind) ? 0 : kNoRoom;
+    for (const tables::PartLocation& from : step.take) failures |= plant_.take(from) ? 0 : kNoPart;
     scenario::force_symbols(step, plant_, recorder_);
     for (const std::uint32_t malfunction : step.stop) plant_.stop_malfunction(malfunction, By::hand);
-    for (const std::uint32_t malfunction : step.start) well = plant_.start_malfunction(malfunction, By::hand) && well;
+    for (const std::uint32_t malfunction : step.start) {
+      failures |= plant_.start_malfunction(malfunction, By::hand) ? 0 : kNotDone;
+    }
   }
   acted_ = true;
-  return well;
+  return failures;
 }
 
-/// False if it failed.
-bool Operator::carry_out(const Order& order) noexcept {
+/// Returns why it failed; 0: it did not.
+std::uint64_t Operator::carry_out(const Order& order) noexcept {
   switch (order.kind) {
     case Order::Kind::act:
       return act(order.steps);
     case Order::Kind::run:
       go(Stepping::none);
-      return true;
+      return 0;
     case Order::Kind::freeze:
       stop();
-      return true;
+      return 0;
     case Order::Kind::step_cycle:
       go(Stepping::cycle);
-      return true;
+      return 0;
     case Order::Kind::step_change:
       go(Stepping::change);
-      return true;
+      return 0;
     case Order::Kind::reset:
       plant_.reset(seed_, cycle_);
       if (player_ != nullptr) player_->begin_again();
@@ -78,10 +80,10 @@ bool Operator::carry_out(const Order& order) noexcept {
       const std::span<const std::byte> block = plant_.save();
       std::copy(block.begin(), block.end(), order.block.begin());
       if (order.played != nullptr) player_->save(*order.played);
-      return true;
+      return 0;
     }
     case Order::Kind::restore:
-      if (!plant_.restore(order.block)) return false;
+      if (!plant_.restore(order.block)) return kNotDone;
       if (player_ != nullptr && order.played != nullptr) player_->restore(*order.played);
       if (order.played == nullptr) player_ = nullptr;
       over_noted_ = false;
@@ -90,11 +92,11 @@ bool Operator::carry_out(const Order& order) noexcept {
       player_ = order.player;
       if (player_ != nullptr) player_->begin_again();
       over_noted_ = false;
-      return true;
+      return 0;
   }
   recorder_.take_over();
   jumped_ = true;
-  return true;
+  return 0;
 }
 
 void Operator::take_orders() noexcept {
@@ -105,9 +107,9 @@ void Operator::take_orders() noexcept {
     if (changes_ != 0 && changes_ + changes > engine::kMostByHand) return;
     changes_ += changes;
     orders_.pop();
-    const bool well = carry_out(order);
+    const std::uint64_t failures = carry_out(order);
     recorder_.note(plant_.now(), kOrderNote,
-                   order.id + (well ? 0 : kOrderFailed) + (std::uint64_t{recorder_.turn()} << scenario::kTurnBits));
+                   order.id + failures + (std::uint64_t{recorder_.turn()} << scenario::kTurnBits));
   }
 }
 

@@ -47,8 +47,8 @@ class Operator final : public exec::Stepper {
   }
   void advance(tables::Time time) noexcept;
   void take_orders() noexcept;
-  bool carry_out(const Order& order) noexcept;
-  bool act(std::span<const scenario::Step> steps) noexcept;
+  std::uint64_t carry_out(const Order& order) noexcept;
+  std::uint64_t act(std::span<const scenario::Step> steps) noexcept;
   void go(Stepping stepping) noexcept;
   void stop() noexcept;
 

@@ -32,11 +32,16 @@ struct Order {
   scenario::Player* player = nullptr;
 };
 
-/// The `of` of the note after an order was carried out: its value is the order's id, and kOrderFailed more if a part
-/// had no room or was not there, too many malfunctions are active, or a state did not fit, and from scenario::kTurnBits
-/// on its turn (Recorder::turn()). The records of the instant in which it takes effect follow.
+/// The `of` of the note after an order was carried out: its value is the order's id, which is below kNoRoom, the bits
+/// of why it failed, and from scenario::kTurnBits on its turn (Recorder::turn()). The records of the instant in which
+/// it takes effect follow.
 inline constexpr std::uint32_t kOrderNote = 0xFFFF'FFFB;
-inline constexpr std::uint64_t kOrderFailed = std::uint64_t{1} << 32;
+inline constexpr std::uint64_t kNoRoom = std::uint64_t{1} << 30;  ///< for a part
+inline constexpr std::uint64_t kNoPart = std::uint64_t{1} << 31;  ///< to take
+inline constexpr std::uint64_t kNotDone = std::uint64_t{1}
+                                          << 32;  ///< too many malfunctions, or a state that does not fit
+inline constexpr std::uint64_t kFailed = kNoRoom | kNoPart | kNotDone;
+static_assert(kFailed < std::uint64_t{1} << scenario::kTurnBits);
 
 /// The `of` of the note that the scenario that is played is over.
 inline constexpr std::uint32_t kOverNote = 0xFFFF'FFFA;

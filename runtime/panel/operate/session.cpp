@@ -51,8 +51,9 @@ std::string Session::scenario(std::string_view restore, tables::Time end) const 
   if (from_ != nullptr) text += fmt::format("    {{ \"restore\": {} }},\n", trace::json_string(restore));
   const Deed* before = nullptr;
   for (const Deed& step : steps_) {
-    if (before != nullptr && before->time == step.time && before->turn != step.turn) {
-      text += "    { \"plus\": \"0s\", \"instant\": true },\n";
+    const bool same_time = before != nullptr && before->time == step.time;
+    if (same_time ? before->turn != step.turn : step.further) {
+      text += fmt::format("    {{ \"at\": \"{}\", \"instant\": true }},\n", time_text(step.time));
     }
     text += fmt::format("    {{ \"at\": \"{}\", {} }},\n", time_text(step.time), step.actions);
     before = &step;

@@ -105,12 +105,14 @@ TEST_CASE("A part taken and another one put in one request is a part that change
 
 TEST_CASE("Parts without room, and parts that are not there, fail and are said") {
   const PanelBench bench(with_fixture());
-  CHECK(bench.post(R"({"take":"FIXTURE"})").status == 422);
+  const HttpAnswer none = bench.post(R"({"take":"FIXTURE"})");
+  CHECK(none.status == 422);
+  CHECK(contains(none.body, "there is no part there; the other acts were done"));
   bench.act(R"({"put":{"at":"FIXTURE","kind":"raw"}})");
   CHECK(bench.picture().at("places").at(0) == Json::parse("[[1,0]]"));
   const HttpAnswer full = bench.post(R"({"put":{"at":"FIXTURE","kind":"raw"}})");
   CHECK(full.status == 422);
-  CHECK(contains(full.body, "no room"));
+  CHECK(contains(full.body, "a part has no room there; the other acts were done"));
   bench.act(R"({"take":"FIXTURE"})");
   CHECK(bench.picture().at("places").at(0).empty());
 }

@@ -84,7 +84,11 @@ TEST_CASE("A session after a restore begins with the snapshot") {
   bench.act(R"({"restore":"begin"})");
   operate(bench);
   const tables::Time end = bench.act(R"({"freeze":true},{"session":"shift"})");
-  CHECK(bench.send(bench.request("GET", "/api/v1/session/scenario")).status == 422);
+  const HttpAnswer download = bench.send(bench.request("GET", "/api/v1/session/scenario"));
+  CHECK(contains(download.body, R"({ "restore": "session.start.snapshot" })"));
+  const HttpAnswer start = bench.send(bench.request("GET", "/api/v1/session/start"));
+  CHECK(contains(start.head, "filename=\"session.start.snapshot\""));
+  CHECK(start.body == read_bytes(files / "shift.start.snapshot"));
   bench.end();
   const std::string scenario = read_bytes(files / "shift.scenario.json");
   CHECK(contains(scenario, R"({ "restore": "shift.start.snapshot" })"));
@@ -100,6 +104,7 @@ TEST_CASE("A session after a reset begins at time 0, and can be downloaded") {
   const tables::Time end = bench.act(R"({"freeze":true})");
   const HttpAnswer download = bench.send(bench.request("GET", "/api/v1/session/scenario"));
   CHECK(contains(download.head, "Content-Disposition: attachment; filename=\"session.scenario.json\""));
+  CHECK(bench.send(bench.request("GET", "/api/v1/session/start")).status == 404);
   bench.end();
   const std::string path = bench.folder.write("session.json", download.body);
   CHECK(played(bench, path, end) == lines_of(bench.folder / "trace.jsonl", end));
@@ -117,6 +122,24 @@ TEST_CASE("What a scenario did in a session is replayed too") {
   bench.act(R"({"release":"all"})");
   const tables::Time end = bench.act(R"({"freeze":true},{"session":"shift"})");
   bench.end();
+  CHECK(played(bench, files / "shift.scenario.json", end) == lines_of(bench.folder / "trace.jsonl", end));
+}
+
+TEST_CASE("What a scenario did after an event of the same time, it does after it in the replay") {
+  const TemporaryFolder files;
+  PanelPlan plan;
+  plan.options.files = files.path();
+  plan.reported.on_command("AGV", "P1", "P2", description::Duration::fixed(50 * kMs));
+  plan.reported.on_command("AGV", "P2", "P1", description::Duration::fixed(50 * kMs));
+  plan.scenario =
+      R"({"at":"5ms","set":{"L_P_AGV_O_P2":true}},{"wait":"L_P_AGV.P2","within":"1s"},)"
+      R"({"plus":"0s","set":{"L_P_AGV_O_P2":false,"L_P_AGV_O_P1":true}},{"wait":"L_P_AGV.P1","within":"1s"},)"
+      R"({"plus":"0s","set":{"L_P_AGV_O_P1":false},"force":{"L_P_EYE_I_ON":true}})";
+  PanelBench bench(plan);
+  bench.wait_for([&] { return bench.value("EYE_I_ON") == true; });
+  const tables::Time end = bench.act(R"({"freeze":true},{"session":"shift"})");
+  bench.end();
+  CHECK(contains(read_bytes(files / "shift.scenario.json"), "\"instant\": true"));
   CHECK(played(bench, files / "shift.scenario.json", end) == lines_of(bench.folder / "trace.jsonl", end));
 }
 

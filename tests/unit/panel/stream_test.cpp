@@ -71,6 +71,21 @@ TEST_CASE("The changes, one after the other, give the picture") {
   }
 }
 
+TEST_CASE("After a reset every client gets the picture") {
+  const PanelBench bench;
+  StreamClient stream(bench);
+  CHECK(stream.next().first == "picture");
+  bench.act(R"({"force":{"L_P_AGV_I_P2":true}})");
+  bench.act(R"({"freeze":true},{"reset":true})");
+  for (int i = 0; i < 100; ++i) {
+    const auto [name, data] = stream.next();
+    if (name != "picture") continue;
+    CHECK(data.at("t") == 0);
+    return;
+  }
+  FAIL("no picture");
+}
+
 TEST_CASE("A client that does not read gets a picture when it reads again, and others are not delayed") {
   PanelPlan plan;
   for (int i = 0; i < 1500; ++i) plan.names.push_back("LAMP" + std::to_string(i) + "X_O_ON");
