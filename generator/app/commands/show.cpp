@@ -10,6 +10,8 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
@@ -58,7 +60,15 @@ bool is_of_plant(Context& context, const ShowOptions& options, const trace::Read
   return true;
 }
 
-void show(const ShowOptions& options, Context& context) {
+bool is_trace(const std::string& path) {
+  constexpr std::string_view kBegin = R"({"symplant-trace":)";
+  std::string begin(kBegin.size(), '\0');
+  std::ifstream(path).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin == kBegin;
+}
+
+void show(ShowOptions options, Context& context) {
+  if (is_trace(options.plant) && !is_trace(options.trace)) std::swap(options.plant, options.trace);
   auto compiled = compile_for(context, options.plant, options.plant_options);
   if (!compiled) return;
   const tables::PlantTables tables = compiled->tables.tables();
@@ -91,7 +101,7 @@ void show(const ShowOptions& options, Context& context) {
 void add_show(CLI::App& app, Context& context) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* command = app.add_subcommand("show", "Show a trace file in the browser, without a running plant");
-  command->add_option("TRACE", options->trace, "a file that `run --trace` wrote")->required();
+  command->add_option("TRACE", options->trace, "a file that `run --trace` wrote; may also follow PLANT")->required();
   command->add_option("PLANT", options->plant, "the plant.json or symbol list of its plant")->required();
   host::add_address_options(*command, options->panel, "play the trace");
   add_plant_options(*command, options->plant_options);
