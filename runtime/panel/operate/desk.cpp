@@ -30,6 +30,7 @@ Desk::Desk(Setup setup)
       block_(setup_.plant.save().size()),
       violations_(setup_.names.tables().requirements.size()),
       playing_(setup_.scenario),
+      played_(setup_.names, setup_.scenario_name),
       asked_player_(setup_.player),
       play_(setup_.player != nullptr ? 1 : 0),
       last_backtrack_(setup_.plant.now()) {
@@ -38,6 +39,8 @@ Desk::Desk(Setup setup)
     const std::shared_ptr<const scenario::Scenario> unowned(std::shared_ptr<void>(), playing_);
     exercise_ = std::make_shared<Exercise>(ExerciseFile{setup_.scenario_name, unowned}, setup_.names);
     exercise_->begin(setup_.plant.now());
+  } else {
+    played_.begin(playing_);
   }
   if (!setup_.resumed.empty()) {
     picture_.load(setup_.plant);
@@ -64,8 +67,8 @@ std::optional<SetBack> Desk::note(const trace::Record& record) {
     step_turn_ = record.value;
   } else if (record.of == scenario::kStepNote) {
     step_noted(record);
-  } else if (record.of == kOverNote && exercise_ != nullptr && &exercise_->scenario() == playing_) {
-    exercise_->over(record.time);
+  } else if (record.of == kOverNote) {
+    is_exercise() ? exercise_->over(record.time) : played_.over();
   } else if (record.of == kOrderNote) {
     const auto found = pending_.find(static_cast<std::uint32_t>(record.value % kNoRoom));
     if (found == pending_.end()) return std::nullopt;
@@ -84,15 +87,14 @@ void Desk::step_noted(const trace::Record& record) {
   if (!actions.empty()) log(record.time, record.value >> scenario::kTurnBits, "scenario", actions, true);
   const bool failed = (record.value & scenario::kStepFailed) != 0;
   if (failed) step_failed(index, record.time);
-  if (exercise_ != nullptr && &exercise_->scenario() == playing_) exercise_->step_done(index, failed, record.time);
+  is_exercise() ? exercise_->step_done(index, failed, record.time) : played_.step_done(index);
 }
 
 void Desk::step_failed(std::size_t step, tables::Time time) {
   const std::string words = why::in_one_line(
       scenario::failure_words(*playing_, {step, step_turn_, time, {}}, setup_.explainer, setup_.history, nullptr));
   const std::string name = fmt::format("step {}", step + 1);
-  const bool of_exercise = exercise_ != nullptr && &exercise_->scenario() == playing_;
-  add_finding({time, "", tables::kNone, of_exercise ? "" : name, words}, "expectation failed", name, "error");
+  add_finding({time, "", tables::kNone, is_exercise() ? "" : name, words}, "expectation failed", name, "error");
 }
 
 void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {
@@ -196,6 +198,8 @@ std::string Desk::picture() {
   session_.put(json, session_.count() > kMostFindings ? session_.count() - kMostFindings : 0);
   put_key(json, "snapshots");
   snapshots_.put_all(json);
+  put_key(json, "scenario");
+  played_.put(json);
   put_key(json, "exercise");
   if (exercise_ != nullptr) {
     exercise_->put(json);
@@ -232,6 +236,11 @@ std::string Desk::changes() {
     put_key(json, "snapshots");
     snapshots_.put_all(json);
     sent_snapshots_ = snapshots_.version();
+  }
+  if (played_.version() != sent_played_) {
+    put_key(json, "scenario");
+    played_.put(json);
+    sent_played_ = played_.version();
   }
   if (exercise_ != nullptr && (exercise_.get() != sent_of_ || exercise_->version() != sent_exercise_)) {
     put_key(json, "exercise");

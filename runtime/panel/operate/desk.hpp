@@ -17,6 +17,7 @@
 #include "symplant/panel/operate/act_reader.hpp"
 #include "symplant/panel/operate/exercises.hpp"
 #include "symplant/panel/operate/operator.hpp"
+#include "symplant/panel/operate/played.hpp"
 #include "symplant/panel/operate/session.hpp"
 #include "symplant/panel/operate/snapshots.hpp"
 #include "symplant/panel/picture/chart.hpp"
@@ -151,6 +152,7 @@ class Desk {
   void step_noted(const trace::Record& record);
   void step_failed(std::size_t step, tables::Time time);
   void add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity);
+  bool is_exercise() const { return exercise_ != nullptr && &exercise_->scenario() == playing_; }
   /// The plant went back: what was found after a time did not happen.
   void forget_findings(tables::Time after);
   plant::OwnedPlant& shadow();
@@ -188,6 +190,7 @@ class Desk {
   std::shared_ptr<Exercise> exercise_;        ///< that is played, or was played last
   std::unique_ptr<scenario::Player> player_;  ///< of it
   const scenario::Scenario* playing_;         ///< for the notes of steps
+  Played played_;                             ///< it, if it is no exercise
   const scenario::Player* asked_player_;      ///< that the plant plays after all orders so far; null: none
   std::uint64_t play_;                        ///< its number; 0: none
   std::uint64_t plays_ = 1;
@@ -199,6 +202,7 @@ class Desk {
   std::uint64_t sent_acts_ = 0;
   std::uint64_t sent_snapshots_ = 0;
   std::uint64_t sent_exercise_ = 0;
+  std::uint64_t sent_played_ = 0;
   const Exercise* sent_of_ = nullptr;
   std::string sent_clock_;
   tables::Time last_backtrack_ = 0;

@@ -77,9 +77,11 @@ std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
         exercise_ = std::move(pending.exercise);
         exercise_->begin(note.time);
         playing_ = &exercise_->scenario();
+        played_.begin(nullptr);
       } else {
         if (exercise_ != nullptr && !exercise_->is_over()) exercise_->over(note.time);
         playing_ = nullptr;
+        played_.begin(nullptr);
       }
       log(note.time, turn, "hand", pending.name, false);
       break;
@@ -99,10 +101,14 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   const bool is_reset = pending.state == nullptr;
   if (is_reset) {
     shadow().reset(setup_.seed, setup_.cycle);
-    if (exercise_ != nullptr && &exercise_->scenario() == playing_) exercise_->begin(time);
+    is_exercise() ? exercise_->begin(time) : played_.begin(playing_);
   } else {
     shadow().restore(pending.state->snapshot.block);
-    if (pending.order.played == nullptr) playing_ = nullptr;
+    if (pending.order.played == nullptr) {
+      playing_ = nullptr;
+      played_.begin(nullptr);
+    }
+    played_.forget();
   }
   setup_.history.load(shadow());
   picture_.load(shadow());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "symplant/panel/operate/played.hpp"
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/scenario/step_text.hpp"
 #include "symplant/scenario/verdict.hpp"
@@ -37,7 +38,8 @@ void Exercise::step_done(std::size_t step, bool failed, tables::Time time) {
   times_[step] = time;
   next_ = step + 1;
   if (done.is_checked() && !failed)
-    add_points(time, scenario().exercise->for_expectation, done.text.empty() ? does(step) : done.text);
+    add_points(time, scenario().exercise->for_expectation,
+               done.text.empty() ? step_words(scenario(), step, names_) : done.text);
 }
 
 void Exercise::requirement_violated(std::uint32_t requirement, tables::Time time) {
@@ -52,16 +54,6 @@ void Exercise::over(tables::Time time) {
   took_ = time - since_;
   const scenario::Exercise& rules = *scenario().exercise;
   if (took_ <= rules.within) add_points(time, rules.for_time, "within " + trace::seconds(rules.within));
-}
-
-/// What a step does or expects, for the trainer.
-std::string Exercise::does(std::size_t step) const {
-  const scenario::Step& of = scenario().steps[step];
-  if (of.expect) {
-    return (of.when == scenario::Step::When::wait ? "wait: " : "expect: ") + scenario::expectation_words(of, names_);
-  }
-  const std::string actions = scenario::actions_json(of, names_);
-  return actions.empty() ? "wait until " + trace::seconds(of.time) : actions;
 }
 
 /// The points for a run with everything right.
@@ -92,7 +84,7 @@ void Exercise::put(std::string& json) const {
     put_comma(json);
     json += '{';
     put_member(json, "text", scenario().steps[i].text);
-    put_member(json, "does", does(i));
+    put_member(json, "does", step_words(scenario(), i, names_));
     panel::put(json, R"(,"state":"{}","t":{}}})", state,
                states_[i] == State::pending ? "null" : std::to_string(times_[i]));
   }
@@ -112,7 +104,8 @@ void Exercise::add_cases(std::vector<trace::TestCase>& cases) const {
     const std::string& text = scenario().steps[i].text;
     const bool failed = states_[i] != State::done;
     const char* const failure = !failed ? "" : states_[i] == State::failed ? "it did not hold" : "it was not reached";
-    cases.push_back({fmt::format("step {}: {}", i + 1, text.empty() ? does(i) : text), times_[i], failure});
+    cases.push_back({fmt::format("step {}: {}", i + 1, text.empty() ? step_words(scenario(), i, names_) : text),
+                     times_[i], failure});
   }
   cases.push_back({fmt::format("score: {} of {}", score_, most()), since_ + std::max<tables::Time>(took_, 0), ""});
 }

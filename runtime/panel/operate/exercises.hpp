@@ -51,7 +51,6 @@ class Exercise {
   };
 
   void add_points(tables::Time time, std::int64_t points, std::string text);
-  std::string does(std::size_t step) const;
   std::int64_t most() const;
 
   ExerciseFile file_;

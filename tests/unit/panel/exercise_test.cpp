@@ -111,5 +111,23 @@ TEST_CASE("A failed step of an exercise is a finding in words") {
   CHECK(contains(finding.at("text").get<std::string>(), "expected `L_P_AGV.P2`"));
 }
 
+TEST_CASE("The page sees how far a scenario is") {
+  PanelPlan plan;
+  plan.scenario =
+      R"({"at":"5ms","set":{"L_P_AGV_O_P2":true}},{"wait":"L_P_EYE_I_ON","within":"1h"},{"plus":"0s","expect":"L_P_EYE_I_ON"})";
+  const PanelBench bench(plan);
+  const auto scenario = [&] { return bench.picture().at("scenario"); };
+  bench.wait_for([&] { return scenario().at("done") == 1; });
+  CHECK(scenario().at("steps") == 3);
+  CHECK(scenario().at("over") == false);
+  CHECK(contains(scenario().at("next").get<std::string>(), "wait: `L_P_EYE_I_ON`"));
+  bench.act(R"({"set":{"L_P_EYE_I_ON":true}})");
+  bench.wait_for([&] { return scenario().at("over") == true; });
+  CHECK(scenario().at("done") == 3);
+  CHECK(scenario().at("next") == "");
+  bench.act(R"({"reset":true})");
+  CHECK(scenario().at("over") == false);
+}
+
 }  // namespace
 }  // namespace symplant::test
