@@ -14,6 +14,8 @@ using Kind = Act::Kind;
 
 constexpr const char* kNoFolder = "this run has no folder for files; start it with `--panel-files DIR`";
 
+constexpr const char* kTooMany = "too many acts wait for the plant; try again";
+
 bool is_step(const Act& act) { return act.kind == Kind::step; }
 
 Order::Kind order_kind(Kind kind) {
@@ -125,7 +127,7 @@ void Desk::request(std::string_view body, Answered answered) {
   if (const std::string why = refusal(read.acts); !why.empty()) return answered(error_answer(422, why));
   if (ended_) return answered(error_answer(503, "the run has ended"));
   if (pending_.size() + 2 * read.acts.size() > Operator::kMostOrders) {
-    return answered(error_answer(429, "too many acts wait for the plant; try again"));
+    return answered(error_answer(429, kTooMany));
   }
   const auto group = std::make_shared<Group>();
   group->answered = std::move(answered);
@@ -285,6 +287,7 @@ void Desk::why(std::string_view name, Answered answered) {
         422, fmt::format("`{}` not found{}", name, nearest.empty() ? "" : "; did you mean `" + nearest + "`?")));
   }
   if (ended_) return answered(error_answer(503, "the run has ended"));
+  if (pending_.size() >= Operator::kMostOrders) return answered(error_answer(429, kTooMany));
   const auto group = std::make_shared<Group>();
   group->answered = std::move(answered);
   offer_copy(Purpose::why, std::string(name), group);
