@@ -152,7 +152,7 @@ void Desk::finish(const std::shared_ptr<Group>& group) {
 void Desk::carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group) {
   for (std::size_t i = 0; i < acts.size();) {
     if (!is_step(acts[i])) {
-      order(std::move(acts[i++]), group);
+      order(acts[i++], group);
       continue;
     }
     Pending pending{};  // all steps in a row take effect in one instant
@@ -164,7 +164,7 @@ void Desk::carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group)
   }
 }
 
-void Desk::order(Act act, const std::shared_ptr<Group>& group) {
+void Desk::order(const Act& act, const std::shared_ptr<Group>& group) {
   switch (act.kind) {
     case Kind::snapshot:
       return offer_copy(Purpose::snapshot, act.name, group);
@@ -172,7 +172,10 @@ void Desk::order(Act act, const std::shared_ptr<Group>& group) {
       return offer_copy(Purpose::save, act.name, group);
     case Kind::restore: {
       std::string error;
-      return offer_restore(snapshots_.find(act.name, setup_.plant.model_hash(), block_, error), act.name, group);
+      auto state = snapshots_.find(act.name, setup_.plant.model_hash(), block_, error);
+      if (state != nullptr) return offer_restore(std::move(state), act.name, group);
+      group->error = std::move(error);
+      return;
     }
     case Kind::exercise:
       return offer_exercise(act.name, group);

@@ -126,8 +126,8 @@ void Connection::answer() {
     });
   };
   Reply found = shared_.routes.answer(request, later);
+  if (found.kind == Reply::Kind::stream) return begin_stream();
   if (found.kind == Reply::Kind::now) reply(std::move(found));
-  if (found.kind == Reply::Kind::stream) begin_stream();
 }
 
 void Connection::reply(Reply found) {
