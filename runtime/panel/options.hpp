@@ -14,7 +14,7 @@ struct PanelOptions {
   std::string token_file = {};                    ///< empty: a fresh token for each start
   std::string files = {};                         ///< the folder of snapshots and sessions; empty: none
   tables::Time backtrack = 60 * tables::kSecond;  ///< plant time between two backtracks; 0: none
-  int request_time = 10;                          ///< in which a request must arrive, s
+  int patience = 10;                              ///< for a request to arrive, for an answer to be read, s
 };
 
 }  // namespace symplant::panel

@@ -126,7 +126,7 @@ std::variant<std::unique_ptr<Panel>, LinkError> Panel::open(const PanelOptions& 
   auto& open = std::get<OpenPort>(opened);
   auto parts = std::make_unique<Parts>(options, std::move(plant), std::move(open.access));
   Parts& all = *parts;
-  all.server.emplace(std::move(open.listener), all.routes, all, options.request_time, [&all] { all.each_second(); });
+  all.server.emplace(std::move(open.listener), all.routes, all, options.patience, [&all] { all.each_second(); });
   return std::unique_ptr<Panel>(new Panel(std::move(parts)));
 }
 

@@ -20,7 +20,7 @@ std::optional<link::LinkError> show(const PanelOptions& options, trace::ReadTrac
   auto& open = std::get<OpenPort>(opened);
   Recording recording(std::move(trace), names, view, model_hash);
   Routes routes(recording, open.access);
-  const Server server(std::move(open.listener), routes, recording, options.request_time, [] {});
+  const Server server(std::move(open.listener), routes, recording, options.patience, [] {});
   begun(open.access.url() + "#token=" + open.access.token());
   while (!stop()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return std::nullopt;

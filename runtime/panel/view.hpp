@@ -10,7 +10,7 @@ namespace symplant::panel {
 inline constexpr std::int32_t kNotPlaced = -1;
 
 struct DeviceView {
-  std::uint32_t station;        ///< index of a station
+  std::uint32_t station = 0;    ///< index of a station
   std::int32_t x = kNotPlaced;  ///< in its station, in grid units from 0; kNotPlaced: the page chooses
   std::int32_t y = kNotPlaced;
 };

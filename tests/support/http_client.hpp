@@ -19,7 +19,7 @@ struct HttpAnswer {
 /// One connection to a server on the loopback.
 class HttpClient {
  public:
-  explicit HttpClient(std::uint16_t port) : client_(port) {}
+  explicit HttpClient(std::uint16_t port, int room = 0) : client_(port, AF_INET, room) {}
 
   RawClient& raw() { return client_; }
 

@@ -27,10 +27,12 @@ using Bytes = std::vector<std::uint8_t>;
 /// A TCP client on the loopback that waits for data; a time limit only lets a failed test end.
 class RawClient {
  public:
-  explicit RawClient(std::uint16_t port, int family = AF_INET)
+  /// With `room`, the bytes that the connection takes before they are received are about so many.
+  explicit RawClient(std::uint16_t port, int family = AF_INET, int room = 0)
       : socket_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     const int on = 1;
     ::setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    if (room != 0) ::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
     sockaddr_in v4{};
     v4.sin_family = AF_INET;
     v4.sin_port = htons(port);

@@ -257,7 +257,8 @@ std::string Desk::beat() const { return fmt::format("{{\"rev\":{},\"t\":{}", rev
 void Desk::look_at_time(tables::Time every) {
   const tables::Time now = operator_.now();
   if (now < last_backtrack_) last_backtrack_ = now;
-  if (every == 0 || now < last_backtrack_ + every || operator_.frozen()) return;
+  if (every == 0 || now < last_backtrack_ + every || operator_.frozen() || pending_.size() >= Operator::kMostOrders)
+    return;
   last_backtrack_ = now;
   offer_copy(Purpose::backtrack, "", std::make_shared<Group>());
 }

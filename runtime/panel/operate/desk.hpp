@@ -137,7 +137,7 @@ class Desk {
   std::string refusal(const std::vector<Act>& acts);
   std::string refusal(const Act& act);
   void carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group);
-  void order(Act act, const std::shared_ptr<Group>& group);
+  void order(const Act& act, const std::shared_ptr<Group>& group);
   void at_once(const Act& act, const std::shared_ptr<Group>& group);
   void offer(Pending pending);
   void offer_copy(Purpose purpose, std::string name, const std::shared_ptr<Group>& group);

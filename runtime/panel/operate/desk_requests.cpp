@@ -14,6 +14,8 @@ using Kind = Act::Kind;
 
 constexpr const char* kNoFolder = "this run has no folder for files; start it with `--panel-files DIR`";
 
+constexpr const char* kTooMany = "too many acts wait for the plant; try again";
+
 bool is_step(const Act& act) { return act.kind == Kind::step; }
 
 Order::Kind order_kind(Kind kind) {
@@ -125,7 +127,7 @@ void Desk::request(std::string_view body, Answered answered) {
   if (const std::string why = refusal(read.acts); !why.empty()) return answered(error_answer(422, why));
   if (ended_) return answered(error_answer(503, "the run has ended"));
   if (pending_.size() + 2 * read.acts.size() > Operator::kMostOrders) {
-    return answered(error_answer(429, "too many acts wait for the plant; try again"));
+    return answered(error_answer(429, kTooMany));
   }
   const auto group = std::make_shared<Group>();
   group->answered = std::move(answered);
@@ -150,7 +152,7 @@ void Desk::finish(const std::shared_ptr<Group>& group) {
 void Desk::carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group) {
   for (std::size_t i = 0; i < acts.size();) {
     if (!is_step(acts[i])) {
-      order(std::move(acts[i++]), group);
+      order(acts[i++], group);
       continue;
     }
     Pending pending{};  // all steps in a row take effect in one instant
@@ -162,7 +164,7 @@ void Desk::carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group)
   }
 }
 
-void Desk::order(Act act, const std::shared_ptr<Group>& group) {
+void Desk::order(const Act& act, const std::shared_ptr<Group>& group) {
   switch (act.kind) {
     case Kind::snapshot:
       return offer_copy(Purpose::snapshot, act.name, group);
@@ -170,7 +172,10 @@ void Desk::order(Act act, const std::shared_ptr<Group>& group) {
       return offer_copy(Purpose::save, act.name, group);
     case Kind::restore: {
       std::string error;
-      return offer_restore(snapshots_.find(act.name, setup_.plant.model_hash(), block_, error), act.name, group);
+      auto state = snapshots_.find(act.name, setup_.plant.model_hash(), block_, error);
+      if (state != nullptr) return offer_restore(std::move(state), act.name, group);
+      group->error = std::move(error);
+      return;
     }
     case Kind::exercise:
       return offer_exercise(act.name, group);
@@ -286,6 +291,7 @@ void Desk::why(std::string_view name, Answered answered) {
         422, fmt::format("`{}` not found{}", name, nearest.empty() ? "" : "; did you mean `" + nearest + "`?")));
   }
   if (ended_) return answered(error_answer(503, "the run has ended"));
+  if (pending_.size() >= Operator::kMostOrders) return answered(error_answer(429, kTooMany));
   const auto group = std::make_shared<Group>();
   group->answered = std::move(answered);
   offer_copy(Purpose::why, std::string(name), group);

@@ -15,7 +15,6 @@ namespace symplant::panel {
 namespace {
 
 constexpr std::size_t kShortestToken = 32;
-constexpr std::size_t kLongestToken = 256;
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
@@ -97,7 +96,7 @@ std::string random_token() {
 }
 
 bool is_token(std::string_view text) {
-  return text.size() >= kShortestToken && text.size() <= kLongestToken &&
+  return text.size() >= kShortestToken && text.size() <= std::size_t{kLongestToken} &&
          std::all_of(text.begin(), text.end(), [](char c) {
            return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
          });

@@ -45,6 +45,8 @@ class Access {
 /// 32 hexadecimal digits from the system's source of randomness.
 std::string random_token();
 
+inline constexpr int kLongestToken = 256;
+
 /// Whether a text is a token: 32 to 256 letters, digits, `-` or `_`.
 bool is_token(std::string_view text);
 

@@ -12,12 +12,10 @@ namespace {
 
 namespace asio = boost::asio;
 namespace http = boost::beast::http;
-using std::chrono::seconds;
 
 constexpr std::size_t kMostStreams = 8;
 constexpr std::uint32_t kLongestHeader = 8 * 1024;
 constexpr std::uint64_t kLongestBody = 64 * 1024;
-constexpr auto kWriteTime = seconds(10);
 constexpr std::size_t kMostWaiting = std::size_t{4} << 20;  ///< bytes that a client has not read
 
 constexpr std::string_view kPolicy =
@@ -89,7 +87,7 @@ void Connection::read() {
   parser_.emplace();
   parser_->header_limit(kLongestHeader);
   parser_->body_limit(kLongestBody);
-  stream_.expires_after(shared_.request_time);  // for the whole request
+  stream_.expires_after(shared_.patience);  // for the whole request
   http::async_read(stream_, buffer_, *parser_,
                    [self = shared_from_this()](Error error, std::size_t) { self->read_done(error); });
 }
@@ -128,8 +126,8 @@ void Connection::answer() {
     });
   };
   Reply found = shared_.routes.answer(request, later);
+  if (found.kind == Reply::Kind::stream) return begin_stream();
   if (found.kind == Reply::Kind::now) reply(std::move(found));
-  if (found.kind == Reply::Kind::stream) begin_stream();
 }
 
 void Connection::reply(Reply found) {
@@ -144,7 +142,7 @@ void Connection::reply(Reply found) {
   response_->body() = is_file ? std::string(found.content) : std::move(found.answer.body);
   response_->keep_alive(keep_alive_);
   response_->prepare_payload();
-  stream_.expires_after(kWriteTime);
+  stream_.expires_after(shared_.patience);
   http::async_write(stream_, *response_, [self = shared_from_this()](Error error, std::size_t) {
     if (error || !self->keep_alive_) return self->close();
     self->read();
@@ -163,7 +161,7 @@ void Connection::begin_stream() {
   header_->keep_alive(false);
   serializer_.emplace(*header_);
   writing_ = true;
-  stream_.expires_after(kWriteTime);
+  stream_.expires_after(shared_.patience);
   http::async_write_header(stream_, *serializer_, [self = shared_from_this()](Error error, std::size_t) {
     self->writing_ = false;
     self->is_late_ = true;
@@ -186,7 +184,7 @@ void Connection::write_next() {
     events_.pop_front();
   }
   writing_ = true;
-  stream_.expires_after(kWriteTime);
+  stream_.expires_after(shared_.patience);
   const asio::const_buffer bytes = asio::buffer(*event);
   asio::async_write(stream_, bytes, [self = shared_from_this(), event = std::move(event)](Error error, std::size_t) {
     self->writing_ = false;

@@ -25,12 +25,12 @@ class Connection;
 
 /// What the connections share. All of it is used by the server's thread only.
 struct Shared {
-  Shared(Routes& all_routes, Source& plant, int seconds) : routes(all_routes), source(plant), request_time(seconds) {}
+  Shared(Routes& all_routes, Source& plant, int seconds) : routes(all_routes), source(plant), patience(seconds) {}
 
   boost::asio::io_context context;
   Routes& routes;
   Source& source;
-  std::chrono::seconds request_time;
+  std::chrono::seconds patience;
   std::list<std::shared_ptr<Connection>> connections;  ///< that idle for longest first
   std::size_t streams = 0;
 

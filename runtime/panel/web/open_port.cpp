@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iomanip>
 #include <string>
 #include <utility>
 
@@ -18,7 +19,7 @@ std::variant<std::string, LinkError> token_of(const PanelOptions& options) {
   if (options.token_file.empty()) return random_token();
   std::ifstream file(options.token_file);
   std::string token;
-  if (!file || !(file >> token)) {
+  if (!file || !(file >> std::setw(kLongestToken + 1) >> token)) {
     return LinkError{LinkError::Kind::usage, fmt::format("cannot read a token from `{}`", options.token_file)};
   }
   if (is_token(token)) return token;

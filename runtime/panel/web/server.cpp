@@ -27,9 +27,8 @@ constexpr auto kPeriod = milliseconds(40);  ///< of the stream
 }  // namespace
 
 struct Server::Parts {
-  Parts(link::net::Listener listener, Routes& routes, Source& source, int request_time,
-        std::function<void()> every_second)
-      : shared(routes, source, request_time),
+  Parts(link::net::Listener listener, Routes& routes, Source& source, int patience, std::function<void()> every_second)
+      : shared(routes, source, patience),
         acceptor(shared.context),
         timer(shared.context),
         each_second(std::move(every_second)) {
@@ -113,9 +112,9 @@ struct Server::Parts {
   std::thread thread;
 };
 
-Server::Server(link::net::Listener listener, Routes& routes, Source& source, int request_time,
+Server::Server(link::net::Listener listener, Routes& routes, Source& source, int patience,
                std::function<void()> each_second)
-    : parts_(std::make_unique<Parts>(std::move(listener), routes, source, request_time, std::move(each_second))) {}
+    : parts_(std::make_unique<Parts>(std::move(listener), routes, source, patience, std::move(each_second))) {}
 
 Server::~Server() = default;
 

@@ -9,14 +9,13 @@
 namespace symplant::panel {
 
 /// Serves from construction to destruction. Limits: 64 connections (of more, the one that is idle for longest is
-/// closed), 8 streams, `request_time` s for a request, 8 KiB of header, 64 KiB of body. A client that does not read is
-/// closed after 10 s.
+/// closed), 8 streams, `patience` s for a request to arrive and for an answer or event to be read, 8 KiB of header,
+/// 64 KiB of body.
 class Server {
  public:
   /// `routes` and `source` must outlive it. The source is used by the server's thread only, apart from answers that
   /// come later. `each_second` is called about once a second by this thread.
-  Server(link::net::Listener listener, Routes& routes, Source& source, int request_time,
-         std::function<void()> each_second);
+  Server(link::net::Listener listener, Routes& routes, Source& source, int patience, std::function<void()> each_second);
   ~Server();
 
  private:

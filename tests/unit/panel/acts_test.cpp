@@ -198,6 +198,16 @@ TEST_CASE("Snapshots are listed, forgotten, and written to files that another ru
   CHECK(contains(other.body, "another model"));
 }
 
+TEST_CASE("A snapshot that the same request forgets is not restored") {
+  const PanelBench bench;
+  bench.act(R"({"freeze":true},{"snapshot":"a"})");
+  const HttpAnswer answer = bench.post(R"({"forget":"a"},{"restore":"a"})");
+  CHECK(answer.status == 422);
+  CHECK(contains(answer.body, "there is no snapshot `a`"));
+  bench.act(R"({"snapshot":"b"})");
+  CHECK(bench.act(R"({"restore":"b"})") >= 0);
+}
+
 TEST_CASE("A state is kept each time the backtrack has passed, and the last thirty of them") {
   PanelPlan plan;
   plan.options.backtrack = 20 * kMs;

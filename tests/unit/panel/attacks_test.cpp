@@ -62,7 +62,8 @@ TEST_CASE("An act needs the token") {
   for (const std::string& sent :
        {std::string(), "Authorization: Bearer " + other + "\r\n",
         "Authorization: Bearer " + bench.token.substr(1) + "\r\n", "Authorization: Bearer " + bench.token + "0\r\n",
-        "Authorization: Basic " + bench.token + "\r\n", std::string("Authorization: Bearer \r\n")}) {
+        "Authorization: Basic " + bench.token + "\r\n", "Authorization: Digest " + bench.token + "\r\n",
+        std::string("Authorization: Bearer \r\n")}) {
     CHECK(bench.send(replaced(forcing(bench), header, sent)).status == 401);
   }
   CHECK(bench.value("AGV_I_P2") == false);
@@ -96,7 +97,7 @@ TEST_CASE("A body over 64 KiB, and a header over 8 KiB, are refused") {
 
 TEST_CASE("A client that sends its header, or its body, slowly is closed") {
   PanelPlan plan;
-  plan.options.request_time = 1;
+  plan.options.patience = 1;
   const PanelBench bench(plan);
   for (const std::string& text : {bench.request("GET", "/"), forcing(bench)}) {
     HttpClient slow(bench.port);
@@ -174,6 +175,10 @@ TEST_CASE("A script in a symbol's name stays a text") {
   const HttpAnswer answer = bench.send(bench.request("GET", "/api/v1/plant"));
   CHECK(contains(answer.head, "Content-Type: application/json\r\n"));
   CHECK(contains(answer.head, "X-Content-Type-Options: nosniff\r\n"));
+  CHECK(contains(answer.head, "Cache-Control: no-store\r\n"));
+  CHECK(contains(answer.head, "Referrer-Policy: no-referrer\r\n"));
+  CHECK(contains(answer.head, "Cross-Origin-Resource-Policy: same-origin\r\n"));
+  CHECK(contains(answer.head, "Cross-Origin-Opener-Policy: same-origin\r\n"));
   CHECK(Json::parse(answer.body).at("symbols").at(0).at("name") == "L_P_AGV_I_<script>alert(1)</script>");
   const HttpAnswer page = bench.send(bench.request("GET", "/"));
   CHECK(page.status == 200);
@@ -235,6 +240,62 @@ TEST_CASE("More than a hundred acts in a second are refused") {
   std::size_t refused = 0;
   for (int i = 0; i < 250; ++i) refused += bench.post(kForce).status == 429 ? 1U : 0U;
   CHECK(refused > 0);
+}
+
+TEST_CASE("Clients of the stream that never read are closed, and others get their place") {
+  PanelPlan plan;
+  plan.options.patience = 1;
+  for (int i = 0; i < 1500; ++i) plan.names.push_back("LAMP" + std::to_string(i) + "X_O_ON");
+  const PanelBench bench(plan);
+  std::list<HttpClient> crowd;
+  for (int i = 0; i < 8; ++i) {
+    crowd.emplace_back(bench.port, 4096);
+    crowd.back().send(bench.request("GET", "/api/v1/stream"));
+    CHECK(contains(crowd.back().read_until("\r\n\r\n"), "200 OK"));
+  }
+  bool on = false;
+  bench.wait_for([&] {
+    on = !on;
+    std::string set;
+    for (int i = 0; i < 1500; ++i) {
+      set +=
+          (set.empty() ? "\"L_P_LAMP" : ",\"L_P_LAMP") + std::to_string(i) + (on ? "X_O_ON\":true" : "X_O_ON\":false");
+    }
+    bench.act("{\"set\":{" + set + "}}");
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    HttpClient client(bench.port);
+    client.send(bench.request("GET", "/api/v1/stream"));
+    return contains(client.read_until("\r\n\r\n"), "200 OK");
+  });
+}
+
+TEST_CASE("A plant that is busy takes a bounded number of acts and questions") {
+  PanelBench bench;
+  bench.hold(true);
+  std::list<HttpClient> waiting;
+  const auto freeze = [&](std::size_t times) {
+    std::string acts = R"({"freeze":true})";
+    for (std::size_t i = 1; i < times; ++i) acts += R"(,{"freeze":true})";
+    return bench.request("POST", "/api/v1/acts", "{\"acts\":[" + acts + "]}");
+  };
+  const auto is_busy = [&](const std::string& request) {
+    const HttpAnswer answer = bench.send(request);
+    return answer.status == 429 && contains(answer.body, "too many acts wait for the plant");
+  };
+  for (const std::size_t times : {100U, 78U}) {
+    waiting.emplace_back(bench.port);
+    waiting.back().send(freeze(times));
+  }
+  CHECK(is_busy(freeze(100)));
+  for (std::size_t i = 0; i < 60; ++i) {
+    waiting.emplace_back(bench.port);
+    waiting.back().send(i < 20 ? freeze(2) : bench.request("GET", "/api/v1/why?name=L_P_AGV"));
+  }
+  CHECK(is_busy(bench.request("GET", "/api/v1/why?name=L_P_AGV")));
+  bench.hold(false);
+  std::size_t done = 0;
+  for (HttpClient& client : waiting) done += client.answer().status == 200 ? 1U : 0U;
+  CHECK(done == 60);
 }
 
 TEST_CASE("Other methods, paths and bytes get an answer, or the connection ends") {

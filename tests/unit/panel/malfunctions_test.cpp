@@ -157,7 +157,8 @@ TEST_CASE("Lines of a trace about malfunctions are checked like others") {
   CHECK(contains(read(R"({"t":1,"malfunction":"jam","by":"hand"})").error, "line 2: a malfunction has a name"));
   CHECK(
       contains(read(R"({"t":1,"malfunction":"jam","active":true,"by":"me"})").error, "malfunction `jam` has no `by`"));
-  CHECK(contains(read(R"({"t":1,"reset":"","malfunctions":["jam"]})").error, "`malfunctions` is not an array of pairs"));
+  CHECK(
+      contains(read(R"({"t":1,"reset":"","malfunctions":["jam"]})").error, "`malfunctions` is not an array of pairs"));
   CHECK(read(R"({"t":1,"malfunction":"L_P_AGV_O_P1 stuck on","active":true,"by":"hand"})").first_unknown ==
         "L_P_AGV_O_P1 stuck on");
 }

@@ -125,6 +125,8 @@ class PanelBench {
     FAIL("it did not happen in 20 s");
   }
   std::string messages() const { return err_.str(); }
+  /// While it is held, the plant's thread does nothing.
+  void hold(bool held) { held_ = held; }
 
   BenchTables tables;
   TemporaryFolder folder;
@@ -139,13 +141,14 @@ class PanelBench {
   void cycles() {
     exec::Stepper& stepper = panel->stepper();
     while (!stop_) {
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      if (held_) continue;
       if (stepper.frozen()) {
         stepper.hold();
       } else {
         stepper.advance_to(stage->plant.now() + kMs);
       }
       stage->outputs.drain();
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
   }
 
@@ -159,6 +162,7 @@ class PanelBench {
   std::optional<scenario::Scenario> scenario_;
   host::Links links_;
   std::atomic<bool> stop_{false};
+  std::atomic<bool> held_{false};
   std::thread thread_;
 };
 

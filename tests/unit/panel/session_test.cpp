@@ -184,6 +184,22 @@ TEST_CASE("A folder that cannot be written is said, and nothing is lost") {
   CHECK(bench.act(R"({"restore":"a"})") >= 0);
 }
 
+TEST_CASE("On a full disk, what cannot be saved is said, and the plant goes on") {
+  if (!std::filesystem::exists("/dev/full")) return;
+  const TemporaryFolder files;
+  for (const std::string name : {"a.snapshot", "a.session.json", "b.junit.xml"}) {
+    std::filesystem::create_symlink("/dev/full", files / name);
+  }
+  const PanelBench bench(with_files(files));
+  for (const std::string act : {R"({"save":"a"})", R"({"session":"a"})", R"({"session":"b"})"}) {
+    const HttpAnswer answer = bench.post(act);
+    CHECK(answer.status == 422);
+    CHECK(contains(answer.body, "No space left on device"));
+  }
+  CHECK(std::filesystem::is_symlink(files / "a.snapshot"));
+  CHECK(bench.act(R"({"save":"c"})") >= 0);
+}
+
 TEST_CASE("With a PLC the session has no scenario: what the PLC wrote is not known") {
   const TemporaryFolder files;
   PanelPlan plan;
