@@ -12,6 +12,7 @@ import {Names} from "./names.js";
 import {Notice} from "./notice.js";
 import {Player, RecordingBar} from "./recording.js";
 import {Router} from "./router.js";
+import {ScenarioLine} from "./scenario_line.js";
 import {makeSearch} from "./search.js";
 import {Shortcuts} from "./shortcuts.js";
 import {Statuses} from "./status.js";
@@ -148,9 +149,10 @@ const start = async () => {
   const details = new Details(app, byId("details"));
   const views = new Views(app, makeViews(app), byId("views"));
   byId("title").append(make("h1", {class: "name", title: plant.plant}, plant.plant), search, make("span", {class: "grow"}), ...[bar.marks].filter(Boolean));
-  byId("bar").append(bar.element);
+  const scenario = new ScenarioLine(app);
+  byId("bar").append(bar.element, scenario.element);
   const announcer = new Announcer(app, byId("footer"), byId("live"));
-  app.receive = makeReceiver(app, [bar, views, details, announcer]);
+  app.receive = makeReceiver(app, [bar, scenario, views, details, announcer]);
   app.routed = (route) => {
     views.show(route);
     details.show(app.router.selection());

@@ -7,7 +7,7 @@ export const SYMBOL = {forced: 1, malfunction: 2};
 
 const kMostFindings = 1000;
 const kMostActs = 1000;
-const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "exercise"];  // replaced if they change
+const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "scenario", "exercise"];  // replaced if they change
 
 const kJumps = ["reset", "restore", "exercise"];  // acts after which plant time may be any
 
@@ -34,7 +34,7 @@ export class Store {
     this.places = [];
     this.requirements = [];
     Object.assign(this, {rev: -1, t: 0, forced: 0, clock: {state: "frozen", speed: 1, real_speed: 0, until: null},
-      malfunctions: [], links: [], cycle: null, snapshots: [], exercise: null, findings: [], acts: []});
+      malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, findings: [], acts: []});
     this.trackLocations = [];
     this.placeLocations = [];
     plant.locations.forEach(({kind}, index) => (kind === "track" ? this.trackLocations : this.placeLocations).push(index));
