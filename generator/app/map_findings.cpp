@@ -9,7 +9,8 @@
 #include <variant>
 
 #include "app/map/texts.hpp"
-#include "check/rules.hpp"
+#include "check/catalogue.hpp"
+#include "check/rule.hpp"
 #include "description/description_rules.hpp"
 #include "symplant/link/client_parts.hpp"
 #include "symplant/link/io_map.hpp"
@@ -140,7 +141,7 @@ void add_map_findings(const model::PlantModel& plant, const lower::EngineTables&
       }
       const model::Symbol& other = plant.symbols[fault.symbol];
       const model::Symbol& symbol = plant.symbols[fault.other];
-      diagnostics.add(check::kSymbolsOverlap.info, check::about(symbol), std::move(message),
+      diagnostics.add(*check::find_rule("SP316"), check::about(symbol), std::move(message),
                       check::location_of(plant, *symbol.row, symbol.address_cell),
                       {{check::location_of(plant, *other.row, other.address_cell), "the other symbol"}});
     }

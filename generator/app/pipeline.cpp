@@ -15,7 +15,6 @@
 #include "app/read_inputs.hpp"
 #include "app/url_findings.hpp"
 #include "check/catalogue.hpp"
-#include "check/check_plant.hpp"
 #include "description/description_rules.hpp"
 #include "findings/finish.hpp"
 #include "lower/limits.hpp"
@@ -106,7 +105,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
                                 diag::Diagnostics& diagnostics) {
   const std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
-    diagnostics = findings::select(diagnostics, options.selection);
+    diagnostics = findings::sift(diagnostics, {}, {}, options.selection);
     diagnostics.sort_by_location();
     return std::nullopt;
   }

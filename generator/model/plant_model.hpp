@@ -1,6 +1,7 @@
 // The plant as derived from symbol lists: symbols, units and their I/O models. Immutable once built.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -175,6 +176,10 @@ struct Unit {
   bool rest_added = false;       ///< inference 1: NOT_X
   bool single_solenoid = false;  ///< inference 2
 
+  /// The first one in list order.
+  std::uint32_t first_symbol() const {
+    return std::min(operations.empty() ? kNone : operations.front(), events.empty() ? kNone : events.front());
+  }
   /// The path of its device.
   std::string_view device_path() const { return facet == nullptr ? path : facet->path; }
   /// Whether the naming rule gives all of its model.

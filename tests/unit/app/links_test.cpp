@@ -135,17 +135,6 @@ TEST_CASE("check: An invalid URL, and a port of two links, are reported at their
   CHECK_FALSE(contains(reported(one + R"({"controller": "B", "url": "modbus-tcp-server://:1503"})"), "error"));
 }
 
-TEST_CASE("check: A symbol of 8 bits with a given register is not reported as without one") {
-  const auto reported = [](const std::string& link) {
-    MemoryFileSystem files = plant(link);
-    files.files["l.csv"] += "VAR_GLOBAL,MODE,,%IB3,BYTE,7\n";
-    return run_tool({"check", "plant.json", "--select", "SP312"}, files).out;
-  };
-  CHECK(contains(reported(""), "`MODE` is BYTE, 8 bits: it is in the images and on no register"));
-  CHECK(contains(reported(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])"), "SP312"));
-  CHECK_FALSE(contains(reported(R"("map": [{"symbol": "MODE", "number": 2}])"), "SP312"));
-}
-
 TEST_CASE("run: A timeout shorter than the cycle allows gives a warning with the key that sets it") {
   const auto warned = [](const std::string& members, const std::string& cycle) {
     MemoryFileSystem files = plant(members);
