@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,24 +21,26 @@ namespace {
 
 constexpr std::size_t kShortestSeries = 6;
 
-/// A symbol with an address and the last number of its name or comment.
+/// A symbol with an address, and the last number of its name or comment.
 struct Numbered {
   const model::Symbol* symbol;
   std::uint64_t number;
+  std::string_view before;
   std::string_view digits;
+  std::string_view after;
 };
 
-std::optional<Numbered> numbered(const model::Symbol& symbol, std::string_view text) {
-  const auto is_digit = [](char c) { return text::is_digit(c); };
-  const auto last = std::find_if(text.rbegin(), text.rend(), is_digit);
-  if (last == text.rend()) return std::nullopt;
-  const auto before = std::find_if_not(last, text.rend(), is_digit);
-  const auto begin = static_cast<std::size_t>(text.rend() - before);
-  const std::string_view digits = text.substr(begin, static_cast<std::size_t>(before - last));
+std::optional<Numbered> numbered(const model::Symbol& symbol) {
+  const std::string_view text = symbol.row->is_named_by_address() ? symbol.row->comment : symbol.name();
+  std::size_t end = text.size();
+  while (end > 0 && !text::is_digit(text[end - 1])) --end;
+  std::size_t begin = end;
+  while (begin > 0 && text::is_digit(text[begin - 1])) --begin;
+  const std::string_view digits = text.substr(begin, end - begin);
   std::uint64_t value = 0;
-  if (digits.size() > 9) return std::nullopt;
+  if (digits.empty() || digits.size() > 9) return std::nullopt;
   std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return Numbered{&symbol, value, digits};
+  return Numbered{&symbol, value, text.substr(0, begin), digits, text.substr(end)};
 }
 
 /// What a series has at an index, by its first number: `1, 2, 3` or `1, 2, 4`.
@@ -64,21 +64,24 @@ class SeriesSearch {
   SeriesSearch(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics)
       : rule_(rule), plant_(plant), diagnostics_(diagnostics) {}
 
-  /// Reports the odd one of each run of neighboring addresses in symbols of one text but for the last number.
-  void look_at(std::vector<Numbered>& group) {
-    if (group.size() < kShortestSeries) return;
-    std::stable_sort(group.begin(), group.end(), [](const Numbered& a, const Numbered& b) {
-      return a.symbol->address->number < b.symbol->address->number;
-    });
+  /// Reports the odd one of each run of neighboring addresses whose symbols have one text but for the last number.
+  /// `side` is sorted by address.
+  void look_at(const std::vector<const model::Symbol*>& side) {
     std::vector<Numbered> run;
-    for (const Numbered& next : group) {
-      if (!run.empty() && next.symbol->address->number != run.back().symbol->address->number + 1) end_run(run);
-      run.push_back(next);
+    for (const model::Symbol* symbol : side) {
+      const auto next = numbered(*symbol);
+      if (!run.empty() && !(next && continues(run.back(), *next))) end_run(run);
+      if (next) run.push_back(*next);
     }
     end_run(run);
   }
 
  private:
+  static bool continues(const Numbered& last, const Numbered& next) {
+    return next.symbol->address->number == last.symbol->address->number + 1 && next.after == last.after &&
+           next.before == last.before;
+  }
+
   void end_run(std::vector<Numbered>& run) {
     if (run.size() >= kShortestSeries) {
       for (const Series series : {by_one, doubling}) {
@@ -104,43 +107,28 @@ class SeriesSearch {
   diag::Diagnostics& diagnostics_;
 };
 
-/// What the members of a series have in common: list, side, and text but for the number.
-struct SeriesKey {
-  std::uint32_t list;
-  address::Area area;
-  std::string_view before;
-  std::string_view after;
+/// The BOOL symbols with an address, by list and side and in the order of addresses.
+using AddressSides = std::map<std::pair<std::uint32_t, address::Area>, std::vector<const model::Symbol*>>;
 
-  bool operator==(const SeriesKey&) const = default;
-};
-
-struct HashSeriesKey {
-  std::size_t operator()(const SeriesKey& key) const {
-    const std::hash<std::string_view> hash;
-    const std::size_t where = 31 * std::size_t{key.list} + static_cast<std::size_t>(key.area);
-    return 31 * (31 * hash(key.before) + hash(key.after)) + where;
-  }
-};
-
-void check_series_broken(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  std::unordered_map<SeriesKey, std::size_t, HashSeriesKey> group_of;
-  std::vector<std::vector<Numbered>> groups;
+AddressSides address_sides_of(const model::PlantModel& plant) {
+  const auto key = [](const model::Symbol* symbol) {
+    return std::tuple(symbol->address->size, symbol->address->plain, symbol->address->number);
+  };
+  const auto is_before = [&](const model::Symbol* a, const model::Symbol* b) { return key(a) < key(b); };
+  AddressSides sides;
   for (const model::Symbol& symbol : plant.symbols) {
     if (!symbol.address || symbol.type != tables::DataType::boolean || symbol.leader != model::kNone) continue;
-    const bool by_comment = symbol.row->is_named_by_address();
-    const std::string_view text = by_comment ? symbol.row->comment : symbol.name();
-    if (const auto found = numbered(symbol, text)) {
-      const auto begin = static_cast<std::size_t>(found->digits.data() - text.data());
-      const SeriesKey key{symbol.list, symbol.address->area, text.substr(0, begin),
-                          text.substr(begin + found->digits.size())};
-      const auto [group, added] = group_of.try_emplace(key, groups.size());
-      if (added) groups.emplace_back();
-      groups[group->second].push_back(*found);
-    }
+    sides[{symbol.list, symbol.address->area}].push_back(&symbol);
   }
-  SeriesSearch search(rule, plant, diagnostics);
-  for (std::vector<Numbered>& group : groups) search.look_at(group);
+  for (auto& [where, side] : sides) {
+    if (!std::is_sorted(side.begin(), side.end(), is_before)) std::stable_sort(side.begin(), side.end(), is_before);
+  }
+  return sides;
+}
+
+void check_series_broken(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  SeriesSearch search(rule, subject.plant, diagnostics);
+  for (const auto& [where, side] : address_sides_of(subject.plant)) search.look_at(side);
 }
 
 constexpr std::size_t kLeastUnique = 20;
