@@ -141,8 +141,8 @@ void add_map_findings(const model::PlantModel& plant, const lower::EngineTables&
       const model::Symbol& other = plant.symbols[fault.symbol];
       const model::Symbol& symbol = plant.symbols[fault.other];
       diagnostics.add(check::kSymbolsOverlap.info, check::about(symbol), std::move(message),
-                      check::location_of(plant, *symbol.row, symbol.address_cell),
-                      {{check::location_of(plant, *other.row, other.address_cell), "the other symbol"}});
+                      check::location_of(plant, *symbol.row, symbol.address_cell()),
+                      {{check::location_of(plant, *other.row, other.address_cell()), "the other symbol"}});
     }
   }
   if (!faults.empty()) description::add_findings(plant.description_source, faults, diagnostics);

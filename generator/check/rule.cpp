@@ -94,7 +94,7 @@ diag::Subjects about(const model::Symbol& symbol) {
   diag::Subjects subjects;
   subjects.about.reserve(2);
   subjects.about.push_back(symbol_named(symbol.name()));
-  if (symbol.reading.fault == name::NameFault::none) subjects.about.push_back(device(symbol.reading.device_path));
+  if (symbol.reading.fault == name::NameFault::none) subjects.about.push_back(device(symbol.reading.device_path()));
   subjects.shape = shape_of(*symbol.row);
   return subjects;
 }

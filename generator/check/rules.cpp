@@ -13,13 +13,13 @@
 namespace symplant::check {
 
 void narrow(diag::Location& location, const model::Symbol& symbol) {
-  const text::Span part = symbol.reading.where;
+  const text::Span part = symbol.reading.where();
   if (location.span.end - location.span.begin != symbol.name().size()) return;  // the whole row, or an unescaped cell
   location.span = {location.span.begin + part.begin, location.span.begin + part.end};
 }
 
 std::string_view faulty_part(const model::Symbol& symbol) {
-  const text::Span part = symbol.reading.where;
+  const text::Span part = symbol.reading.where();
   return symbol.name().substr(part.begin, part.end - part.begin);
 }
 
@@ -34,7 +34,7 @@ diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& s
   for (auto level = levels.begin(); level != direction && end != std::string_view::npos; ++level) {
     end = symbol.name().find(separator, level == levels.begin() ? 0 : end + separator.size());
   }
-  if (end >= symbol.reading.where.begin) return subjects;
+  if (end >= symbol.reading.where().begin) return subjects;
   const std::string_view path = symbol.name().substr(0, end);
   return std::move(subjects).explaining(side_of(path, symbol.direction)).explaining(model_of(path));
 }
@@ -66,7 +66,7 @@ std::vector<TaskClaim> task_claims(const model::PlantModel& plant) {
     const model::Symbol& symbol = plant.symbols[i];
     if (symbol.unmodelled != model::Unmodelled::task_taken) continue;
     dropped.emplace(
-        task_key(symbol.reading.device_path, symbol.reading.task, symbol.direction == tables::Direction::operation), i);
+        task_key(symbol.reading.device_path(), symbol.reading.task(), symbol.direction == tables::Direction::operation), i);
   }
   std::vector<TaskClaim> claims;
   if (dropped.empty()) return claims;
@@ -75,7 +75,7 @@ std::vector<TaskClaim> task_claims(const model::PlantModel& plant) {
     if (symbol.reading.fault != name::NameFault::none || symbol.unmodelled == model::Unmodelled::task_taken) continue;
     if (symbol.type != tables::DataType::boolean) continue;
     const auto found = dropped.find(
-        task_key(symbol.reading.device_path, symbol.reading.task, symbol.direction == tables::Direction::operation));
+        task_key(symbol.reading.device_path(), symbol.reading.task(), symbol.direction == tables::Direction::operation));
     if (found == dropped.end()) continue;
     if (overruled(symbol)) {
       claims.push_back({i, found->second, true});
@@ -97,7 +97,7 @@ bool switched_by_outputs(const model::Unit& unit, std::uint32_t event) {
 OverruledNames::OverruledNames(const model::PlantModel& plant) {
   for (const model::Symbol& symbol : plant.symbols) {
     if (!overruled(symbol)) continue;
-    names_.insert(task_key(symbol.reading.device_path, symbol.reading.task,
+    names_.insert(task_key(symbol.reading.device_path(), symbol.reading.task(),
                            symbol.reading.direction == name::Direction::operation));
   }
 }

@@ -77,12 +77,15 @@ struct RadixVotes {
     if (first != 'X' && first != 'Y') return;
     const auto as_hexadecimal = address::parse_melsec(row.vendor_address, address::Radix::hexadecimal);
     if (!as_hexadecimal || as_hexadecimal->number < 8) return;  // equal in both radices
-    const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
     const auto iec = address::parse_iec(row.iec_address);
+    if (iec && iec == as_hexadecimal) return add(hexadecimal, row);
+    const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
+    if (iec && iec == as_octal) return add(octal, row);
     if (!iec && choice.matters_in == nullptr) choice.matters_in = &row;
     if (!iec && !as_octal && not_octal == nullptr) not_octal = &row;
-    if (!iec || (iec != as_hexadecimal && iec != as_octal)) return;
-    RadixProof& vote = iec == as_hexadecimal ? hexadecimal : octal;
+  }
+
+  static void add(RadixProof& vote, const read::ListRow& row) {
     ++vote.count;
     if (vote.proof == nullptr) vote.proof = &row;
   }
@@ -128,9 +131,7 @@ std::variant<Symbol, InternalReason> classified(const read::ListRow& row, const 
   symbol.address = address.address;
   if (symbol.address && !symbol.address->sized)
     symbol.address->size = static_cast<address::Size>(data_type_bits(*type));
-  symbol.address_cell = address.cell;
-  symbol.unit = kNone;
-  symbol.leader = kNone;
+  symbol.address_is_iec = address.address && address.cell.data() == row.iec_address.data();
   if (!named) return InternalReason::no_direction;
   symbol.direction = named->direction;
   symbol.direction_by = named->by;
@@ -213,9 +214,6 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   auto result = classified(row, address, named);
   if (auto* symbol = std::get_if<Symbol>(&result)) {
     symbol->reading.fault = name::NameFault::not_linked;
-    symbol->reading.line = reading.line;
-    symbol->reading.process = reading.process;
-    symbol->reading.device = reading.device;
     const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
     symbol->reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
   }

@@ -36,7 +36,7 @@ RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
                                               const RowAddress& address);
 /// The same under a custom naming rule, which decides by the evidence that it names. The symbol is in no unit yet, and
-/// its reading has the direction of the name only.
+/// its reading has the direction of the name only, and no levels.
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
                                               const RowAddress& address);
 

@@ -22,6 +22,9 @@ class SymbolCollector {
       : plant_(derived.plant), evidence_(derived.evidence), by_name_(rows) {
     base::reserve_large(plant_.symbols, rows);
     base::reserve_large(indexes_, rows);
+    if (plant_.reader == nullptr) return;
+    plant_.levels = std::make_shared<std::vector<name::LevelTexts>>();
+    plant_.levels->reserve(rows);  // symbols point to them
   }
 
   /// Fetches the hash slot of a row that will be added soon.
@@ -60,6 +63,7 @@ class SymbolCollector {
     } else {
       Symbol& symbol = plant_.symbols.emplace_back(std::get<Symbol>(result));
       symbol.list = list;
+      keep_levels(symbol, reading);
       const bool is_alias = row.extra != read::kNoExtra && !plant_.lists[list].table->extra_of(row).alias.empty();
       if (is_alias && symbol.direction_by == DirectionBy::address) symbol.direction_by = DirectionBy::alias;
     }
@@ -71,6 +75,16 @@ class SymbolCollector {
     const read::ListRow* row;
     std::uint32_t list;
   };
+
+  static void keep_levels(const Symbol&, const name::NameReading&) {}
+  /// Under a custom rule the levels are not those of the name.
+  void keep_levels(Symbol& symbol, const name::RuleReading& reading) {
+    name::LevelTexts& levels = plant_.levels->emplace_back();
+    levels.line = reading.line;
+    levels.process = reading.process;
+    levels.device = reading.device;
+    symbol.reading = name::NameReading::of(levels, symbol.reading.fault, symbol.reading.direction);
+  }
 
   RowAddress address_of(const read::ListRow& row, std::uint32_t list) const {
     return row_address(row, plant_.lists[list].dialect());

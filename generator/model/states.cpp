@@ -45,14 +45,14 @@ class Drafts {
 
 std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbols) {
   Drafts drafts;
-  const auto add = [&](std::uint32_t symbol) -> Draft& { return drafts.of(symbols[symbol].reading.task, symbol); };
+  const auto add = [&](std::uint32_t symbol) -> Draft& { return drafts.of(symbols[symbol].reading.task(), symbol); };
   for (std::uint32_t i = 0; i < unit.operations.size(); ++i) add(unit.operations[i]).operation = i;
   for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
     Draft& draft = add(unit.events[i]);
     draft.event = i;
     if (unit.events[i] < draft.first_symbol) {  // the first row names the state
       draft.first_symbol = unit.events[i];
-      draft.task = symbols[unit.events[i]].reading.task;
+      draft.task = symbols[unit.events[i]].reading.task();
     }
   }
   return drafts.take();

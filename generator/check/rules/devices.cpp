@@ -30,14 +30,14 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
     const model::Symbol& symbol = first_symbol_of(plant, unit);
     const Lacking* other = nullptr;  // of a task that it lacks altogether
     for (const Lacking& lacking : odd.lacks) {
-      const bool elsewhere = !text::equal_ignoring_case(lacking.others->reading.task, symbol.reading.task);
+      const bool elsewhere = !text::equal_ignoring_case(lacking.others->reading.task(), symbol.reading.task());
       if (other == nullptr && elsewhere) other = &lacking;
     }
     if (other == nullptr) continue;
     diagnostics.add(rule.info, about(odd),
                     fmt::format("`{}` has the one task `{}`, where {} of {} devices named like it have `{}`, too: add "
                                 "its rows",
-                                unit.path, symbol.reading.task, other->having, odd.of, other->others->reading.task),
+                                unit.path, symbol.reading.task(), other->having, odd.of, other->others->reading.task()),
                     location_of(plant, symbol), {{location_of(plant, *other->others), "one that has it"}});
   }
 }
@@ -49,7 +49,7 @@ const model::Symbol& nearest_symbol(const Subject& subject, std::uint32_t device
     const model::Unit& unit = plant.units[device];
     for (const auto* side : {&unit.operations, &unit.events}) {
       for (const std::uint32_t s : *side) {
-        if (text::equal_ignoring_case(plant.symbols[s].reading.task, task)) return plant.symbols[s];
+        if (text::equal_ignoring_case(plant.symbols[s].reading.task(), task)) return plant.symbols[s];
       }
     }
   }
@@ -72,7 +72,7 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
                     first.name,
                     odd.lacks.size() == 1 ? std::string(" is") : fmt::format(" and {} more are", odd.lacks.size() - 1),
                     first.having, odd.of, odd.path, odd.lacks.size() == 1 ? "the row" : "the rows"),
-        location_of(plant, nearest_symbol(subject, odd.device, first.others->reading.task)), std::move(as_there));
+        location_of(plant, nearest_symbol(subject, odd.device, first.others->reading.task())), std::move(as_there));
   }
 }
 

@@ -25,7 +25,7 @@ void check_duplicate_symbol(const Rule& rule, const Subject& subject, diag::Diag
 diag::Subjects about_second(const model::PlantModel& plant, const model::Duplicate& duplicate) {
   diag::Subjects subjects = about(*duplicate.second).explaining(address_of(duplicate.first->name));
   const model::Symbol* first = symbol_of(plant, *duplicate.first);
-  if (first != nullptr) subjects.explains.push_back(device(first->reading.device_path));
+  if (first != nullptr) subjects.explains.push_back(device(first->reading.device_path()));
   return subjects;
 }
 
@@ -58,9 +58,9 @@ void check_address_used_twice(const Rule& rule, const Subject& subject, diag::Di
         rule.info, about(symbol, leader).following(address_of(symbol.name())).following(address_of(leader.name())),
         fmt::format("`{}` has the address `{}`, as `{}` has: they are kept equal; correct the address if they are "
                     "two signals",
-                    symbol.name(), symbol.address_cell, leader.name()),
-        location_of(plant, *symbol.row, symbol.address_cell),
-        {{location_of(plant, *leader.row, leader.address_cell), "the symbol that it follows"}});
+                    symbol.name(), symbol.address_cell(), leader.name()),
+        location_of(plant, *symbol.row, symbol.address_cell()),
+        {{location_of(plant, *leader.row, leader.address_cell()), "the symbol that it follows"}});
   }
 }
 
@@ -72,9 +72,9 @@ void check_event_driven_twice(const Rule& rule, const Subject& subject, diag::Di
     const bool devices = !a.driven_without_unit() && !b.driven_without_unit();
     diagnostics.add(
         rule.info, about(b, a).following(address_of(b.name())).following(address_of(a.name())),
-        fmt::format("`{}` has the address `{}`, as `{}` has, and {}: correct one address", b.name(), b.address_cell,
+        fmt::format("`{}` has the address `{}`, as `{}` has, and {}: correct one address", b.name(), b.address_cell(),
                     a.name(), devices ? "different devices drive them" : "the plant drives each of them separately"),
-        location_of(plant, *b.row, b.address_cell), {{location_of(plant, *a.row, a.address_cell), "the other one"}});
+        location_of(plant, *b.row, b.address_cell()), {{location_of(plant, *a.row, a.address_cell()), "the other one"}});
   }
 }
 

@@ -154,7 +154,7 @@ std::string_view end_of(std::string_view task) {
 
 bool has_event_of(const model::PlantModel& plant, const model::Unit& unit, std::string_view end) {
   return std::any_of(unit.events.begin(), unit.events.end(), [&](std::uint32_t event) {
-    return text::equal_ignoring_case(end_of(plant.symbols[event].reading.task), end);
+    return text::equal_ignoring_case(end_of(plant.symbols[event].reading.task()), end);
   });
 }
 
@@ -166,7 +166,7 @@ void check_end_without_sensor(const Rule& rule, const Subject& subject, diag::Di
     const model::Unit& unit = plant.units[odd.device];
     if (unit.events.empty()) continue;
     for (const Lacking& lacking : odd.lacks) {
-      const std::string_view end = end_of(lacking.others->reading.task);
+      const std::string_view end = end_of(lacking.others->reading.task());
       if (lacking.others->direction != tables::Direction::event || has_event_of(plant, unit, end)) continue;
       const diag::Subject sensor = missing(plant, unit.path, tables::Direction::event, end);
       diagnostics.add(

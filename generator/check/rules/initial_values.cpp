@@ -38,7 +38,7 @@ void check_operation_initial_ignored(const Rule& rule, const Subject& subject, d
 /// Else it only reports, as the description says, and starts as its Initial has it.
 bool is_state(const model::Unit& unit, const model::Symbol& symbol) {
   return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
-    return text::equal_ignoring_case(state.name, symbol.reading.task);
+    return text::equal_ignoring_case(state.name, symbol.reading.task());
   });
 }
 

@@ -16,7 +16,7 @@ void check_direction_against_address(const Rule& rule, const Subject& subject, d
 /// The symbol, which its device lacks.
 diag::Subjects about_lost(const model::Symbol& symbol) {
   diag::Subjects subjects = about(symbol).explaining(address_of(symbol.name()));
-  explain_missing(subjects, std::string(symbol.name()), symbol.reading.device_path, symbol.direction);
+  explain_missing(subjects, std::string(symbol.name()), symbol.reading.device_path(), symbol.direction);
   return subjects;
 }
 
@@ -29,10 +29,10 @@ void check_type_against_address(const Rule& rule, const Subject& subject, diag::
     diagnostics.add(
         rule.info, about_lost(symbol),
         fmt::format("`{}` is {}, {} bit{}, but its address `{}` has {}: it is on no link; correct type or address",
-                    symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell,
+                    symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell(),
                     static_cast<int>(symbol.address->size)),
         location_of(plant, *symbol.row, symbol.row->type),
-        {{location_of(plant, *symbol.row, symbol.address_cell), "the address"}});
+        {{location_of(plant, *symbol.row, symbol.address_cell()), "the address"}});
   }
 }
 
@@ -42,7 +42,7 @@ diag::Subjects about_lost(const read::ListRow& row, name::NameParser& parser) {
   const name::NameReading reading = parser.parse(row.name);
   if (reading.fault != name::NameFault::none) return subjects;
   const bool operation = reading.direction == name::Direction::operation;
-  explain_missing(subjects, std::string(row.name), reading.device_path,
+  explain_missing(subjects, std::string(row.name), reading.device_path(),
                   operation ? tables::Direction::operation : tables::Direction::event);
   return subjects;
 }
@@ -95,7 +95,7 @@ void check_io_name_in_memory(const Rule& rule, const Subject& subject, diag::Dia
       if (!address.address || address.address->area != address::Area::memory || address.contradicts) continue;
       diag::Subjects subjects = about(row);
       const bool operation = reading.direction == name::Direction::operation;
-      explain_missing(subjects, std::string(row.name), reading.device_path,
+      explain_missing(subjects, std::string(row.name), reading.device_path(),
                       operation ? tables::Direction::operation : tables::Direction::event);
       diagnostics.add(
           rule.info, std::move(subjects),
@@ -127,16 +127,16 @@ void report_direction_conflicts(const Rule& rule, const Subject& subject, diag::
     diag::Diagnostic& finding = diagnostics.add(
         rule.info,
         about(symbol)
-            .explaining(device(symbol.reading.device_path))
+            .explaining(device(symbol.reading.device_path()))
             .explaining(address_of(symbol.name()))
             .following(address_of(symbol.name())),
         fmt::format("`{}` is an {} by its name and an {} by its address `{}`: the {} counts; correct one of them",
                     symbol.name(), name_says_operation ? "operation" : "event",
-                    address_says_operation ? "operation" : "event", symbol.address_cell,
+                    address_says_operation ? "operation" : "event", symbol.address_cell(),
                     address_counts ? "address" : "name"),
-        location_of(plant, symbol), {{location_of(plant, *symbol.row, symbol.address_cell), "the address"}});
+        location_of(plant, symbol), {{location_of(plant, *symbol.row, symbol.address_cell()), "the address"}});
     if (plant.pairing != nullptr) continue;  // a custom rule reads names and does not write them
-    diag::Subject renamed = missing(plant, symbol.reading.device_path, symbol.direction, symbol.reading.task);
+    diag::Subject renamed = missing(plant, symbol.reading.device_path(), symbol.direction, symbol.reading.task());
     finding.renames.push_back(rename_of(symbol, std::move(renamed.name), false));
   }
 }

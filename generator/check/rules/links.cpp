@@ -71,14 +71,14 @@ void check_address_without_number(const Rule& rule, const Subject& subject, diag
     std::vector<diag::Related> related;
     for (std::size_t i = 1; i < std::min(table.others.size(), kMostRelated); ++i) {
       const model::Symbol& other = plant.symbols[table.others[i]];
-      related.push_back({location_of(plant, *other.row, other.address_cell), "this one has no number either"});
+      related.push_back({location_of(plant, *other.row, other.address_cell()), "this one has no number either"});
     }
     diagnostics.add(
         rule.info, about(symbol),
         fmt::format("`{}` has no number on a link, so {} other {} are in list order and do not have their own "
                     "numbers: correct it, or give `{}` a `number` in `links`",
-                    symbol.address_cell, table.placed + table.others.size() - 1, kTables[t % 4], symbol.name()),
-        location_of(plant, *symbol.row, symbol.address_cell), std::move(related));
+                    symbol.address_cell(), table.placed + table.others.size() - 1, kTables[t % 4], symbol.name()),
+        location_of(plant, *symbol.row, symbol.address_cell()), std::move(related));
   }
 }
 

@@ -56,8 +56,8 @@ diag::Subjects about_slip(const model::PlantModel& plant, const Slip& slip) {
     if (s != slip.symbols.front()) {
       for (diag::Subject& subject : about(symbol).about) subjects.about.push_back(std::move(subject));
     }
-    subjects.explains.push_back(device(symbol.reading.device_path));
-    const std::string meant_path = corrected(symbol.reading.device_path, at, slip);
+    subjects.explains.push_back(device(symbol.reading.device_path()));
+    const std::string meant_path = corrected(symbol.reading.device_path(), at, slip);
     explain_missing(subjects, corrected(symbol.name(), at, slip), meant_path, symbol.direction);
   }
   return subjects;
@@ -69,7 +69,7 @@ std::string slip_message(const model::PlantModel& plant, const Slip& slip) {
                        reason(slip), slip.meant);
   }
   const model::Symbol& first = plant.symbols[slip.symbols.front()];
-  const std::string_view path = first.reading.device_path;
+  const std::string_view path = first.reading.device_path();
   return slip.symbols.size() == 1
              ? fmt::format(
                    "`{}` is the only symbol of `{}`, and just the one that `{}` lacks: if they are one device, "

@@ -56,7 +56,7 @@ bool is_direction_sign(std::string_view word) {
 /// The name with its direction added and the level after it joined to the next one; empty if there is no next one.
 std::string name_with_direction(const model::Symbol& symbol, std::string_view direction) {
   const std::string_view name = symbol.name();
-  const text::Span part = symbol.reading.where;
+  const text::Span part = symbol.reading.where();
   if (part.end + 1 >= name.size()) return {};
   const std::string_view separator = name.substr(part.end, 1);
   return fmt::format("{}{}{}{}{}", name.substr(0, part.begin), direction, separator, faulty_part(symbol),
@@ -69,12 +69,12 @@ std::string direction_message(const model::PlantModel& plant, const model::Symbo
   if (is_direction_sign(faulty_part(symbol)) || example.empty()) {
     return fmt::format(
         "`{}` has `{}` as its direction, `{}` requires `I` or `O`: {}; write `{}`, as its address `{}` says",
-        symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol), word, symbol.address_cell);
+        symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol), word, symbol.address_cell());
   }
   return fmt::format(
       "`{}` has no direction, `{}` requires `I` or `O` before the task: {}; add `{}`, as its address `{}` says, "
       "and join words, for example `{}`",
-      symbol.name(), plant.rule->pattern, consequence(symbol), word, symbol.address_cell, example);
+      symbol.name(), plant.rule->pattern, consequence(symbol), word, symbol.address_cell(), example);
 }
 
 void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -95,7 +95,7 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
                                     symbol.name(), faulty_part(symbol), consequence(symbol)),
                         location);
     std::string renamed(symbol.name());
-    renamed.replace(symbol.reading.where.begin, faulty_part(symbol).size(), "_");
+    renamed.replace(symbol.reading.where().begin, faulty_part(symbol).size(), "_");
     finding.renames.push_back(rename_of(symbol, std::move(renamed), false));
   }
 }
@@ -114,7 +114,7 @@ void check_path_ambiguous(const Rule& rule, const Subject& subject, diag::Diagno
     diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` is the path of another device too, with other levels or of another controller: "
                                 "names in conditions and plant.json mean the first device",
-                                symbol.reading.device_path),
+                                symbol.reading.device_path()),
                     location_of(plant, symbol), {{location_of(plant, other), "a symbol of the other device"}});
   }
 }

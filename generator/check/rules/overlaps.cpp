@@ -114,7 +114,7 @@ class OverlapReport {
     ++count_;
     if (first_ == nullptr) first_ = &other;
     if (related_.size() == kFewOverlapped) return;
-    related_.push_back({location_of(plant_, *other.row, other.address_cell), "has bits of it"});
+    related_.push_back({location_of(plant_, *other.row, other.address_cell()), "has bits of it"});
   }
 
   void report(const diag::RuleInfo& rule, std::string_view advice, diag::Diagnostics& diagnostics) {
@@ -124,8 +124,8 @@ class OverlapReport {
     diagnostics.add(
         rule, about(symbol_, *first_).following(address_of(symbol_.name())).following(address_of(first_->name())),
         fmt::format("`{}` on `{}` has bits of `{}` on `{}`{}, and they are not kept equal: {}", symbol_.name(),
-                    symbol_.address_cell, first_->name(), first_->address_cell, more, advice),
-        location_of(plant_, *symbol_.row, symbol_.address_cell), std::move(related_));
+                    symbol_.address_cell(), first_->name(), first_->address_cell(), more, advice),
+        location_of(plant_, *symbol_.row, symbol_.address_cell()), std::move(related_));
   }
 
  private:

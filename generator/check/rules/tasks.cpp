@@ -41,7 +41,7 @@ void report(const Rule& rule, const model::PlantModel& plant, const model::Unit&
   diagnostics.add(
       rule.info, about_pair(plant, unit, pair),
       fmt::format("`{}` and `{}`: do `{}` and `{}` mean the same state? spell them the same, or `{}` is never reported",
-                  operation.name(), event.name(), operation.reading.task, event.reading.task, event.reading.task),
+                  operation.name(), event.name(), operation.reading.task(), event.reading.task(), event.reading.task()),
       location_of(plant, event), {{location_of(plant, operation), "the operation"}});
 }
 
@@ -102,17 +102,17 @@ void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Di
     diagnostics.add(
         rule.info,
         about(symbol)
-            .explaining(device(symbol.reading.device_path))
+            .explaining(device(symbol.reading.device_path()))
             .explaining(address_of(symbol.name()))
             .following(address_of(symbol.name())),
         claim.other_dropped
             ? fmt::format("`{}` is an {} by its address `{}`, and takes the task from `{}`, which is in no device now: "
                           "correct its name or its address",
-                          symbol.name(), direction, symbol.address_cell, other.name())
+                          symbol.name(), direction, symbol.address_cell(), other.name())
             : fmt::format("`{}` is an {} by its address `{}`, and `{}` has that task already, so that it is in no "
                           "device: correct its name or its address",
-                          symbol.name(), direction, symbol.address_cell, other.name()),
-        location_of(plant, *symbol.row, symbol.address_cell),
+                          symbol.name(), direction, symbol.address_cell(), other.name()),
+        location_of(plant, *symbol.row, symbol.address_cell()),
         {{location_of(plant, other), "the symbol that has the task by its name"}});
   }
 }
@@ -145,7 +145,7 @@ std::map<std::string, TaskSeries> series_of(const model::PlantModel& plant, cons
   std::map<std::string, TaskSeries> all;
   for (const auto* side : {&unit.operations, &unit.events}) {
     for (const std::uint32_t symbol : *side) {
-      const std::string task = text::to_upper(plant.symbols[symbol].reading.task);
+      const std::string task = text::to_upper(plant.symbols[symbol].reading.task());
       const std::size_t stem = task.find_last_not_of("0123456789") + 1;
       TaskSeries& series = all[task.substr(0, stem)];
       (side == &unit.operations ? series.operations : series.events).insert(task.substr(stem));

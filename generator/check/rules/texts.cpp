@@ -122,7 +122,7 @@ class TwoSpellings {
     finding.related = {{location_of(plant_, *of_common.row, of_common.as_written), "the other spelling"}};
     finding.subjects.about = {symbol_named(rare), symbol_named(of_rare.used_by->name())};
     // SP205 says which one is meant.
-    if (plant_.pairing == nullptr) finding.subjects.follows = {device(of_rare.used_by->reading.device_path)};
+    if (plant_.pairing == nullptr) finding.subjects.follows = {device(of_rare.used_by->reading.device_path())};
     spellings_.try_emplace(rare, std::pair(common, found_.size()));
     found_.push_back(std::move(finding));
   }

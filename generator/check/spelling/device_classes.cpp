@@ -65,7 +65,7 @@ void DeviceClasses::add_device(std::string_view name, std::uint32_t first_symbol
 void DeviceClasses::add_part(std::uint32_t device, std::uint32_t symbol, const model::PlantModel& plant) {
   const model::Symbol& of = plant.symbols[symbol];
   device_of_[symbol] = device;
-  const Part part{class_of_[device], of.direction, of.reading.task};
+  const Part part{class_of_[device], of.direction, of.reading.task()};
   const auto [found, added] = part_.try_emplace(part, static_cast<std::uint32_t>(parts_.size()));
   if (added) {
     classes_[part.of].parts.push_back(found->second);
@@ -85,8 +85,8 @@ void DeviceClasses::add_numeric(const model::PlantModel& plant) {
       for (std::uint32_t unit = 0; unit < plant.units.size(); ++unit) by_path.emplace(plant.units[unit].path, unit);
     }
     const auto [found, added] =
-        by_path.try_emplace(of.reading.device_path, static_cast<std::uint32_t>(class_of_.size()));
-    if (added) add_device(of.reading.device, symbol);
+        by_path.try_emplace(of.reading.device_path(), static_cast<std::uint32_t>(class_of_.size()));
+    if (added) add_device(of.reading.device(), symbol);
     std::uint32_t& first = first_symbol_[found->second];
     first = std::min(first, symbol);
     add_part(found->second, symbol, plant);

@@ -69,12 +69,12 @@ class OddSearch {
     if (const model::Unit* unit = unit_of(device)) {
       const auto& side = direction == tables::Direction::operation ? unit->operations : unit->events;
       for (const std::uint32_t s : side) {
-        if (text::equal_ignoring_case(plant_.symbols[s].reading.task, task)) return &plant_.symbols[s];
+        if (text::equal_ignoring_case(plant_.symbols[s].reading.task(), task)) return &plant_.symbols[s];
       }
     }
     for (const DeviceClasses::Number& number : classes_.numbers_of(device)) {
       const model::Symbol& symbol = plant_.symbols[number.symbol];
-      if (symbol.direction == direction && text::equal_ignoring_case(symbol.reading.task, task)) return &symbol;
+      if (symbol.direction == direction && text::equal_ignoring_case(symbol.reading.task(), task)) return &symbol;
     }
     return nullptr;
   }
@@ -82,7 +82,7 @@ class OddSearch {
   void look_at(std::uint32_t device, std::size_t of) {
     const model::Unit* unit = unit_of(device);
     const std::string_view path =
-        unit != nullptr ? unit->path : plant_.symbols[classes_.first_symbol(device)].reading.device_path;
+        unit != nullptr ? unit->path : plant_.symbols[classes_.first_symbol(device)].reading.device_path();
     OddDevice odd{device, path, static_cast<std::uint32_t>(of), {}, false};
     bool other_task = false;
     for (const Common& common : common_) {
@@ -99,7 +99,7 @@ class OddSearch {
   /// The name that the device's symbol would have. A custom rule reads names and does not write them.
   std::string name_of(std::string_view path, const Common& common) const {
     if (plant_.pairing != nullptr) return fmt::format("{} {}", path, common.task);
-    return fmt::format("{}{}", path, common.symbol->name().substr(common.symbol->reading.device_path.size()));
+    return fmt::format("{}{}", path, common.symbol->name().substr(common.symbol->reading.device_path().size()));
   }
 
   /// Whether it is a bit of a task that the device does not have.

@@ -29,13 +29,13 @@ constexpr std::array kLevels{Level::line, Level::process, Level::device, Level::
 std::string_view word_at(const name::NameReading& reading, Level level) {
   switch (level) {
     case Level::line:
-      return reading.line;
+      return reading.line();
     case Level::process:
-      return reading.process;
+      return reading.process();
     case Level::device:
-      return reading.device;
+      return reading.device();
     default:
-      return reading.task;
+      return reading.task();
   }
 }
 
@@ -218,7 +218,7 @@ class SlipSearch {
     const std::uint32_t device = classes_.device_of(symbol);
     if (level != Level::task) return locations_[static_cast<std::size_t>(level)][device];
     const model::Symbol& of = plant_.symbols[symbol];
-    return tasks_[classes_.find(classes_.class_of(device), of.direction, of.reading.task)];
+    return tasks_[classes_.find(classes_.class_of(device), of.direction, of.reading.task())];
   }
 
   void look_at(std::uint32_t symbol) {
@@ -270,9 +270,9 @@ class SlipSearch {
   bool is_stray(std::uint32_t symbol) const {
     const model::Symbol& of = plant_.symbols[symbol];
     const std::uint32_t device = classes_.device_of(symbol);
-    const Expected expected = classes_.expects(device, of.direction, of.reading.task, true);
+    const Expected expected = classes_.expects(device, of.direction, of.reading.task(), true);
     if (expected != Expected::unclear) return expected == Expected::no;
-    return !has_side(device, of.reading.task, other_side(of.direction));
+    return !has_side(device, of.reading.task(), other_side(of.direction));
   }
 
   /// The device that is meant is expected to have what the symbol would be, and has it not.
@@ -338,8 +338,8 @@ class SlipSearch {
     as.word = with_letters_of(pattern, written);
     as.name = of.name();
     as.name.replace(at, written.size(), as.word);
-    as.task = level == Level::task ? as.word : std::string(of.reading.task);
-    as.path = of.reading.device_path;
+    as.task = level == Level::task ? as.word : std::string(of.reading.task());
+    as.path = of.reading.device_path();
     if (level != Level::task) as.path.replace(at, written.size(), as.word);
     return as;
   }
@@ -356,7 +356,7 @@ class SlipSearch {
     if (paths_.empty()) {
       paths_.reserve(classes_.devices());
       for (std::uint32_t device = 0; device < classes_.devices(); ++device) {
-        paths_.emplace(plant_.symbols[classes_.first_symbol(device)].reading.device_path, device);
+        paths_.emplace(plant_.symbols[classes_.first_symbol(device)].reading.device_path(), device);
       }
     }
     const auto found = paths_.find(path);
@@ -372,7 +372,7 @@ class SlipSearch {
     const auto end = static_cast<std::size_t>(written.data() + written.size() - of.name().data());
     std::string key = std::to_string(static_cast<int>(level)) + text::to_upper(of.name().substr(0, end)) + ' ' +
                       text::to_upper(as.word);
-    if (level == Level::task) key = text::to_upper(of.reading.device_path) + ' ' + text::to_upper(written);
+    if (level == Level::task) key = text::to_upper(of.reading.device_path()) + ' ' + text::to_upper(written);
     const auto [found, added] = by_key_.try_emplace(std::move(key), slips_.size());
     if (added) slips_.push_back({level, why, written, as.word, as.path, device, others, {}});
     slips_[found->second].symbols.push_back(symbol);

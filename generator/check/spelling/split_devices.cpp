@@ -76,8 +76,8 @@ class SplitSearch {
   /// The name of a unit without a level.
   std::string rest_of_name(const model::Unit& unit, name::Level level) const {
     const name::NameReading& reading = reading_of(unit);
-    return text::to_upper(level == name::Level::line ? reading.process : reading.line) + '\n' +
-           text::to_upper(reading.device) + '\n';
+    return text::to_upper(level == name::Level::line ? reading.process() : reading.line()) + '\n' +
+           text::to_upper(reading.device()) + '\n';
   }
 
   void look_at(name::Level level) {
@@ -118,7 +118,7 @@ class SplitSearch {
   void add(name::Level level, std::uint32_t part, std::uint32_t whole) {
     if (part == whole || paired_[part] || paired_[whole]) return;
     if (level == name::Level::process &&
-        class_name(reading_of(plant_.units[part]).process) == class_name(reading_of(plant_.units[whole]).process)) {
+        class_name(reading_of(plant_.units[part]).process()) == class_name(reading_of(plant_.units[whole]).process())) {
       return;
     }
     paired_[part] = true;
