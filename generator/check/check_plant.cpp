@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "check/reachability/conditions.hpp"
 #include "check/rules.hpp"
 #include "check/spelling/device_classes.hpp"
@@ -30,6 +32,11 @@ bool needs_names(const Rule& rule) {
 }  // namespace
 
 void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics) {
+  check_plant(plant, evidence, base::threads_for(plant.symbols.size()), diagnostics);
+}
+
+void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, std::size_t threads,
+                 diag::Diagnostics& diagnostics) {
   const DeviceClasses classes(plant);
   const OverruledNames overruled(plant);
   std::vector<WrittenCondition> conditions;
@@ -37,11 +44,14 @@ void check_plant(const model::PlantModel& plant, const model::Evidence& evidence
   const Subject subject{plant, evidence, classes, overruled, conditions, named_otherwise};
   conditions = conditions_of(subject);
   const bool named_by_rule = std::find(named_otherwise.begin(), named_otherwise.end(), false) != named_otherwise.end();
-  for (const Rule* rule : kRules) {
-    if (!named_by_rule && needs_names(*rule)) continue;
-    if (plant.pairing != nullptr && is_of_built_in_names(rule)) continue;
-    if (rule->check != nullptr) rule->check(*rule, subject, diagnostics);
-  }
+  std::array<diag::Diagnostics, kRules.size()> found;
+  base::for_each_number(kRules.size(), threads, [&](std::size_t i) {
+    const Rule* rule = kRules[i];
+    if (!named_by_rule && needs_names(*rule)) return;
+    if (plant.pairing != nullptr && is_of_built_in_names(rule)) return;
+    if (rule->check != nullptr) rule->check(*rule, subject, found[i]);
+  });
+  for (diag::Diagnostics& of_rule : found) diagnostics.add(std::move(of_rule));
 }
 
 }  // namespace symplant::check

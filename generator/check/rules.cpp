@@ -66,7 +66,8 @@ std::vector<TaskClaim> task_claims(const model::PlantModel& plant) {
     const model::Symbol& symbol = plant.symbols[i];
     if (symbol.unmodelled != model::Unmodelled::task_taken) continue;
     dropped.emplace(
-        task_key(symbol.reading.device_path(), symbol.reading.task(), symbol.direction == tables::Direction::operation), i);
+        task_key(symbol.reading.device_path(), symbol.reading.task(), symbol.direction == tables::Direction::operation),
+        i);
   }
   std::vector<TaskClaim> claims;
   if (dropped.empty()) return claims;
@@ -74,8 +75,8 @@ std::vector<TaskClaim> task_claims(const model::PlantModel& plant) {
     const model::Symbol& symbol = plant.symbols[i];
     if (symbol.reading.fault != name::NameFault::none || symbol.unmodelled == model::Unmodelled::task_taken) continue;
     if (symbol.type != tables::DataType::boolean) continue;
-    const auto found = dropped.find(
-        task_key(symbol.reading.device_path(), symbol.reading.task(), symbol.direction == tables::Direction::operation));
+    const auto found = dropped.find(task_key(symbol.reading.device_path(), symbol.reading.task(),
+                                             symbol.direction == tables::Direction::operation));
     if (found == dropped.end()) continue;
     if (overruled(symbol)) {
       claims.push_back({i, found->second, true});

@@ -148,6 +148,8 @@ class Diagnostics {
   Diagnostic& add(const RuleInfo& rule, Subjects subjects, std::string message, Location location,
                   std::vector<Related> related = {});
   void add(Diagnostic finding);
+  /// Adds the findings of others, in their order.
+  void add(Diagnostics&& others);
   void ignore(Diagnostic finding, std::string why);
 
   /// Sorts by file and location; findings without a location come first, findings of one location keep their order. The

@@ -28,7 +28,9 @@ class SymbolCollector {
   }
 
   /// Fetches the hash slot of a row that will be added soon.
-  void announce(const read::ListRow& row) const { by_name_.prefetch(text::hash_ignoring_case(row.name)); }
+  [[gnu::always_inline]] void announce(const read::ListRow& row) const {
+    by_name_.prefetch(text::hash_ignoring_case(row.name));
+  }
 
   /// Whether the row is a symbol.
   template <class Reading>

@@ -74,7 +74,8 @@ void check_event_driven_twice(const Rule& rule, const Subject& subject, diag::Di
         rule.info, about(b, a).following(address_of(b.name())).following(address_of(a.name())),
         fmt::format("`{}` has the address `{}`, as `{}` has, and {}: correct one address", b.name(), b.address_cell(),
                     a.name(), devices ? "different devices drive them" : "the plant drives each of them separately"),
-        location_of(plant, *b.row, b.address_cell()), {{location_of(plant, *a.row, a.address_cell()), "the other one"}});
+        location_of(plant, *b.row, b.address_cell()),
+        {{location_of(plant, *a.row, a.address_cell()), "the other one"}});
   }
 }
 

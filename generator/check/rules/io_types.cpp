@@ -29,8 +29,8 @@ void check_type_against_address(const Rule& rule, const Subject& subject, diag::
     diagnostics.add(
         rule.info, about_lost(symbol),
         fmt::format("`{}` is {}, {} bit{}, but its address `{}` has {}: it is on no link; correct type or address",
-                    symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell(),
-                    static_cast<int>(symbol.address->size)),
+                    symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s",
+                    symbol.address_cell(), static_cast<int>(symbol.address->size)),
         location_of(plant, *symbol.row, symbol.row->type),
         {{location_of(plant, *symbol.row, symbol.address_cell()), "the address"}});
   }

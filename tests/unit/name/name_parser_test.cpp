@@ -106,7 +106,9 @@ TEST_CASE("A character that is neither letter nor digit is the fault, complete a
   }
 }
 
-TEST_CASE("The first of several illegal characters is reported") { CHECK(Read("A.B-C_I_P1").reading.where().begin == 1); }
+TEST_CASE("The first of several illegal characters is reported") {
+  CHECK(Read("A.B-C_I_P1").reading.where().begin == 1);
+}
 
 TEST_CASE("The whole name is the fault if it has too few levels") {
   for (const char* name : {"EXLINE_AGV_I_P1", "START", "A_B", "A_B_C", "Ä_I_P1"}) {
