@@ -62,7 +62,10 @@ bool TableBuilder::has_cell_too_long() {
 }
 
 std::optional<SymbolTable> TableBuilder::finish() {
-  if (has_cell_too_long()) return std::nullopt;
+  return has_cell_too_long() ? std::nullopt : finish_bounded();
+}
+
+std::optional<SymbolTable> TableBuilder::finish_bounded() {
   if (!table_.rows.empty()) return std::move(table_);
   report(kHeaderAlone, "the file declares no symbol; export the list again with its symbols",
          source().span_of(source().line_at(0)));
