@@ -1,6 +1,7 @@
 // Decides which rows are I/O.
 #include "model/classify.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -107,11 +108,16 @@ tables::Direction direction_of(name::Side side) {
   return side == name::Side::operation ? tables::Direction::operation : tables::Direction::event;
 }
 
-std::variant<Symbol, InternalReason> classified(const read::ListRow& row, const RowAddress& address,
-                                                const std::optional<Named>& named) {
-  if (row.klass.size() >= 8 && text::to_upper(row.klass).find("CONSTANT") != std::string::npos) {
-    return InternalReason::constant;
-  }
+bool is_constant(std::string_view klass) {
+  constexpr std::string_view kConstant = "CONSTANT";
+  const auto is_letter = [](char written, char capital) { return text::upper(written) == capital; };
+  return std::search(klass.begin(), klass.end(), kConstant.begin(), kConstant.end(), is_letter) != klass.end();
+}
+
+/// Fills in a symbol but for its reading; returns the reason if the row is none.
+std::optional<InternalReason> classify_named(const read::ListRow& row, const RowAddress& address,
+                                             const std::optional<Named>& named, Symbol& symbol) {
+  if (is_constant(row.klass)) return InternalReason::constant;
   if (address.address && address.address->area == address::Area::memory) return InternalReason::memory;
 
   std::optional<DataType> type = data_type(row.type);
@@ -125,7 +131,6 @@ std::variant<Symbol, InternalReason> classified(const read::ListRow& row, const 
   }
   if (!type) return InternalReason::type;
 
-  Symbol symbol{};
   symbol.row = &row;
   symbol.type = *type;
   symbol.address = address.address;
@@ -138,13 +143,14 @@ std::variant<Symbol, InternalReason> classified(const read::ListRow& row, const 
   const auto initial = initial_value(row.initial, *type);
   symbol.initial_known = initial.has_value();
   symbol.initial = initial.value_or(0);
-  return symbol;
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<std::uint64_t> initial_value(std::string_view text, DataType type) {
   if (text.empty()) return 0;
+  if (type == DataType::boolean && text::equal_ignoring_case(text, "FALSE")) return 0;  // most have it
   if (const std::size_t hash = text.find('#'); hash != text.npos && data_type(text.substr(0, hash))) {
     text.remove_prefix(hash + 1);  // INT#5, WORD#16#FF
   }
@@ -189,21 +195,20 @@ RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect
   return result;
 }
 
-std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
-                                              const RowAddress& address) {
+std::optional<InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
+                                       const RowAddress& address, Symbol& symbol) {
   std::optional<Named> named;
   if (address.address) {
     named = Named{direction_of(*address.address), DirectionBy::address};
   } else if (reading.fault == name::NameFault::none) {
     named = Named{direction_of(reading.direction), DirectionBy::name};
   }
-  auto result = classified(row, address, named);
-  if (auto* symbol = std::get_if<Symbol>(&result)) symbol->reading = reading;
-  return result;
+  symbol.reading = reading;
+  return classify_named(row, address, named, symbol);
 }
 
-std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
-                                              const RowAddress& address) {
+std::optional<InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
+                                       const RowAddress& address, Symbol& symbol) {
   std::optional<Named> named;
   if (reading.outcome == name::Outcome::read) {
     const bool by_address = reading.side_by == name::Evidence::address && address.address;
@@ -211,13 +216,10 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   } else if (address.address) {
     named = Named{direction_of(*address.address), DirectionBy::address};
   }
-  auto result = classified(row, address, named);
-  if (auto* symbol = std::get_if<Symbol>(&result)) {
-    symbol->reading.fault = name::NameFault::not_linked;
-    const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
-    symbol->reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
-  }
-  return result;
+  symbol.reading.fault = name::NameFault::not_linked;
+  const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
+  symbol.reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
+  return classify_named(row, address, named, symbol);
 }
 
 RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::optional<address::Radix> forced) {
