@@ -72,18 +72,18 @@ constexpr auto kAsciiAlnum = [] {
 /// Returns false for all other names, which the grammar parses; for these names it gives the same result.
 bool cut_plain(const NamingRule& rule, std::string_view name, std::vector<std::string_view>& levels) {
   levels.resize(rule.levels.size());
-  std::size_t at = 0;
+  const char* at = name.data();
+  const char* const end = at + name.size();
   for (std::string_view& level : levels) {
-    const std::size_t begin = at;
-    while (at < name.size() && kAsciiAlnum[static_cast<unsigned char>(name[at])]) ++at;
-    const bool is_last = &level == &levels.back();
-    const bool ends =
-        is_last ? at == name.size() : at < name.size() && static_cast<unsigned char>(name[at]) == rule.separator;
-    if (!ends || at == begin) return false;
-    level = name.substr(begin, at - begin);
+    const char* const begin = at;
+    while (at != end && kAsciiAlnum[static_cast<unsigned char>(*at)]) ++at;
+    if (at == begin) return false;
+    level = {begin, static_cast<std::size_t>(at - begin)};
+    if (&level == &levels.back()) return at == end;
+    if (at == end || static_cast<unsigned char>(*at) != rule.separator) return false;
     ++at;
   }
-  return !levels.empty();
+  return false;
 }
 
 }  // namespace
