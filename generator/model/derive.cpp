@@ -126,6 +126,7 @@ void derive_units(Derived& derived, MadeNames& made, description::Faults& faults
   PlantModel& plant = derived.plant;
   // Which transitions there are depends on all states, and on the names of tracks and places.
   const bool later = makes_names(*plant.description) || !plant.description->material.empty();
+  base::reserve_large(derived.evidence.units, plant.units.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     Unit& unit = plant.units[i];
