@@ -114,7 +114,7 @@ bool is_constant(std::string_view klass) {
   return std::search(klass.begin(), klass.end(), kConstant.begin(), kConstant.end(), is_letter) != klass.end();
 }
 
-/// Fills in a symbol but for its reading; returns the reason if the row is none.
+/// Fills in a symbol but for its reading; returns the reason if the row is not one.
 std::optional<InternalReason> classify_named(const read::ListRow& row, const RowAddress& address,
                                              const std::optional<Named>& named, Symbol& symbol) {
   if (is_constant(row.klass)) return InternalReason::constant;

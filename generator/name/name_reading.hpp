@@ -54,19 +54,20 @@ class NameReading {
     task_ = part_at(text);
   }
 
-  // Set only without a fault; with `not_linked` also line, process and device, as the custom rule reads them:
+  // Empty if the fault is in front of them; with `not_linked`, as the custom rule reads them:
   std::string_view line() const { return has_texts_ ? texts_->line : text_of(line_); }
   std::string_view process() const { return has_texts_ ? texts_->process : text_of(process_); }
   std::string_view device() const { return has_texts_ ? texts_->device : text_of(device_); }
-  std::string_view task() const { return has_texts_ ? texts_->task : text_of(task_); }
+  // Empty with any fault:
+  std::string_view task() const { return has_texts_ ? texts_->task : has_levels() ? text_of(task_) : ""; }
   /// Line, process and device with separators: identifies the device.
   std::string_view device_path() const {
-    return has_texts_ ? texts_->device_path : text_of({0, device_.begin + device_.size});
+    if (has_texts_) return texts_->device_path;
+    return has_levels() ? text_of({0, device_.begin + device_.size}) : "";
   }
   /// The bytes of the name that the fault is about.
   text::Span where() const {
-    const bool none = fault == NameFault::none || has_texts_;
-    return none ? text::Span() : text::Span{task_.begin, std::size_t{task_.begin} + task_.size};
+    return has_levels() ? text::Span() : text::Span{task_.begin, std::size_t{task_.begin} + task_.size};
   }
 
   std::uint32_t levels = 0;  ///< the number of levels; 0 if an illegal character was found first
@@ -79,6 +80,7 @@ class NameReading {
     std::uint32_t size = 0;
   };
 
+  bool has_levels() const { return fault == NameFault::none; }
   Part* part_of(Level level) {
     switch (level) {
       case Level::line:

@@ -37,6 +37,17 @@ TEST_CASE("A name that follows the rule gives its levels, and its device's path"
   CHECK(Read("BB_S301_RBT3_O_WELD").reading.direction == Direction::operation);
 }
 
+TEST_CASE("A name with a fault has no task and no device's path") {
+  for (const char* name : {"LEVEL", "A_B_C_X_P1", "A__C_I_P1", "A_B-_C_I_P1", "A_B_C_D_I_P1"}) {
+    const Read read(name);
+    INFO(name);
+    REQUIRE(read.reading.fault != NameFault::none);
+    CHECK(read.reading.task().empty());
+    CHECK(read.reading.device_path().empty());
+  }
+  CHECK(Read("A_B_C_X_P1").reading.process() == "B");
+}
+
 TEST_CASE("The direction is read in any case") {
   CHECK(Read("A_B_C_i_P1").reading.direction == Direction::event);
   CHECK(Read("A_B_C_o_P1").reading.direction == Direction::operation);
