@@ -162,6 +162,11 @@ class Diagnostics {
   void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
+  /// Takes the findings out; what is ignored or left out stays.
+  std::vector<Diagnostic> take_all() {
+    counts_ = {};
+    return std::exchange(all_, {});
+  }
   std::span<const Ignored> ignored() const { return ignored_; }
   const LeftOutByOption& left_out() const { return left_out_; }
   void leave_out(const LeftOutByOption& more) {

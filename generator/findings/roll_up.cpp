@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,13 +53,13 @@ class Groups {
   std::vector<Group*> of_;
 };
 
-void join(diag::Diagnostic& first, Group& group, const diag::Diagnostic& finding) {
+void join(diag::Diagnostic& first, Group& group, diag::Diagnostic finding) {
   ++first.count;
   first.severity = std::max(first.severity, finding.severity);
   first.shown_consequences += finding.shown_consequences;
-  first.related.push_back({finding.location, "also: " + finding.message});
-  first.related.insert(first.related.end(), finding.related.begin(), finding.related.end());
-  first.renames.insert(first.renames.end(), finding.renames.begin(), finding.renames.end());
+  first.related.push_back({std::move(finding.location), "also: " + std::move(finding.message)});
+  std::move(finding.related.begin(), finding.related.end(), std::back_inserter(first.related));
+  std::move(finding.renames.begin(), finding.renames.end(), std::back_inserter(first.renames));
   if (group.examples.size() < kExamples) group.examples.push_back(name_of(finding));
 }
 
@@ -71,29 +72,25 @@ std::string others_text(const diag::Diagnostic& first, const Group& group) {
 }  // namespace
 
 diag::Diagnostics roll_up(diag::Diagnostics findings) {
-  const auto all = findings.all();
+  std::vector<diag::Diagnostic> all = findings.take_all();
   const Groups groups(all);
   std::vector<diag::Diagnostic> kept;
   std::vector<const Group*> group_of;
   for (std::size_t i = 0; i < all.size(); ++i) {
     Group* group = groups.of(i);
     if (group != nullptr && group->first) {
-      join(kept[*group->first], *group, all[i]);
+      join(kept[*group->first], *group, std::move(all[i]));
       continue;
     }
     if (group != nullptr) group->first = kept.size();
-    kept.push_back(all[i]);
+    kept.push_back(std::move(all[i]));
     group_of.push_back(group);
   }
-  if (kept.size() == all.size()) return findings;
-  diag::Diagnostics rolled_up;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (group_of[i] != nullptr) kept[i].message += others_text(kept[i], *group_of[i]);
-    rolled_up.add(std::move(kept[i]));
+    findings.add(std::move(kept[i]));
   }
-  for (const diag::Ignored& ignored : findings.ignored()) rolled_up.ignore(ignored.finding, ignored.why);
-  rolled_up.leave_out(findings.left_out());
-  return rolled_up;
+  return findings;
 }
 
 }  // namespace symplant::findings
