@@ -14,7 +14,7 @@ namespace symplant::model {
 namespace {
 
 /// A row and the index of its list.
-struct Location {
+struct RowOfList {
   const read::ListRow* row;
   std::uint32_t list;
 };
@@ -46,7 +46,7 @@ class RowNames {
         [&](std::uint32_t other) { return text::equal_ignoring_case(at(other).row->name, row.name); });
   }
 
-  Location at(std::size_t number) const {
+  RowOfList at(std::size_t number) const {
     const auto after = std::upper_bound(begins_.begin(), begins_.end(), number);
     const auto list = static_cast<std::size_t>(after - begins_.begin()) - 1;
     return {&lists_[list].table->rows[number - begins_[list]], static_cast<std::uint32_t>(list)};
@@ -111,7 +111,7 @@ class SymbolCollector {
   }
 
   /// Keeps what rules need to know of a row's addresses.
-  void observe(const Location& at, const RowAddress& address, const std::optional<InternalReason>& reason) {
+  void observe(const RowOfList& at, const RowAddress& address, const std::optional<InternalReason>& reason) {
     // A row that is internal for another reason may have any address.
     if (!address.bad_cell.empty() && (!reason || *reason == InternalReason::no_direction)) {
       evidence_.bad_addresses.push_back({at.row, address.bad_cell});
@@ -135,9 +135,9 @@ class SymbolCollector {
     symbol.reading = name::NameReading::of(levels, symbol.reading.fault, symbol.reading.direction);
   }
 
-  RowAddress address_of(const Location& at) const { return row_address(*at.row, plant_.lists[at.list].dialect()); }
+  RowAddress address_of(const RowOfList& at) const { return row_address(*at.row, plant_.lists[at.list].dialect()); }
 
-  bool same(const Location& a, const Location& b) const {
+  bool same(const RowOfList& a, const RowOfList& b) const {
     const auto first = address_of(a).address;
     const auto second = address_of(b).address;
     const bool same_address = first && second ? address::same_location(*first, *second) : !first && !second;
