@@ -162,8 +162,8 @@ class Diagnostics {
   void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
-  /// Takes the findings out; what is ignored or left out stays.
-  std::vector<Diagnostic> take_all() {
+  /// Removes all findings, to add some of them again.
+  std::vector<Diagnostic> take() {
     counts_ = {};
     return std::exchange(all_, {});
   }

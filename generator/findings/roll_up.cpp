@@ -72,7 +72,7 @@ std::string others_text(const diag::Diagnostic& first, const Group& group) {
 }  // namespace
 
 diag::Diagnostics roll_up(diag::Diagnostics findings) {
-  std::vector<diag::Diagnostic> all = findings.take_all();
+  std::vector<diag::Diagnostic> all = findings.take();
   const Groups groups(all);
   std::vector<diag::Diagnostic> kept;
   std::vector<const Group*> group_of;
