@@ -1,6 +1,9 @@
 // Replaces digits and blanks.
 #include "text/shape.hpp"
 
+#include <array>
+#include <cstdint>
+
 #include "text/ascii.hpp"
 
 namespace symplant::text {
@@ -18,27 +21,37 @@ bool is_ordinal_at(std::string_view text, std::size_t at) {
   return false;
 }
 
+enum class Kind : std::uint8_t { other, digit, blank };
+
+constexpr auto kKinds = [] {
+  std::array<Kind, 256> kinds{};
+  for (unsigned char c = '0'; c <= '9'; ++c) kinds[c] = Kind::digit;
+  for (const char c : std::string_view(" \t\r\n")) kinds[static_cast<unsigned char>(c)] = Kind::blank;
+  return kinds;
+}();
+
 }  // namespace
 
 std::string shape_of(std::string_view text) {
   std::string shape(text.size(), '\0');  // it is never longer
-  std::size_t size = 0;
+  char* end = shape.data();
+  Kind before = Kind::other;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const char before = size == 0 ? '\0' : shape[size - 1];
-    if (is_digit(c)) {
-      if (before != '#') shape[size++] = '#';
-    } else if (before == '#' && is_digit(text[i - 1]) && is_ordinal_at(text, i)) {
-      shape[size++] = 'T';
-      shape[size++] = 'H';
-      ++i;
-    } else if (c != ' ' && c != '\t' && c != '\r' && c != '\n') {
-      shape[size++] = c;
-    } else if (before != ' ') {
-      shape[size++] = ' ';
+    const Kind kind = kKinds[static_cast<unsigned char>(text[i])];
+    if (kind == Kind::other) {
+      if (before == Kind::digit && is_ordinal_at(text, i)) {
+        *end++ = 'T';
+        *end++ = 'H';
+        ++i;
+      } else {
+        *end++ = text[i];
+      }
+    } else if (kind != before && (kind == Kind::blank || end == shape.data() || end[-1] != '#')) {
+      *end++ = kind == Kind::digit ? '#' : ' ';
     }
+    before = kind;
   }
-  shape.resize(size);
+  shape.resize(static_cast<std::size_t>(end - shape.data()));
   return shape;
 }
 
