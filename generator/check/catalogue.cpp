@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/parallel.hpp"
 #include "check/rule.hpp"
 #include "description/description_rules.hpp"
 #include "lower/limits.hpp"
@@ -31,15 +32,15 @@ constexpr auto kFormer = std::to_array<Former>({
     {"SP316", "places-overlap"},
     {"SP319", "SP320 word-and-bits"},
     {"SP402", "SP409 sequence-ambiguous"},
-    {"SP404", "nobody-moves"},
+    {"SP404", "nobody-moves SP630 part-sensor-not-described"},
     {"SP414", "SP413 one-task-alone SP417 end-without-sensor"},
     {"SP614", "condition-never-holds SP615 condition-always-holds SP616 requirement-decided"},
     {"SP620", "ignore-without-finding SP621 ignore-is-over SP625 rule-renamed"},
     {"SP622", "unknown-rule SP623 binding-rule SP624 date-not-understood"},
-    {"", "SP312 byte-on-no-register SP317 address-without-number SP403 unit-without-events"},
+    {"", "SP312 byte-on-no-register SP403 unit-without-events"},
     {"", "SP410 initial-by-row-order SP416 tasks-look-parallel SP5 SP50 SP501 inferred-rest-state"},
     {"", "SP502 inferred-single-solenoid SP503 inferred-sequence SP611 state-never-left SP612 zero-time-loop"},
-    {"", "SP613 cycle-of-disables SP617 condition-not-examined SP630 part-sensor-not-described"},
+    {"", "SP613 cycle-of-disables SP617 condition-not-examined"},
     {"", "SP631 track-never-moves SP632 transfer-without-parts SP633 parts-never-leave"},
 });
 
@@ -59,23 +60,29 @@ const Former* find_former(std::string_view name) {
 
 }  // namespace
 
-void check_plant(const PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics) {
+void check_plant(const PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics,
+                 std::size_t threads) {
   const std::vector<bool> otherwise = lists_named_otherwise(plant);
   const bool named = std::ranges::find(otherwise, false) != otherwise.end();
+  std::vector<const Rule*> rules;
   for (const auto subject : kSubjects) {
     for (const Rule& rule : subject()) {
       const bool fits = rule.plants == For::all || (named && (rule.plants == For::named || plant.pairing == nullptr));
-      if (!fits) continue;
-      const Find find{rule, plant, plant.symbols, plant.units, evidence, otherwise, diagnostics};
-      if (const auto* of_plant = std::get_if<Rule::OfPlant>(&rule.check)) (*of_plant)(find);
-      if (const auto* of_symbol = std::get_if<Rule::OfSymbol>(&rule.check)) {
-        for (const Symbol& symbol : plant.symbols) (*of_symbol)(find, symbol);
-      }
-      if (const auto* of_unit = std::get_if<Rule::OfUnit>(&rule.check)) {
-        for (const Unit& unit : plant.units) (*of_unit)(find, unit);
-      }
+      if (fits) rules.push_back(&rule);
     }
   }
+  std::vector<diag::Diagnostics> found(rules.size());
+  base::for_each_number(rules.size(), threads == 0 ? base::threads_for(plant.symbols.size()) : threads, [&](auto i) {
+    const Find find{*rules[i], plant, plant.symbols, plant.units, evidence, otherwise, found[i]};
+    if (const auto* of_plant = std::get_if<Rule::OfPlant>(&rules[i]->check)) (*of_plant)(find);
+    if (const auto* of_symbol = std::get_if<Rule::OfSymbol>(&rules[i]->check)) {
+      for (const Symbol& symbol : plant.symbols) (*of_symbol)(find, symbol);
+    }
+    if (const auto* of_unit = std::get_if<Rule::OfUnit>(&rules[i]->check)) {
+      for (const Unit& unit : plant.units) (*of_unit)(find, unit);
+    }
+  });
+  for (diag::Diagnostics& of_rule : found) diagnostics.add(std::move(of_rule));
 }
 
 const std::vector<const diag::RuleInfo*>& catalogue() {

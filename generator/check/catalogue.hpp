@@ -11,8 +11,10 @@
 
 namespace symplant::check {
 
-/// Adds all findings about a plant, rule by rule. O(symbols + states) for each rule.
-void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics);
+/// Adds all findings about a plant, rule by rule in the order of the tables. O(symbols + states) for each rule; so many
+/// rules run at once as there are threads, or, if 0, as the symbols are worth.
+void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics,
+                 std::size_t threads = 0);
 
 /// By id.
 const std::vector<const diag::RuleInfo*>& catalogue();

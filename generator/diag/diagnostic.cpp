@@ -61,6 +61,14 @@ void Diagnostics::add(Diagnostic finding) {
   all_.push_back(std::move(finding));
 }
 
+void Diagnostics::add(Diagnostics&& others) {
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += others.counts_[i];
+  all_.insert(all_.end(), std::move_iterator(others.all_.begin()), std::move_iterator(others.all_.end()));
+  ignored_.insert(ignored_.end(), std::move_iterator(others.ignored_.begin()),
+                  std::move_iterator(others.ignored_.end()));
+  leave_out(others.left_out_);
+}
+
 void Diagnostics::ignore(Diagnostic finding, std::string why) {
   ignored_.push_back({std::move(finding), std::move(why)});
 }

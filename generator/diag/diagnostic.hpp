@@ -141,12 +141,9 @@ class Diagnostics {
   Diagnostic& add(const RuleInfo& rule, Subjects subjects, std::string message, Location location,
                   std::vector<Related> related = {});
   void add(Diagnostic finding);
+  /// Adds the findings of others, in their order.
+  void add(Diagnostics&& others);
   void ignore(Diagnostic finding, std::string why);
-  /// Removes all findings, to add some of them again.
-  std::vector<Diagnostic> take() {
-    counts_ = {};
-    return std::exchange(all_, {});
-  }
 
   /// Sorts by file and location; findings without a location come first, findings of one location keep their order. The
   /// order of files is that of `files`; before them come other files, in the order of their first finding.
@@ -158,6 +155,11 @@ class Diagnostics {
   void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
+  /// Removes all findings, to add some of them again.
+  std::vector<Diagnostic> take() {
+    counts_ = {};
+    return std::exchange(all_, {});
+  }
   std::span<const Ignored> ignored() const { return ignored_; }
   const LeftOutByOption& left_out() const { return left_out_; }
   void leave_out(const LeftOutByOption& more) {

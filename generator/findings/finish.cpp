@@ -44,13 +44,13 @@ std::vector<std::string> keys_of(const Subject& subject, bool near_missing) {
   return keys;
 }
 
-void join(diag::Diagnostic& first, const diag::Diagnostic& finding) {
+void join(diag::Diagnostic& first, diag::Diagnostic finding) {
   ++first.count;
   first.severity = std::max(first.severity, finding.severity);
   first.shown_consequences += finding.shown_consequences;
-  first.related.push_back({finding.location, "also: " + finding.message});
-  first.related.insert(first.related.end(), finding.related.begin(), finding.related.end());
-  first.renames.insert(first.renames.end(), finding.renames.begin(), finding.renames.end());
+  first.related.push_back({std::move(finding.location), "also: " + finding.message});
+  std::ranges::move(finding.related, std::back_inserter(first.related));
+  std::ranges::move(finding.renames, std::back_inserter(first.renames));
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ diag::Diagnostics roll_up(diag::Diagnostics findings) {
       examples.emplace_back();
     } else {
       if (examples[first].size() < kExamples) examples[first].push_back(subjects.about.front().name);
-      join(kept[first], finding);
+      join(kept[first], std::move(finding));
     }
   }
   for (std::size_t i = 0; i < kept.size(); ++i) {

@@ -139,8 +139,8 @@ class DataWriter {
     const name::NameReading& reading = plant_.symbols[unit.first_symbol()].reading;
     json_.begin_object();
     json_.member("path", visible(unit.path));
-    json_.member("line", visible(reading.line));
-    json_.member("process", visible(reading.process));
+    json_.member("line", visible(reading.line()));
+    json_.member("process", visible(reading.process()));
     json_.member("device", visible(unit.device));
     if (unit.facet != nullptr && !unit.facet->name.empty()) json_.member("facet", visible(unit.facet->name));
     json_.member("kind", kinds_[static_cast<std::size_t>(unit_positions_[index])]);

@@ -74,8 +74,8 @@ class UnitWriter {
   void write_head() {
     const name::NameReading& reading = plant_.symbols[unit_.first_symbol()].reading;
     json_.member("path", unit_.path);
-    json_.member("line", reading.line);
-    json_.member("process", reading.process);
+    json_.member("line", reading.line());
+    json_.member("process", reading.process());
     json_.member("device", unit_.device);
     if (unit_.facet != nullptr && !unit_.facet->name.empty()) json_.member("facet", unit_.facet->name);
     json_.member("actuation", description::actuation_name(unit_.actuation));

@@ -12,8 +12,8 @@ namespace {
 
 /// Two symbols of one location.
 Finding at_shared(const Find& find, const Symbol& symbol, const Symbol& other, std::string text) {
-  Finding finding = find.at(symbol, symbol.address_cell);
-  finding.also(Kind::symbol, other.name()).see(*other.row, other.address_cell, std::move(text));
+  Finding finding = find.at(symbol, symbol.address_cell());
+  finding.also(Kind::symbol, other.name()).see(*other.row, other.address_cell(), std::move(text));
   return finding.follows(Kind::address, symbol.name()).follows(Kind::address, other.name());
 }
 
@@ -26,7 +26,7 @@ void address_used_twice(const Find& find, const Symbol& symbol) {
   const Symbol& leader = find.symbols[symbol.leader];
   at_shared(find, symbol, leader, "the symbol that it follows")
       .say("`{}` has the address `{}`, as `{}` has: they are kept equal; correct the address if they are two signals",
-           symbol.name(), symbol.address_cell, leader.name());
+           symbol.name(), symbol.address_cell(), leader.name());
 }
 
 void event_driven_twice(const Find& find) {
@@ -35,7 +35,7 @@ void event_driven_twice(const Find& find) {
     const Symbol& b = find.symbols[second];
     at_shared(find, b, a, "the other one")
         .say("`{}` has the address `{}`, as `{}` has, and the plant drives each of them: correct one address", b.name(),
-             b.address_cell, a.name());
+             b.address_cell(), a.name());
   }
 }
 
@@ -60,9 +60,17 @@ void no_address(const Find& find) {
 }
 
 void radix_assumed(const Find& find) {
+  using By = model::RadixChoice::By;
   for (const model::PlantList& list : find.plant.lists) {
+    if (list.own.by == By::option && list.own.radix != list.radix.radix) {
+      Finding finding = find.at(diag::Location{list.table->source, {}});
+      finding.as.severity = kWarning;
+      finding.say(
+          "all lists of a controller count X and Y alike, and this one has another `xy`: correct that, or "
+          "give the list another `controller`");
+    }
     const read::ListRow* row = list.radix.matters_in;
-    if (list.radix.by != model::RadixChoice::By::nothing || row == nullptr) continue;
+    if (list.radix.by != By::nothing || row == nullptr) continue;
     if (&find.plant.lists[find.plant.list_of(*row)] != &list) continue;  // once for all lists of a controller
     find.at(*row, row->vendor_address)
         .say("`{}` is read as hexadecimal, and nothing in the list proves it: use `--xy hex` or `--xy octal`",
@@ -131,7 +139,7 @@ void addresses_overlap(const Find& find) {
     Finding finding = at_shared(find, *whole->symbol, *part.symbol, "has bits of it");
     if (bit) finding.as.severity = kNote;
     finding.say("`{}` on `{}` has bits of `{}` on `{}`, and they are not kept equal: {}", whole->symbol->name(),
-                whole->symbol->address_cell, part.symbol->name(), part.symbol->address_cell,
+                whole->symbol->address_cell(), part.symbol->name(), part.symbol->address_cell(),
                 bit ? "let the PLC program use either the number or its bits" : "correct one of the addresses");
   }
 }
@@ -151,7 +159,8 @@ constexpr Rule kAddressRules[] = {
      "Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`."},
     {"SP308", "radix-assumed", kNote, radix_assumed, "whether X and Y count in hexadecimal is assumed",
      "MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal: `X0010` has index 16 or 8 on a link. "
-     "Rows with a MELSEC and an IEC address prove it. Without them use `--xy hex` or `--xy octal`."},
+     "Rows with a MELSEC and an IEC address prove it for all lists of a controller. Without them use `--xy hex` or "
+     "`--xy octal`."},
     {"SP309", "no-address", kNote, no_address, "I/O symbols have no address",
      "They are in the model and in traces, and their names give their directions. A PLC does not see them."},
     {"SP315", "addresses-contradict", kWarning, addresses_contradict, "the MELSEC and the IEC address of a row differ",
@@ -163,6 +172,12 @@ constexpr Rule kAddressRules[] = {
      "By default a symbol has the number of its address in registers: `%QD5` has 10 and 11, and meets `%QW10`.",
      "What the PLC writes for one of them would reach the other.",
      "Correct an address, or give one a `number` in `links`. `symplant map` shows each index."},
+    {"SP317", "address-without-number", kWarning, nullptr,
+     "one address without a number makes others lose theirs on a link",
+     "Of a table most addresses have a number (`%IX1.5` is discrete input 13), and a few have none: a bit of 8 or more "
+     "(`%IX1.8`), three parts, 65536 or more. Then all symbols of the table are packed in list order.",
+     "Every coil, input or register of that table has another number on the link than its address.",
+     "Correct the address, or give the symbol a `number` in the `links` of plant.json: then the others keep theirs."},
     {"SP319", "addresses-overlap", kWarning, addresses_overlap,
      "two numbers have common bits, or (a note) a number and its bits are symbols",
      "SIMATIC numbers bytes: `%ID100` ends with byte 103, and has bits of `%IW102`. A word and its bits (`%IW64` and "

@@ -118,7 +118,7 @@ using Siblings = std::map<std::string, Device>;
 /// Null if a device has none.
 const Symbol* find_in(const Device& device, Direction direction, std::string_view task) {
   const auto found = std::ranges::find_if(device, [&](const Symbol* symbol) {
-    return symbol->direction == direction && text::equal_ignoring_case(symbol->reading.task, task);
+    return symbol->direction == direction && text::equal_ignoring_case(symbol->reading.task(), task);
   });
   return found == device.end() ? nullptr : *found;
 }
@@ -137,7 +137,7 @@ std::vector<Common> common_symbols(const Siblings& siblings) {
   for (const auto& [path, device] : siblings) {
     for (const Symbol* symbol : device) {
       auto& tasks = by_task[static_cast<std::size_t>(symbol->direction)];
-      const std::size_t index = tasks.try_emplace(symbol->reading.task, symbols.size()).first->second;
+      const std::size_t index = tasks.try_emplace(symbol->reading.task(), symbols.size()).first->second;
       if (index == symbols.size()) symbols.push_back({symbol, 0});
       ++symbols[index].count;
     }
@@ -158,7 +158,7 @@ bool lacks_end(const Device& device, const Symbol& others) {
   bool has_event = false;
   for (const Symbol* symbol : device) {
     if (symbol->direction != Direction::event) continue;
-    if (text::equal_ignoring_case(end_of(symbol->reading.task), end_of(others.reading.task))) return false;
+    if (text::equal_ignoring_case(end_of(symbol->reading.task()), end_of(others.reading.task()))) return false;
     has_event = true;
   }
   return has_event && others.direction == Direction::event;
@@ -168,17 +168,17 @@ void report(const Find& find, const Device& device, std::string_view path, const
             std::size_t siblings) {
   const Symbol& others = *lacks.front().symbol;
   // The row next to the one that is missing: of the same task, or the device's first.
-  const Symbol* near = find_in(device, other_side(others.direction), others.reading.task);
+  const Symbol* near = find_in(device, other_side(others.direction), others.reading.task());
   if (near == nullptr) near = device.front();
   Finding finding = find.at(location_of(find.plant, *near->row, near->name()));
   finding.also(Kind::device, path).follows(Kind::device, path).follows(Kind::model, path);
   for (const auto& [symbol, count] : lacks) {
-    const std::string name = symbol_name(path, symbol->direction, symbol->reading.task);
+    const std::string name = symbol_name(path, symbol->direction, symbol->reading.task());
     finding.also(Kind::missing, name).follows(Kind::missing, name).lacks(name, path).see(*symbol, "one that has it");
   }
   finding.say(
       "`{}` has no {} `{}`{}: {} of {} devices named like it have one; add the row, or spell its task as they do", path,
-      others.direction == Direction::operation ? "operation" : "event", others.reading.task,
+      others.direction == Direction::operation ? "operation" : "event", others.reading.task(),
       lacks.size() == 1 ? "" : fmt::format(", and lacks {} more symbols", lacks.size() - 1), lacks.front().count,
       siblings);
 }
@@ -186,21 +186,26 @@ void report(const Find& find, const Device& device, std::string_view path, const
 void shape_lacks_symbol(const Find& find) {
   std::map<std::string, Siblings> classes;
   const auto path_of = [&](const Symbol& of) {
-    return of.unit == kNone ? of.reading.device_path : find.units[of.unit].path;
+    return of.unit == kNone ? of.reading.device_path() : find.units[of.unit].path;
   };
+  Device* last = nullptr;
+  std::uint32_t unit = kNone;  // of the last device: its symbols are mostly in rows one after the other
   for (const Symbol& symbol : find.symbols) {
     const bool number =
         symbol.unmodelled == model::Unmodelled::numeric && symbol.reading.fault == name::NameFault::none;
     if (symbol.unit == kNone && !number) continue;
-    const std::string name = class_name(number ? symbol.reading.device : find.units[symbol.unit].device);
-    classes[name][text::to_upper(path_of(symbol))].push_back(&symbol);
+    if (std::exchange(unit, symbol.unit) != symbol.unit || symbol.unit == kNone) {
+      const std::string name = class_name(number ? symbol.reading.device() : find.units[symbol.unit].device);
+      last = &classes[name][text::to_upper(path_of(symbol))];
+    }
+    last->push_back(&symbol);
   }
   for (const auto& [name, siblings] : classes) {
     const std::vector<Common> common = common_symbols(siblings);
     for (const auto& [path, device] : siblings) {
       std::vector<Common> lacks = common;
       std::erase_if(lacks, [&](const Common& each) {
-        return find_in(device, each.symbol->direction, each.symbol->reading.task) != nullptr;
+        return find_in(device, each.symbol->direction, each.symbol->reading.task()) != nullptr;
       });
       if (3 * lacks.size() > 2 * common.size()) continue;  // it is something else
       std::erase_if(

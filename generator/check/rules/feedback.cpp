@@ -121,7 +121,7 @@ void two_words_one_state(const Find& find, const Unit& unit) {
         .follows(Kind::device, unit.path)
         .see(operation, "the operation")
         .say("`{}` and `{}`: do `{}` and `{}` mean the same state? spell them the same, or `{}` is never reported",
-             operation.name(), event.name(), operation.reading.task, event.reading.task, event.reading.task);
+             operation.name(), event.name(), operation.reading.task(), event.reading.task(), event.reading.task());
   }
 }
 

@@ -30,13 +30,13 @@ std::string fault_text(const PlantModel& plant, const Symbol& symbol, std::strin
     return fmt::format("`{}` has `{}`, which is neither letter nor digit nor `_`; write `_` or nothing", name, part);
   }
   return fmt::format("`{}` has `{}` where its direction belongs; write or insert `{}`, as its address `{}` says", name,
-                     part, symbol.direction == Direction::event ? "I" : "O", symbol.address_cell);
+                     part, symbol.direction == Direction::event ? "I" : "O", symbol.address_cell());
 }
 
 template <NameFault fault>
 void broken_names(const Find& find, const Symbol& symbol) {
   if (symbol.reading.fault != fault || find.named_otherwise[symbol.list]) return;
-  const text::Span where = symbol.reading.where;
+  const text::Span where = symbol.reading.where();
   const std::string_view part = symbol.name().substr(where.begin, where.end - where.begin);
   Finding finding = find.at(symbol);
   text::Span& span = finding.as.location.span;
@@ -100,7 +100,7 @@ void naming_ambiguous(const Find& find) {
     const Symbol& symbol = find.symbols[remark.input];
     find.at(symbol)
         .see(find.symbols[remark.other], "the one that comes first")
-        .say("`{}` {}", of_path ? symbol.reading.device_path : symbol.name(),
+        .say("`{}` {}", of_path ? symbol.reading.device_path() : symbol.name(),
              of_path ? "is the path of another device too: conditions and plant.json mean the first one"
                      : "fits the same role of an archetype as another symbol; make the text of the role more specific");
   }
@@ -137,16 +137,13 @@ struct Numbered {
   std::string_view digits;
   std::string_view after;
 
-  std::uint64_t address() const { return symbol->address->number; }
   std::uint64_t number() const {
     std::uint64_t value = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return value;
   }
-  auto place() const { return std::tuple(symbol->list, symbol->address->area, address()); }
-  bool continues(Numbered last) const {
-    const auto [list, area, number] = last.place();
-    return place() == std::tuple(list, area, number + 1) && before == last.before && after == last.after;
+  bool continues(const Numbered& last) const {
+    return symbol->address->number == last.symbol->address->number + 1 && after == last.after && before == last.before;
   }
 };
 
@@ -174,21 +171,25 @@ void end_run(const Find& find, std::vector<Numbered>& run) {
 }
 
 void series_broken(const Find& find) {
-  std::vector<Numbered> all;
+  std::map<std::pair<std::uint32_t, address::Area>, std::vector<const Symbol*>> sides;  // of each list
   for (const Symbol& symbol : find.symbols) {
     if (!symbol.address || symbol.type != tables::DataType::boolean || symbol.leader != kNone) continue;
-    const std::string_view text = symbol.row->is_named_by_address() ? symbol.row->comment : symbol.name();
-    const std::size_t end = text.find_last_of("0123456789") + 1;
-    const std::size_t begin = text.substr(0, end).find_last_not_of("0123456789") + 1;
-    if (end != 0) all.push_back({&symbol, text.substr(0, begin), text.substr(begin, end - begin), text.substr(end)});
+    sides[{symbol.list, symbol.address->area}].push_back(&symbol);
   }
-  std::ranges::stable_sort(all, {}, &Numbered::place);
-  std::vector<Numbered> run;
-  for (const Numbered& each : all) {
-    if (!run.empty() && !each.continues(run.back())) end_run(find, run);
-    run.push_back(each);
+  const auto number = [](const Symbol* symbol) { return symbol->address->number; };
+  for (auto& [where, side] : sides) {
+    if (!std::ranges::is_sorted(side, {}, number)) std::ranges::stable_sort(side, {}, number);
+    std::vector<Numbered> run;
+    for (const Symbol* symbol : side) {
+      const std::string_view text = symbol->row->is_named_by_address() ? symbol->row->comment : symbol->name();
+      const std::size_t end = text.find_last_of("0123456789") + 1;
+      const std::size_t begin = text.substr(0, end).find_last_not_of("0123456789") + 1;
+      const Numbered each{symbol, text.substr(0, begin), text.substr(begin, end - begin), text.substr(end)};
+      if (!run.empty() && !each.continues(run.back())) end_run(find, run);
+      run.push_back(each);
+    }
+    end_run(find, run);
   }
-  end_run(find, run);
 }
 
 void comment_twice(const Find& find) {

@@ -34,17 +34,17 @@ void direction_against_address(const Find& find, const Symbol& symbol) {
   const bool output = symbol.address->area == address::Area::output;
   if ((symbol.reading.direction == name::Direction::operation) == output) return;
   Finding finding = find.at(symbol);
-  finding.explains(Kind::device, symbol.reading.device_path)
+  finding.explains(Kind::device, symbol.reading.device_path())
       .explains(Kind::address, symbol.name())
       .follows(Kind::address, symbol.name());
   if (find.plant.reader == nullptr) {  // a custom rule reads names and does not write them
-    finding.rename(symbol, symbol_name(symbol.reading.device_path, symbol.direction, symbol.reading.task));
+    finding.rename(symbol, symbol_name(symbol.reading.device_path(), symbol.direction, symbol.reading.task()));
   } else if (find.plant.reader->naming().naming().direction.conflict_is_error) {
     finding.as.severity = kError;
   }
   const bool address_counts = (symbol.direction == Direction::operation) == output;
   finding.say("`{}` is an {} by its name and an {} by its address `{}`: the {} counts{}; correct one of them",
-              symbol.name(), output ? "event" : "operation", output ? "operation" : "event", symbol.address_cell,
+              symbol.name(), output ? "event" : "operation", output ? "operation" : "event", symbol.address_cell(),
               address_counts ? "address" : "name",
               symbol.unmodelled == model::Unmodelled::task_taken ? ", and another symbol has that task already" : "");
 }
@@ -54,9 +54,9 @@ void type_against_address(const Find& find, const Symbol& symbol) {
   if (!symbol.address || bits == static_cast<int>(symbol.address->size)) return;
   find.at(symbol, symbol.row->type)
       .explains(Kind::address, symbol.name())
-      .lacks(symbol.name(), symbol.reading.device_path)
+      .lacks(symbol.name(), symbol.reading.device_path())
       .say("`{}` is {}, {} bit{}, but its address `{}` has {}: it is on no link; correct type or address",
-           symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell,
+           symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell(),
            static_cast<int>(symbol.address->size));
 }
 
@@ -81,7 +81,7 @@ void type_of_no_io(const Find& find) {
   name::NameParser parser(*find.plant.rule);
   for (const model::TypelessIo& io : find.evidence.typeless_io) {
     find.at(*io.row, io.row->type)
-        .lacks(io.row->name, parser.parse(io.row->name).device_path)
+        .lacks(io.row->name, parser.parse(io.row->name).device_path())
         .say("`{}` is no type of an input or output, so `{}` on `{}` is left out; write BOOL, or the number's type",
              io.row->type, io.row->name, io.address_cell);
   }
@@ -99,7 +99,7 @@ void io_name_in_memory(const Find& find) {
       const name::NameReading reading = parser.parse(row.name);
       if (reading.fault != name::NameFault::none || row.klass.find("CONSTANT") != std::string_view::npos) continue;
       find.at(row, address.cell)
-          .lacks(row.name, reading.device_path)
+          .lacks(row.name, reading.device_path())
           .say("`{}` is an {} by its name, and its address `{}` is memory: the row is left out; correct one", row.name,
                reading.direction == name::Direction::operation ? "operation" : "event", address.cell);
     }

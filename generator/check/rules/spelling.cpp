@@ -17,8 +17,8 @@ constexpr std::size_t kParts = 3;
 
 std::string_view part_of(const Symbol& symbol, std::size_t part) {
   const name::NameReading& reading = symbol.reading;
-  if (part != 2) return part == 0 ? reading.line : reading.process;
-  return symbol.name().substr(static_cast<std::size_t>(reading.device.data() - symbol.name().data()));
+  if (part != 2) return part == 0 ? reading.line() : reading.process();
+  return symbol.name().substr(static_cast<std::size_t>(reading.device().data() - symbol.name().data()));
 }
 
 /// A text like another one, with the numbers of a third: `CLAMP12` for `CLAMP1` and `CLAPM12`.
@@ -60,17 +60,21 @@ class Slips {
     std::vector<CountedWord> words;                   // texts that are equal, digits apart
     std::vector<std::string> like;                    // one of them
     std::vector<std::vector<const Symbol*>> symbols;  // which have it
+    std::string_view last;
+    std::size_t place = 0;  // of the last one: names next to each other often have one line and process
     const auto add = [&](std::string_view text, const Symbol* symbol) {
-      std::string word = class_name(text);
-      const auto [known, added] = index.try_emplace(word, words.size());
-      if (added) {
-        words.push_back({capitals(word), 0});
-        like.emplace_back(text);
-        symbols.emplace_back();
+      if (std::exchange(last, text) != text || words.empty()) {
+        const std::string word = class_name(text);
+        place = index.try_emplace(word, words.size()).first->second;
+        if (place == words.size()) {
+          words.push_back({capitals(word), 0});
+          like.emplace_back(text);
+          symbols.emplace_back();
+        }
       }
       if (symbol == nullptr) return;
-      ++words[known->second].count;
-      symbols[known->second].push_back(symbol);
+      ++words[place].count;
+      symbols[place].push_back(symbol);
     };
     for (const Symbol& symbol : find_.symbols) {
       const bool event = symbol.reading.direction == name::Direction::event;
@@ -100,8 +104,8 @@ class Slips {
     for (const Unit& unit : find_.units) {
       if (std::ranges::none_of(unit.states, is_half) || slipped_.count(unit.path) != 0) continue;
       const name::NameReading& reading = find_.symbols[unit.first_symbol()].reading;
-      groups[text::to_upper(fmt::format("{}_?_{}", reading.line, reading.device))].push_back(&unit);
-      groups[text::to_upper(fmt::format("?_{}_{}", reading.process, reading.device))].push_back(&unit);
+      groups[text::to_upper(fmt::format("{}_?_{}", reading.line(), reading.device()))].push_back(&unit);
+      groups[text::to_upper(fmt::format("?_{}_{}", reading.process(), reading.device()))].push_back(&unit);
     }
     for (const auto& [rest, units] : groups) {
       // Of three it is not known which belong together.
@@ -119,14 +123,14 @@ class Slips {
   bool has(std::string_view name) {
     if (known_.empty()) {
       for (const Symbol& symbol : find_.symbols) {
-        known_.insert({{symbol.name(), true}, {symbol.reading.device_path, true}});
+        known_.insert({{symbol.name(), true}, {symbol.reading.device_path(), true}});
       }
     }
     return known_.count(name) != 0;
   }
 
   static std::string other_side_of(const Symbol& symbol) {
-    return symbol_name(symbol.reading.device_path, other_side(symbol.direction), symbol.reading.task);
+    return symbol_name(symbol.reading.device_path(), other_side(symbol.direction), symbol.reading.task());
   }
 
   static bool may_be_slip(const CountedWord& rare, const CountedWord& common) {
@@ -146,7 +150,7 @@ class Slips {
     const bool is_rare = common.count >= (device && !codes ? 3 : 8) * rare.count && (device || !codes);
     // A NIGHT is commanded, a LIGHT is reported: they are complete.
     const auto missing = missing_.find(text::to_upper(meant));
-    const bool own_task = text::equal_ignoring_case(path, symbol.reading.device_path);
+    const bool own_task = text::equal_ignoring_case(path, symbol.reading.device_path());
     const bool completes = missing != missing_.end() && missing->second && !has(other_side) && (own_task || !codes);
     if (!is_rare && !completes) return false;
     missing_.erase(text::to_upper(meant));
@@ -201,9 +205,9 @@ class Slips {
     } else {
       finding.also(Kind::symbol, symbol.name()).see(symbol, "here too");
     }
-    finding.rename(symbol, meant, safe).explains(Kind::device, symbol.reading.device_path);
+    finding.rename(symbol, meant, safe).explains(Kind::device, symbol.reading.device_path());
     finding.lacks(meant, device_of(meant));
-    slipped_.insert(symbol.reading.device_path);
+    slipped_.insert(symbol.reading.device_path());
   }
 
   const Find& find_;

@@ -44,6 +44,7 @@ std::string with_latin_letters(std::string_view text) {
 void letters_alike(const Find& find) {
   std::map<std::string, std::vector<const Symbol*>> others;  // by the word in Latin letters
   for (const Symbol& symbol : find.symbols) {
+    if (!has_foreign(symbol.name())) continue;
     visit_words(symbol.name(), [&](std::string_view word, std::size_t) {
       const std::string latin = has_foreign(word) ? text::to_upper(with_latin_letters(word)) : "";
       if (!latin.empty() && !has_foreign(latin)) others[latin].push_back(&symbol);
@@ -120,7 +121,7 @@ void two_spellings(const Find& find) {
       finding.also(Kind::symbol, rare.as_written).also(Kind::symbol, rare.used_by->name());
       finding.see(*common.row, common.as_written, "the other spelling");
       // SP205 says which one is meant.
-      if (find.plant.pairing == nullptr) finding.follows(Kind::device, rare.used_by->reading.device_path);
+      if (find.plant.pairing == nullptr) finding.follows(Kind::device, rare.used_by->reading.device_path());
       found.emplace(text::to_upper(rare.as_written), std::pair(common.as_written, std::move(finding)));
       break;
     }
@@ -158,16 +159,18 @@ void text_cut(const Find& find) {
   for (const auto& by_length : lists) {
     if (by_length.empty() || by_length.rbegin()->first < 15) continue;  // fields are longer
     auto [length, longest] = *by_length.rbegin();
-    std::set<std::string> words;  // that do not end one of the longest comments
+    if (longest.size() < 3) continue;
+    text::ByName<bool> others;  // words that do not end one of the longest comments
     for (const auto& [other, symbols] : by_length) {
       for (const Symbol* symbol : symbols) {
-        if (longest.size() < 3) break;
         const std::string_view comment = symbol->row->comment;
         visit_words(comment, [&, all = other != length](std::string_view word, std::size_t at) {
-          if (all || at + word.size() != comment.size()) words.insert(text::to_upper(word));
+          if (all || at + word.size() != comment.size()) others.try_emplace(word, true);
         });
       }
     }
+    std::set<std::string> words;
+    for (const auto& [word, is_other] : others) words.insert(text::to_upper(word));
     std::erase_if(longest, [&](const Symbol* symbol) {
       const std::string last = last_word(symbol->row->comment);
       const auto next = words.lower_bound(last);

@@ -243,8 +243,7 @@ TEST_CASE("A list without pairs says why") {
   const Analysed list = analyse_cell({"Q S1_RB_ADV_SOL", "I S1_RB_READY", "I XYZ"});
   CHECK(list.count("no-device") == 1);
   CHECK(std::string(list.diagnostics.all().front().message)
-            .find("1 names that match none of its rules, 2 symbols without one to be paired with") !=
-        std::string::npos);
+            .find("1 matched by no pattern, 2 not paired; correct the rule") != std::string::npos);
 }
 
 TEST_CASE("Names in braces are levels of the naming rule, and a level that it lacks is an error") {

@@ -108,8 +108,7 @@ TEST_CASE("The symbol of a sensor is in no device, and its Initial does not coun
   CHECK(states_text(unit_of(list, "S_10_STP1")) == "ADV RET");
   CHECK(symbol_of(list, "S_10_PE1_I_PART").unmodelled == model::Unmodelled::senses_parts);
   CHECK(symbol_of(list, "S_10_PE1_I_PART").unit == model::kNone);
-  CHECK(list.count("event-not-driven") == 1);           // BTN
-  CHECK(list.count("part-sensor-not-described") == 1);  // PE2 and FIX1
+  CHECK(list.count("event-not-driven") == 3);  // BTN, PE2 and FIX1
 }
 
 TEST_CASE("A sensor may be inverted in it or by the plant") {
