@@ -36,8 +36,7 @@ struct Rule : diag::RuleInfo {
   using OfPlant = void (*)(const Find& find);
   using OfSymbol = void (*)(const Find& find, const Symbol& symbol);
   using OfUnit = void (*)(const Find& find, const Unit& unit);
-  /// Adds a finding for each violation of the rule: one root cause, one finding. Called once, or for each symbol or
-  /// unit. Null if others report it.
+  /// Adds a finding for each root cause. Called once, or for each symbol or unit. Null if others report the rule.
   using Check = std::variant<std::nullptr_t, OfPlant, OfSymbol, OfUnit>;
 
   constexpr Rule(std::string_view new_id, std::string_view name, diag::Severity level, Check function,

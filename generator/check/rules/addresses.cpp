@@ -65,9 +65,7 @@ void radix_assumed(const Find& find) {
     if (list.own.by == By::option && list.own.radix != list.radix.radix) {
       Finding finding = find.at(diag::Location{list.table->source, {}});
       finding.as.severity = kWarning;
-      finding.say(
-          "all lists of a controller count X and Y alike, and this one has another `xy`: correct that, or "
-          "give the list another `controller`");
+      finding.say("lists of a controller count X and Y alike, this one has another `xy`: correct one of them");
     }
     const read::ListRow* row = list.radix.matters_in;
     if (list.radix.by != By::nothing || row == nullptr) continue;
@@ -159,7 +157,7 @@ constexpr Rule kAddressRules[] = {
      "Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`."},
     {"SP308", "radix-assumed", kNote, radix_assumed, "whether X and Y count in hexadecimal is assumed",
      "MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal: `X0010` has index 16 or 8 on a link. "
-     "Rows with a MELSEC and an IEC address prove it for all lists of a controller. Without them use `--xy hex` or "
+     "Rows with a MELSEC and an IEC address prove it for all lists of a controller. Else use `--xy hex` or "
      "`--xy octal`."},
     {"SP309", "no-address", kNote, no_address, "I/O symbols have no address",
      "They are in the model and in traces, and their names give their directions. A PLC does not see them."},
@@ -172,14 +170,12 @@ constexpr Rule kAddressRules[] = {
      "By default a symbol has the number of its address in registers: `%QD5` has 10 and 11, and meets `%QW10`.",
      "What the PLC writes for one of them would reach the other.",
      "Correct an address, or give one a `number` in `links`. `symplant map` shows each index."},
-    {"SP317", "address-without-number", kWarning, nullptr,
-     "one address without a number makes others lose theirs on a link",
+    {"SP317", "address-without-number", kWarning, nullptr, "an address without a number costs others theirs",
      "Of a table most addresses have a number (`%IX1.5` is discrete input 13), and a few have none: a bit of 8 or more "
      "(`%IX1.8`), three parts, 65536 or more. Then all symbols of the table are packed in list order.",
      "Every coil, input or register of that table has another number on the link than its address.",
      "Correct the address, or give the symbol a `number` in the `links` of plant.json: then the others keep theirs."},
-    {"SP319", "addresses-overlap", kWarning, addresses_overlap,
-     "two numbers have common bits, or (a note) a number and its bits are symbols",
+    {"SP319", "addresses-overlap", kWarning, addresses_overlap, "two numbers, or a number and a bit, overlap",
      "SIMATIC numbers bytes: `%ID100` ends with byte 103, and has bits of `%IW102`. A word and its bits (`%IW64` and "
      "`%I64.3`, `K4X0` and `X3`) are usually both wanted.",
      "They are separate symbols: what is written to one does not change the other.",

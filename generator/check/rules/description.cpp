@@ -49,8 +49,7 @@ Pointer pointer_of(const Unit& unit, const State& state) {
   return description::device_pointer(entry == entries.end() ? *unit.described : **entry);
 }
 
-/// Whether a unit may come into a state: at the start, by a transition, a spring or custom code, or because the plant
-/// does not drive it.
+/// Whether a unit may enter a state: at the start, by a transition, a spring or custom code, or as nothing drives it.
 bool may_enter(const Unit& unit, std::uint32_t state) {
   return state == unit.initial || unit.reaches(state) || !unit.moves();
 }
@@ -199,13 +198,11 @@ constexpr Rule kDescriptionRules[] = {
      "AGV.P2`). In a requirement it may name a state that nothing leads to.",
      "A transition never fires, or too early; a requirement that cannot fail tests nothing.",
      "Most often `and` is written for `or`, or the state of another device is meant."},
-    {"SP620", "settings-outdated", kWarning, nullptr,
-     "an entry of the section `check` has no effect, or uses a former name",
+    {"SP620", "settings-outdated", kWarning, nullptr, "an entry of `check` has no effect, or uses a former name",
      "An entry of `ignore` matches no finding, is past its `until`, or names a rule by the name of an earlier version.",
      "Nothing. But an entry that hides nothing today may hide a fault tomorrow.",
      "Remove or correct it. Patterns are compared with the symbol, device or requirement."},
-    {"SP622", "settings-not-valid", kError, nullptr,
-     "the section `check` has an unknown rule, no date, or an error that must stay",
+    {"SP622", "settings-not-valid", kError, nullptr, "`check` has an unknown rule, no date, or an error that must stay",
      "An error after which there is no valid plant is not lowered or ignored. A date is written like `2027-06-30`.",
      "The entry has no effect.", "Correct the entry; the message has the nearest rule. `symplant rules` lists all."},
     {"SP626", "baseline-stale", kWarning, nullptr, "a baseline has findings that are no longer there",

@@ -245,8 +245,7 @@ void no_device(const Find& find) {
 constexpr Rule kDeviceRules[] = {
     {"SP406", "unit-too-large", kWarning, unit_too_large, "a device has more symbols or states than a device may have",
      "A device has at most 64 operations, 64 events and 250 states. Most often all devices have one name.",
-     "All its symbols are served, but are in no device.", "Check the device level of the names.", Rank::row,
-     For::named},
+     "Its symbols are served, but in no device.", "Check the device level of the names.", Rank::row, For::named},
     {"SP408", "initial-ambiguous", kWarning, initial_ambiguous, "several events of a device are on at the start",
      "Several events of one device have Initial TRUE, but a device starts in one state.",
      "None of them counts: it starts in its rest state, else in its first state.",
@@ -259,14 +258,12 @@ constexpr Rule kDeviceRules[] = {
      "`HOME1`, `JOB2`, `DONE2`. If several numbers repeat (`ADV1`, `RET1`, `ADV2`, `RET2`), they count sensors.",
      "The order: the rows decide which of the two comes first.",
      "Give each task a separate number, or give `transitions` in plant.json.", Rank::repeated, For::named},
-    {"SP414", "shape-lacks-symbol", kWarning, shape_lacks_symbol,
-     "a device lacks a symbol that those named like it have",
+    {"SP414", "shape-lacks-symbol", kWarning, shape_lacks_symbol, "a device lacks a symbol that its siblings have",
      "Names are alike if they differ in digits only (`CLAMP1`, `CLAMP2`). At least three others and three quarters of "
      "all must have the symbol. If several, and more than one in eight, lack it, that is intended. Under a custom "
      "naming rule only the sensor of an end is asked for.",
      "A state is never commanded or reported, or the device becomes a single solenoid.",
-     "Add the row, or spell its task as the others do. Ignore the finding if it is intended.", Rank::siblings,
-     For::named},
+     "Add the row, or spell its task as the others do. If it is intended, ignore it.", Rank::siblings, For::named},
     {"SP415", "no-device", kError, no_device, "the plant has I/O symbols and no device",
      "Devices are made from BOOL symbols named by the rule: `EXLINE_MB_AGV_O_P1` and `EXLINE_MB_AGV_I_P1` are an "
      "operation and an event of `EXLINE_MB_AGV`. A custom rule pairs operations and events.",

@@ -30,8 +30,7 @@ bool needs_no_feedback(std::string_view task) {
 }
 
 void operation_without_event(const Find& find) {
-  std::set<std::string>
-      reported;  // under a custom naming rule a task that no device of a class reports has no feedback
+  std::set<std::string> reported;  // under a custom naming rule: the tasks that some device of a class reports
   const auto key = [](const Unit& unit, const State& state) {
     return text::to_upper(fmt::format("{} {}", class_name(unit.device), state.name));
   };
@@ -67,8 +66,8 @@ void event_without_operation(const Find& find, const Unit& unit) {
     const Symbol& symbol = find.symbols[unit.events[state.event]];
     at_side(find, unit, symbol, state.name)
         .say(
-            "`{}` reports `{}` of `{}`, but no operation leads there: add an operation with task `{}`, or number the "
-            "tasks in their order if the device enters it automatically{}",
+            "`{}` reports `{}` of `{}`, but no operation leads there: add operation `{}`, or number the tasks in "
+            "order{}",
             symbol.name(), state.name, unit.path, state.name,
             unit.described == nullptr ? "" : ", or describe a transition");
   }
@@ -126,30 +125,24 @@ void two_words_one_state(const Find& find, const Unit& unit) {
 }
 
 constexpr Rule kFeedbackRules[] = {
-    {"SP401", "operation-without-event", kWarning, operation_without_event,
-     "no event reports a state that the PLC commands",
+    {"SP401", "operation-without-event", kWarning, operation_without_event, "no event reports a commanded state",
      "A device has `O_P2` and other events, but no `I_P2`. Devices of one type make one finding. Devices without any "
      "event are not asked, nor tasks without feedback: ACK, BUZZER, BYPASS, HORN, LAMP, LED, MUTE, RESET and RST.",
      "No input reports the state: a program that waits for it waits forever.",
-     "Add the event, or spell both tasks alike. In plant.json, `outputs` can switch another event.", Rank::last,
-     For::named},
-    {"SP402", "event-without-operation", kWarning, event_without_operation,
-     "no operation leads to the state of an event",
+     "Add the event, or spell both alike. In plant.json, `outputs` can switch another event.", Rank::last, For::named},
+    {"SP402", "event-without-operation", kWarning, event_without_operation, "no operation leads to an event's state",
      "It is neither a spring's rest state nor the next one of a sequence. Devices of one type make one finding.",
      "The event never comes on by itself.",
-     "Add the operation, spell both tasks alike, or number the tasks in their order (`IDLE1`, `RUN2`). In plant.json, "
-     "describe a transition, or switch the event of a further sensor with `outputs`.",
-     Rank::last, For::named},
+     "Add the operation, spell both alike, number tasks, or describe a transition or `outputs`.", Rank::last,
+     For::named},
     {"SP404", "event-not-driven", kNote, event_not_driven, "inputs of the PLC that no device drives",
      "A device has events and no operation: a push button, a light barrier, a healthy contact (emergency stop, air).",
      "The inputs keep their initial values until a scenario, a link or a person sets them.",
-     "Write Initial TRUE for a contact that is on in a healthy plant, or describe what drives it.", Rank::last,
-     For::named},
+     "Write Initial TRUE if it is on in a healthy plant, or describe what drives it.", Rank::last, For::named},
     {"SP405", "two-words-one-state", kWarning, two_words_one_state, "two words may mean one state",
      "A task with only an operation and one with only an event look like forms of one word: `O_CLAMP`, `I_CLAMPED`.",
      "The device goes to CLAMP, and CLAMPED never comes on.",
-     "Spell both alike. If they are two states, add the operation or the event that is missing.", Rank::words,
-     For::built_in},
+     "Spell both alike. If they are two states, add the side that is missing.", Rank::words, For::built_in},
 };
 
 }  // namespace

@@ -126,12 +126,10 @@ void no_io(const Find& find) {
                         model::internal_reason_text(static_cast<model::InternalReason>(i)), plant.internal[i]);
   }
   find.at(location_of(plant, *first, first->name))
-      .say(
-          "none of {} row{} is I/O: {}; export the list that declares the inputs and outputs, with addresses and "
-          "types{}",
-          rows, rows == 1 ? "" : "s", text,
-          shared_area ? ", and give their words, such as `--cio inputs=0-99,outputs=100-199`"
-                      : fmt::format(", or name the symbols by `{}`", plant.rule_text()));
+      .say("none of {} row{} is I/O: {}; export the list of inputs and outputs, with addresses and types{}", rows,
+           rows == 1 ? "" : "s", text,
+           shared_area ? ", and give their words, such as `--cio inputs=0-99,outputs=100-199`"
+                       : fmt::format(", or name the symbols by `{}`", plant.rule_text()));
 }
 
 void several_lists(const Find& find) {
@@ -152,10 +150,9 @@ void several_lists(const Find& find) {
     }
     if (finding.as.related.empty()) continue;
     for (const std::string_view name : followers[i]) finding.explains(Kind::address, name);
-    finding.say(
-        "this text holds {} lists, because {}: they are read as one; if they belong to different PLCs, give each "
-        "`\"part\"` its `\"controller\"` in plant.json",
-        finding.as.related.size() + 1, table.parts.empty() ? "the addresses start over" : "the header occurs again");
+    finding.say("this text holds {} lists ({}), read as one: give each `\"part\"` its `\"controller\"` in plant.json",
+                finding.as.related.size() + 1,
+                table.parts.empty() ? "the addresses start over" : "the header occurs again");
   }
 }
 
@@ -163,26 +160,22 @@ constexpr Rule kRowRules[] = {
     {"SP301", "duplicate-symbol", kWarning, duplicate_symbol, "a symbol is declared twice, identically",
      "Two rows have one name, address and type. The case of ASCII letters does not count, as in PLC tools.",
      "Nothing: the first row counts.", "Delete one of the rows."},
-    {"SP302", "symbol-declared-differently", kError, symbol_declared_differently,
-     "a symbol is declared twice with different addresses or types",
+    {"SP302", "symbol-declared-differently", kError, symbol_declared_differently, "two different rows have one name",
      "Two rows have one name, but differ in address, type or controller. Names are unique across a plant.",
      "The plant cannot be built: whichever row counted, the program might mean the other.",
      "Rename one of the symbols, or delete the wrong row.", Rank::row},
-    {"SP305", "direction-against-address", kWarning, direction_against_address,
-     "a name gives one direction, its address the other",
+    {"SP305", "direction-against-address", kWarning, direction_against_address, "name and address differ in direction",
      "`..._I_...` has the address of an output (Y, `%Q`), or `..._O_...` that of an input (X, `%I`).",
      "The address counts, since it is wired. If it is wrong, the device lacks a symbol. If the device has a symbol of "
      "that direction and task, the later row is in no device.",
-     "Correct the name or the address. A naming rule may give the name priority, or make this an error.",
-     Rank::direction},
+     "Correct one of them. A naming rule may give the name priority, or make this an error.", Rank::direction},
     {"SP306", "type-against-address", kWarning, type_against_address, "a type needs another size of address",
      "A BOOL on `%IW5`, an INT on `X0010`.",
      "The symbol is in the model, but on no link: its register or bit is unknown.",
      "BOOL goes with X, Y, `%IX`, `%QX`; 16-bit types with `%IW`, `%QW`; 32-bit types with `%ID`.", Rank::row},
     {"SP310", "initial-not-understood", kWarning, initial_not_understood, "an initial value cannot be read",
      "BOOL takes TRUE, FALSE, 1 or 0; numbers are written like 5, -3, 16#1F, K5, H1F or 1.5 and must fit their type.",
-     "The symbol starts off, or at 0, and its device perhaps in another state.", "Correct the cell, or leave it empty.",
-     Rank::value},
+     "The symbol starts off, or at 0, and its device accordingly.", "Correct the cell, or empty it.", Rank::value},
     {"SP311", "operation-initial-ignored", kNote, operation_initial_ignored, "an operation has an initial value",
      "The PLC writes operations (its outputs): they start off until a PLC, a scenario or a person sets them."},
     {"SP313", "type-of-no-io", kWarning, type_of_no_io, "an input or output has a type that no I/O symbol has",
@@ -194,13 +187,10 @@ constexpr Rule kRowRules[] = {
      "Everything.",
      "Export the address columns, or the list that declares the inputs and outputs. For an Omron PLC give the words of "
      "the CIO area: `--cio inputs=0-99,outputs=100-199`."},
-    {"SP323", "io-name-in-memory", kWarning, io_name_in_memory,
-     "a name of an input or output has an address in the PLC's memory",
+    {"SP323", "io-name-in-memory", kWarning, io_name_in_memory, "an input or output is in the PLC's memory",
      "A name with a direction, `LINE_PROC_DEV_I_TASK`, has the address `M100` or `%MX0.3`.",
      "The row is left out: memory belongs to the program. The device lacks the symbol.",
-     "Write the address that is wired. If the program copies its I/O to memory, remove the address and place the "
-     "symbol with `map` in the `links` of plant.json.",
-     Rank::address, For::built_in},
+     "Write the wired address, or none, and place the symbol with `map` in `links`.", Rank::address, For::built_in},
     {"SP330", "several-lists", kWarning, several_lists, "a text holds several lists one after the other",
      "The header occurs again, or most of the next rows have I/O addresses that rows before them have.",
      "All rows are read as one PLC's, and symbols of one address are kept equal.",

@@ -12,9 +12,7 @@
 namespace symplant::check {
 namespace {
 
-/// The parts of a name that are compared: its line, its process, and the rest.
-constexpr std::size_t kParts = 3;
-
+/// Of the three parts of a name that are compared: its line, its process, or the rest.
 std::string_view part_of(const Symbol& symbol, std::size_t part) {
   const name::NameReading& reading = symbol.reading;
   if (part != 2) return part == 0 ? reading.line() : reading.process();
@@ -219,7 +217,7 @@ class Slips {
 
 void name_slip(const Find& find) {
   Slips slips(find);
-  for (std::size_t part = 0; part < kParts; ++part) slips.compare(part);
+  for (std::size_t part = 0; part < 3; ++part) slips.compare(part);
   slips.complete();
   slips.say();
 }
@@ -232,8 +230,7 @@ constexpr Rule kSpellingRules[] = {
      "is there.\n- The word is rare, and the one that is meant is eight times as common.\n- One of two devices that "
      "differ in line or process has just what the other lacks: `EXCELL_MB_AGV` and `EXLINE_MB_AGV`.",
      "The symbol becomes another device or state, and the device that is meant lacks it.",
-     "Write the word that is meant. If both words are meant, ignore the finding in plant.json.", Rank::name,
-     For::built_in},
+     "Write the word that is meant. If both are meant, ignore the finding in plant.json.", Rank::name, For::built_in},
 };
 
 }  // namespace

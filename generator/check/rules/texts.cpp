@@ -96,8 +96,7 @@ text::ByName<Word> words_of(const PlantModel& plant) {
   return words;
 }
 
-/// Whether an inner letter is missing in one of two near words, or two are exchanged. Else they may be two words, or
-/// two forms of one.
+/// Whether an inner letter is missing in one of two near words, or two are exchanged. Else they may be two words.
 bool are_one_word(std::u32string_view a, std::u32string_view b) {
   return a.front() == b.front() && a.back() == b.back() && !differ_by_another_letter(a, b);
 }
@@ -141,8 +140,7 @@ void two_spellings(const Find& find) {
   }
 }
 
-/// The last word of a text, in capitals; empty if the text ends otherwise or in another script: there, words often
-/// differ in an ending.
+/// The last word of a text, in capitals; empty if the text ends otherwise or in another script.
 std::string last_word(std::string_view text) {
   std::string last;
   visit_words(text, [&](std::string_view word, std::size_t at) {
@@ -189,8 +187,7 @@ constexpr Rule kTextRules[] = {
     {"SP210", "letters-alike", kWarning, letters_alike, "words in letters of two scripts that look alike",
      "A name has a word in Cyrillic or Greek letters, and another name has it in Latin ones: `КА12` and `KA2`.",
      "The symbols of one device become two devices, and patterns read only some of them.",
-     "Write the word in Latin letters. In naming.json, `\"replace\": [[\"КА\", \"KA\"]]` makes them equal.",
-     Rank::name},
+     "Write it in Latin letters. In naming.json, `\"replace\": [[\"КА\", \"KA\"]]` makes them equal.", Rank::name},
     {"SP211", "two-spellings", kWarning, two_spellings, "one word is spelled in two forms",
      "`SAFTY` and `SAFETY`, `NORMAL` and `NOMAL`: an inner letter is missing, or two are exchanged.",
      "A pattern with one spelling does not match the other.",
