@@ -100,25 +100,33 @@ void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, 
   }
 }
 
+link::Table table_of(const model::Symbol& symbol) {
+  const bool bit = symbol.type == tables::DataType::boolean;
+  if (symbol.direction == tables::Direction::event)
+    return bit ? link::Table::discrete_input : link::Table::input_register;
+  return bit ? link::Table::coil : link::Table::holding_register;
+}
+
 /// Of each packed table, the symbols whose addresses have no number, if most of its symbols have one.
-void add_packed_findings(const model::PlantModel& plant, const tables::PlantTables& tables, const link::IoMap& map,
-                         const link::LinkSettings& settings, diag::Diagnostics& diagnostics) {
+void add_packed_findings(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller,
+                         const link::IoMap& map, diag::Diagnostics& diagnostics) {
   std::array<std::size_t, link::kTables> numbered{};
   std::array<std::vector<const model::Symbol*>, link::kTables> others;
-  for (const link::IoPoint& point : map.points) {
-    const auto t = static_cast<std::size_t>(point.table);
-    const bool given = std::any_of(settings.rows.begin(), settings.rows.end(), [&](const link::MapRow& row) {
-      return row.symbol == point.symbol && row.number != link::MapRow::kDefault;
-    });
-    if (!map.packed[t] || given) continue;
-    if (link::own_number(tables.symbols[point.symbol]) != tables::kNone) {
+  std::vector<bool> given(plant.symbols.size());
+  for (const link::MapRow& row : plant.links[controller].rows) given[row.symbol] = row.number != link::MapRow::kDefault;
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    const model::Symbol& symbol = plant.symbols[i];
+    const auto t = static_cast<std::size_t>(table_of(symbol));
+    const bool linked = tables.symbols[i].form() != tables::AddressForm::none && !link::is_8_bits(symbol.type);
+    if (!map.packed[t] || given[i] || !linked || plant.controller_of(symbol) != controller) continue;
+    if (link::own_number(tables.symbols[i]) != tables::kNone) {
       ++numbered[t];
     } else {
-      others[t].push_back(&plant.symbols[point.symbol]);
+      others[t].push_back(&symbol);
     }
   }
   for (std::size_t t = 0; t < link::kTables; ++t) {
-    if (numbered[t] <= others[t].size()) continue;  // such a list is packed as a whole
+    if (others[t].empty() || numbered[t] <= others[t].size()) continue;  // such a list is packed as a whole
     const model::Symbol& symbol = *others[t].front();
     std::vector<diag::Related> related;
     for (std::size_t i = 1; i < std::min<std::size_t>(others[t].size(), 10); ++i) {
@@ -172,7 +180,7 @@ void add_map_findings(const model::PlantModel& plant, const lower::EngineTables&
     if (check_client(plant, tables, controller, faults)) continue;
     const link::IoMap map = link::make_io_map(tables, controller, plant.links[controller].settings());
     add_size_faults(tables, map, link_pointer(plant, controller), faults);
-    add_packed_findings(plant, tables, map, plant.links[controller].settings(), diagnostics);
+    add_packed_findings(plant, tables, controller, map, diagnostics);
     for (const link::MapFault& fault : map.faults) {
       if (fault.kind == Kind::beyond_size || fault.kind == Kind::beyond_end) continue;  // already reported
       std::string message = link::fault_text(tables, map, fault);

@@ -202,7 +202,8 @@ void shape_lacks_symbol(const Find& find) {
   }
   for (const auto& [name, siblings] : classes) {
     const std::vector<Common> common = common_symbols(siblings);
-    for (const auto& [path, device] : siblings) {
+    for (const auto& sibling : siblings) {
+      const Device& device = sibling.second;
       std::vector<Common> lacks = common;
       std::erase_if(lacks, [&](const Common& each) {
         return find_in(device, each.symbol->direction, each.symbol->reading.task()) != nullptr;
@@ -233,13 +234,12 @@ void no_device(const Find& find) {
   std::string text;
   for (const auto& [why, count] : reasons) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, why);
   const Symbol& first = plant.symbols.front();
-  const std::string list = plant.lists[first.list].name();
   find.at(location_of(plant, *first.row, first.name()))
       .say("none of {} I/O symbol{} is in a device of the naming rule `{}`: {}; {}; until then nothing moves",
            plant.symbols.size(), plant.symbols.size() == 1 ? "" : "s", plant.rule_text(), text,
-           plant.pairing != nullptr
-               ? "correct the rule"
-               : fmt::format("let `symplant infer {} -o naming.json` propose the rule of the list", list));
+           plant.pairing != nullptr ? "correct the rule"
+                                    : fmt::format("let `symplant infer {} -o naming.json` propose the rule",
+                                                  plant.lists[first.list].name()));
 }
 
 constexpr Rule kDeviceRules[] = {

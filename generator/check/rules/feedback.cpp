@@ -6,6 +6,7 @@
 #include "check/rule.hpp"
 #include "check/words.hpp"
 #include "model/part_words.hpp"
+#include "text/ascii.hpp"
 #include "text/shape.hpp"
 
 namespace symplant::check {

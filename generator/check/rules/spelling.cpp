@@ -154,7 +154,7 @@ class Slips {
     missing_.erase(text::to_upper(meant));
     missing_.erase(text::to_upper(other_side));
     add(symbol, meant, device,
-        device ? fmt::format(": `{}` lacks just what has it", path)
+        device ? fmt::format(", and `{}` lacks just this symbol", path)
                : fmt::format(", which {} symbols have, digits apart", common.count));
     return true;
   }

@@ -28,15 +28,17 @@ std::vector<std::string> clamps(int count) {
 TEST_CASE("A symbol that another device lacks belongs to it") {
   std::vector<std::string> names = clamps(5);
   names[9] = "L_ST3_CLAPM1_O_RET";
-  CHECK(slips_of(names) == std::vector<std::string>{"`CLAPM1` looks like a typo of `CLAMP1`: `L_ST3_CLAMP1` lacks just "
-                                                    "what has it; write `CLAMP1` if that is meant"});
+  CHECK(slips_of(names) ==
+        std::vector<std::string>{"`CLAPM1` looks like a typo of `CLAMP1`, and `L_ST3_CLAMP1` lacks just "
+                                 "this symbol; write `CLAMP1` if that is meant"});
 }
 
 TEST_CASE("A task that no sibling has is the missing one of its device") {
   std::vector<std::string> names = clamps(5);
   names[6] = "L_ST2_CLAMP1_I_AVD";
-  CHECK(slips_of(names) == std::vector<std::string>{"`AVD` looks like a typo of `ADV`: `L_ST2_CLAMP1` lacks just what "
-                                                    "has it; write `ADV` if that is meant"});
+  CHECK(slips_of(names) ==
+        std::vector<std::string>{"`AVD` looks like a typo of `ADV`, and `L_ST2_CLAMP1` lacks just this "
+                                 "symbol; write `ADV` if that is meant"});
 }
 
 TEST_CASE("A word of two letters is reported if a device lacks this symbol, not because it is rare") {
@@ -53,7 +55,8 @@ TEST_CASE("A word of two letters is reported if a device lacks this symbol, not 
 TEST_CASE("Without siblings the other direction confirms a slip") {
   const auto slips = slips_of({"L_P_TABLE_O_WORK", "L_P_TABLE_I_WORK", "L_P_TABLE_O_LOAD", "L_P_TABEL_I_LOAD"});
   REQUIRE(slips.size() == 1);
-  CHECK_THAT(slips[0], Catch::StartsWith("`TABEL` looks like a typo of `TABLE`: `L_P_TABLE` lacks just what has it"));
+  CHECK_THAT(slips[0],
+             Catch::StartsWith("`TABEL` looks like a typo of `TABLE`, and `L_P_TABLE` lacks just this symbol"));
 }
 
 TEST_CASE("A device misspelled in all rows is reported once, by its rare word") {
@@ -115,13 +118,12 @@ TEST_CASE("Two devices that differ in their line and complement each other are o
     return found;
   };
   CHECK(messages({"EXCELL_MB_AGV_I_P1", "EXCELL_MB_AGV_I_P2", "EXLINE_MB_AGV_O_P1", "EXLINE_MB_AGV_O_P2"}) ==
-        std::vector<std::string>{
-            "`EXLINE` looks like a typo of `EXCELL`, or the reverse: `EXLINE_MB_AGV` has just "
-            "what `EXCELL_MB_AGV` lacks; write `EXCELL` if that is meant"});
-  CHECK(messages({"EXCELL_MB_AGV_I_P1", "EXLINE_MB_AGV_I_P2", "EXLINE_MB_AGV_O_P1", "EXLINE_MB_AGV_O_P2"}) ==
-        std::vector<std::string>{
-            "`EXCELL` looks like a typo of `EXLINE`, or the reverse: `EXCELL_MB_AGV` has just what "
-            "`EXLINE_MB_AGV` lacks; write `EXLINE` if that is meant"});
+        std::vector<std::string>{"`EXLINE` looks like a typo of `EXCELL`, or the reverse: `EXLINE_MB_AGV` has just "
+                                 "what `EXCELL_MB_AGV` lacks; write `EXCELL` if that is meant"});
+  CHECK(
+      messages({"EXCELL_MB_AGV_I_P1", "EXLINE_MB_AGV_I_P2", "EXLINE_MB_AGV_O_P1", "EXLINE_MB_AGV_O_P2"}) ==
+      std::vector<std::string>{"`EXCELL` looks like a typo of `EXLINE`, or the reverse: `EXCELL_MB_AGV` has just what "
+                               "`EXLINE_MB_AGV` lacks; write `EXLINE` if that is meant"});
   // A process, too, but not one with another number; not a device, since `PB` and `PL` are a button and its lamp.
   CHECK(slips_of({"L_MB_AGV_I_P1", "L_MB_AGV_I_P2", "L_MAIN_AGV_O_P1", "L_MAIN_AGV_O_P2"}).size() == 1);
   CHECK(slips_of({"L_ST1_AGV_I_P1", "L_ST1_AGV_I_P2", "L_ST2_AGV_O_P1", "L_ST2_AGV_O_P2"}).empty());
