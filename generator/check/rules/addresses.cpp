@@ -176,8 +176,8 @@ constexpr Rule kAddressRules[] = {
      "Every coil, input or register of that table has another number on the link than its address.",
      "Correct the address, or give the symbol a `number` in the `links` of plant.json: then the others keep theirs."},
     {"SP319", "addresses-overlap", kWarning, addresses_overlap, "two numbers, or a number and a bit, overlap",
-     "SIMATIC numbers bytes: `%ID100` ends with byte 103, and has bits of `%IW102`. A word and its bits (`%IW64` and "
-     "`%I64.3`, `K4X0` and `X3`) are usually both wanted.",
+     "SIMATIC numbers bytes: `%ID100` has bits of `%IW102`. A word and its bits (`%IW64`, `%I64.3`) are usually "
+     "wanted.",
      "They are separate symbols: what is written to one does not change the other.",
      "Correct the address, or let the PLC program use one of them."},
 };

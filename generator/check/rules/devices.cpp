@@ -129,8 +129,7 @@ struct Common {
   std::size_t count;
 };
 
-/// Three quarters of the others must have it, and three at least. If more than one in eight, and more than one, lack
-/// it, that is intended.
+/// Three quarters of the others have it, three at least. If several, and over one in eight, lack it, that is intended.
 std::vector<Common> common_symbols(const Siblings& siblings) {
   std::vector<Common> symbols;
   std::array<text::ByName<std::size_t>, 2> by_task;

@@ -184,9 +184,7 @@ constexpr Rule kRowRules[] = {
     {"SP318", "no-io", kError, no_io, "no row of the plant's lists is an input or output",
      "A row is I/O if it has an address of inputs or outputs (X, Y, `%I`, `%Q`), or no address and a name with a "
      "direction. Constants, memory (M, D, `%M`) and types such as TIME are internal.",
-     "Everything.",
-     "Export the address columns, or the list that declares the inputs and outputs. For an Omron PLC give the words of "
-     "the CIO area: `--cio inputs=0-99,outputs=100-199`."},
+     "Everything.", "Export addresses, or the list of inputs and outputs. Omron: `--cio inputs=0-99,outputs=100-199`."},
     {"SP323", "io-name-in-memory", kWarning, io_name_in_memory, "an input or output is in the PLC's memory",
      "A name with a direction, `LINE_PROC_DEV_I_TASK`, has the address `M100` or `%MX0.3`.",
      "The row is left out: memory belongs to the program. The device lacks the symbol.",
@@ -194,8 +192,7 @@ constexpr Rule kRowRules[] = {
     {"SP330", "several-lists", kWarning, several_lists, "a text holds several lists one after the other",
      "The header occurs again, or most of the next rows have I/O addresses that rows before them have.",
      "All rows are read as one PLC's, and symbols of one address are kept equal.",
-     "In plant.json: `\"symbols\": [ { \"file\": \"all.csv\", \"part\": 1, \"controller\": \"A\" }, ... ]`. Or set "
-     "`\"severity\": { \"several-lists\": \"note\" }`.",
+     "In plant.json: `\"symbols\": [{ \"file\": \"a.csv\", \"part\": 1, \"controller\": \"A\" }, ...]`.",
      Rank::address},
 };
 

@@ -58,6 +58,7 @@ class Slips {
     std::vector<CountedWord> words;                   // texts that are equal, digits apart
     std::vector<std::string> like;                    // one of them
     std::vector<std::vector<const Symbol*>> symbols;  // which have it
+    texts_ = {};
     std::string_view last;
     std::size_t place = 0;  // of the last one: names next to each other often have one line and process
     const auto add = [&](std::string_view text, const Symbol* symbol) {
@@ -66,6 +67,7 @@ class Slips {
         place = index.try_emplace(word, words.size()).first->second;
         if (place == words.size()) {
           words.push_back({capitals(word), 0});
+          ++texts_[first_level(words.back().text)];
           like.emplace_back(text);
           symbols.emplace_back();
         }
@@ -143,7 +145,7 @@ class Slips {
     if (has(meant) || text::equal_ignoring_case(meant, other_side)) return false;
     const std::string_view path = device_of(meant);
     const bool device = has(path);
-    const bool whole = rare.count == 1 && rare.text.find(U'_') == rare.text.npos;  // all of a line or process
+    const bool whole = rare.count == 1 && texts_[first_level(rare.text)] == 1;  // all of a line, process or device
     const bool codes = !whole && may_be_codes(rare.text, common.text);
     const bool is_rare = common.count >= (device && !codes ? 3 : 8) * rare.count && (device || !codes);
     // A NIGHT is commanded, a LIGHT is reported: they are complete.
@@ -208,7 +210,10 @@ class Slips {
     slipped_.insert(symbol.reading.device_path());
   }
 
+  static std::u32string first_level(const std::u32string& text) { return text.substr(0, text.find(U'_')); }
+
   const Find& find_;
+  std::map<std::u32string, std::size_t> texts_;  ///< by their first level: how many are compared
   text::ByName<bool> known_;
   std::map<std::string, bool> missing_;  ///< other sides of symbols; whether their devices have that side at all
   std::map<std::string, Finding> findings_;
