@@ -22,6 +22,10 @@ std::optional<Address> parse_omron(std::string_view text, const IoRanges* ranges
 /// Reference numbers of 5 or 6 digits: 10001, 400001, with a bit 30001.3.
 std::optional<Address> parse_modbus(std::string_view text);
 
+/// As parse_iec() and parse_melsec(), always by the grammar, which those use only for unusual addresses. For tests.
+std::optional<Address> parse_iec_by_grammar(std::string_view text);
+std::optional<Address> parse_melsec_by_grammar(std::string_view text, Radix radix);
+
 // Writers: nothing if the notation has no such address, or the value does not hold its text.
 
 std::optional<std::string> iec_text(const Address& address, Radix);

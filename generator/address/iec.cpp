@@ -101,9 +101,22 @@ Address address_of(const IecText& written) {
                  static_cast<std::uint64_t>(written.size) * number);
 }
 
+/// %IX1 and %QX1, as most cells have them.
+std::optional<Address> usual_iec(std::string_view text) {
+  if (text.size() < 4 || text[0] != '%' || text[2] != 'X' || (text[1] != 'I' && text[1] != 'Q')) return std::nullopt;
+  const auto number = usual_number(text.substr(3), 10);
+  if (!number) return std::nullopt;
+  return at_bits(text[1] == 'I' ? Area::input : Area::output, Size::bit, kBits, Size::bit, *number);
+}
+
 }  // namespace
 
 std::optional<Address> parse_iec(std::string_view text) {
+  if (const auto usual = usual_iec(text)) return usual;
+  return parse_iec_by_grammar(text);
+}
+
+std::optional<Address> parse_iec_by_grammar(std::string_view text) {
   IecText written;
   if (!matches(trimmed(text), kIec, written)) return std::nullopt;
   if (written.assigned) return address_of(written);

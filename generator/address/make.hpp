@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "address/address.hpp"
@@ -69,6 +70,22 @@ constexpr Address at_bits(Area area, Size size, Bank bank, Size element, std::ui
     address.number = first_bit / bits;
   }
   return address;
+}
+
+/// The number that a text of nothing but digits of a radix is; nothing for other texts, and for those that are too long
+/// to be sure that the number fits. For the addresses that most cells hold: the grammars read all others.
+constexpr std::optional<std::uint64_t> usual_number(std::string_view digits, std::uint64_t radix) {
+  if (digits.empty() || digits.size() > 15) return std::nullopt;
+  std::uint64_t number = 0;
+  for (const char c : digits) {
+    const char capital = text::upper(c);
+    const std::uint64_t digit = text::is_digit(c)                  ? static_cast<std::uint64_t>(c - '0')
+                                : capital >= 'A' && capital <= 'F' ? static_cast<std::uint64_t>(capital - 'A') + 10
+                                                                   : radix;
+    if (digit >= radix) return std::nullopt;
+    number = number * radix + digit;
+  }
+  return number;
 }
 
 /// The text without blanks around it.

@@ -178,9 +178,22 @@ std::optional<Address> of_digits(const MelsecText& written) {
   return address;
 }
 
+/// X1F and Y0001, as most cells have them.
+std::optional<Address> usual_melsec(std::string_view text, Radix radix) {
+  if (text.empty() || (text[0] != 'X' && text[0] != 'Y')) return std::nullopt;
+  const auto number = usual_number(text.substr(1), static_cast<std::uint64_t>(radix));
+  if (!number) return std::nullopt;
+  return at_bits(text[0] == 'X' ? Area::input : Area::output, Size::bit, kBits, Size::bit, *number);
+}
+
 }  // namespace
 
 std::optional<Address> parse_melsec(std::string_view text, Radix radix) {
+  if (const auto usual = usual_melsec(text, radix)) return usual;
+  return parse_melsec_by_grammar(text, radix);
+}
+
+std::optional<Address> parse_melsec_by_grammar(std::string_view text, Radix radix) {
   text = trimmed(text);
   MelsecText written{radix};
   if (matches(text, kMelsecDevice, written)) return of_device(written);

@@ -9,7 +9,8 @@
 #include <variant>
 
 #include "app/map/texts.hpp"
-#include "check/rules.hpp"
+#include "check/catalogue.hpp"
+#include "check/rule.hpp"
 #include "description/description_rules.hpp"
 #include "symplant/link/client_parts.hpp"
 #include "symplant/link/io_map.hpp"
@@ -20,6 +21,8 @@ namespace symplant::app {
 namespace {
 
 using Kind = link::MapFault::Kind;
+
+constexpr std::uint64_t kAddresses = 65'536;  ///< of a table
 
 bool is_link_of(const model::PlantModel& plant, std::uint32_t controller, const description::LinkDescription& link) {
   if (!link.controller.empty()) return text::equal_ignoring_case(link.controller, plant.controllers[controller]);
@@ -97,6 +100,48 @@ void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, 
   }
 }
 
+link::Table table_of(const model::Symbol& symbol) {
+  const bool bit = symbol.type == tables::DataType::boolean;
+  if (symbol.direction == tables::Direction::event)
+    return bit ? link::Table::discrete_input : link::Table::input_register;
+  return bit ? link::Table::coil : link::Table::holding_register;
+}
+
+/// Of each packed table, the symbols whose addresses have no number, if most of its symbols have one.
+void add_packed_findings(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller,
+                         const link::IoMap& map, diag::Diagnostics& diagnostics) {
+  std::array<std::size_t, link::kTables> numbered{};
+  std::array<std::vector<const model::Symbol*>, link::kTables> others;
+  std::vector<bool> given(plant.symbols.size());
+  for (const link::MapRow& row : plant.links[controller].rows) given[row.symbol] = row.number != link::MapRow::kDefault;
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    const model::Symbol& symbol = plant.symbols[i];
+    const auto t = static_cast<std::size_t>(table_of(symbol));
+    const bool linked = tables.symbols[i].form() != tables::AddressForm::none && !link::is_8_bits(symbol.type);
+    if (!map.packed[t] || given[i] || !linked || plant.controller_of(symbol) != controller) continue;
+    if (link::own_number(tables.symbols[i]) != tables::kNone) {
+      ++numbered[t];
+    } else {
+      others[t].push_back(&symbol);
+    }
+  }
+  for (std::size_t t = 0; t < link::kTables; ++t) {
+    if (others[t].empty() || numbered[t] <= others[t].size()) continue;  // such a list is packed as a whole
+    const model::Symbol& symbol = *others[t].front();
+    std::vector<diag::Related> related;
+    for (std::size_t i = 1; i < std::min<std::size_t>(others[t].size(), 10); ++i) {
+      const model::Symbol& other = *others[t][i];
+      related.push_back({check::location_of(plant, *other.row, other.address_cell()), "this one has no number either"});
+    }
+    diagnostics.add(*check::find_rule("SP317"), check::about(symbol),
+                    fmt::format("`{}` has no number on a link, so {} other {}s are in list order and do not have their "
+                                "own numbers: correct it, or give `{}` a `number` in `links`",
+                                symbol.address_cell(), numbered[t] + others[t].size() - 1,
+                                link::table_name(static_cast<link::Table>(t)), symbol.name()),
+                    check::location_of(plant, *symbol.row, symbol.address_cell()), std::move(related));
+  }
+}
+
 }  // namespace
 
 const description::LinkDescription* link_of(const model::PlantModel& plant, std::uint32_t controller) {
@@ -114,12 +159,17 @@ const description::LinkDescription* client_link_of(const model::PlantModel& plan
   return nullptr;
 }
 
-bool symbols_can_overlap(const model::PlantModel& plant) {
+bool map_can_have_findings(const model::PlantModel& plant) {
   const bool is_set = std::any_of(
       plant.description->links.begin(), plant.description->links.end(),
       [](const description::LinkDescription& link) { return link.has_settings || link::is_client(link.url); });
-  return is_set || std::any_of(plant.symbols.begin(), plant.symbols.end(),
-                               [](const model::Symbol& symbol) { return link::width_of(symbol.type) > 1; });
+  std::size_t odd = 0;
+  bool wide = false;
+  for (const model::Symbol& symbol : plant.symbols) {
+    odd += symbol.address && (!symbol.address->plain || symbol.address->number >= kAddresses) ? 1U : 0U;
+    wide = wide || link::width_of(symbol.type) > 1;
+  }
+  return is_set || wide || (odd != 0 && 2 * odd < plant.symbols.size());
 }
 
 void add_map_findings(const model::PlantModel& plant, const lower::EngineTables& lowered,
@@ -130,6 +180,7 @@ void add_map_findings(const model::PlantModel& plant, const lower::EngineTables&
     if (check_client(plant, tables, controller, faults)) continue;
     const link::IoMap map = link::make_io_map(tables, controller, plant.links[controller].settings());
     add_size_faults(tables, map, link_pointer(plant, controller), faults);
+    add_packed_findings(plant, tables, controller, map, diagnostics);
     for (const link::MapFault& fault : map.faults) {
       if (fault.kind == Kind::beyond_size || fault.kind == Kind::beyond_end) continue;  // already reported
       std::string message = link::fault_text(tables, map, fault);
@@ -140,9 +191,9 @@ void add_map_findings(const model::PlantModel& plant, const lower::EngineTables&
       }
       const model::Symbol& other = plant.symbols[fault.symbol];
       const model::Symbol& symbol = plant.symbols[fault.other];
-      diagnostics.add(check::kSymbolsOverlap.info, check::about(symbol), std::move(message),
-                      check::location_of(plant, *symbol.row, symbol.address_cell),
-                      {{check::location_of(plant, *other.row, other.address_cell), "the other symbol"}});
+      diagnostics.add(*check::find_rule("SP316"), check::about(symbol), std::move(message),
+                      check::location_of(plant, *symbol.row, symbol.address_cell()),
+                      {{check::location_of(plant, *other.row, other.address_cell()), "the other symbol"}});
     }
   }
   if (!faults.empty()) description::add_findings(plant.description_source, faults, diagnostics);

@@ -13,12 +13,12 @@ const description::LinkDescription* link_of(const model::PlantModel& plant, std:
 /// The link of plant.json to this controller that goes to the PLC; null if there is none.
 const description::LinkDescription* client_link_of(const model::PlantModel& plant, std::uint32_t controller);
 
-/// Whether addresses of this plant can overlap at all: a symbol has more than 16 bits, or a link of the description has
-/// settings. O(symbols).
-bool symbols_can_overlap(const model::PlantModel& plant);
+/// Whether symbols of this plant can overlap at all, or lose the numbers of their addresses: a symbol has more than 16
+/// bits, a link of the description has settings, or some addresses have no number on a link. O(symbols).
+bool map_can_have_findings(const model::PlantModel& plant);
 
-/// Reports symbols with overlapping addresses (SP316), and settings that do not fit the map, at their locations in the
-/// description. The plant must be without errors. O(symbols).
+/// Reports symbols with overlapping addresses (SP316), addresses without a number (SP317), and settings that do not fit
+/// the map, at their locations in the description. The plant must be without errors. O(symbols).
 void add_map_findings(const model::PlantModel& plant, const lower::EngineTables& lowered,
                       diag::Diagnostics& diagnostics);
 

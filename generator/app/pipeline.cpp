@@ -15,7 +15,6 @@
 #include "app/read_inputs.hpp"
 #include "app/url_findings.hpp"
 #include "check/catalogue.hpp"
-#include "check/check_plant.hpp"
 #include "description/description_rules.hpp"
 #include "findings/finish.hpp"
 #include "lower/limits.hpp"
@@ -75,7 +74,7 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
   if (!inputs.readable) return;
   check::check_plant(plant, derived.evidence, diagnostics);
   lower::check_limits(tables, diagnostics);
-  if (!check::has_stopping_errors(diagnostics) && symbols_can_overlap(plant))
+  if (!check::has_stopping_errors(diagnostics) && map_can_have_findings(plant))
     add_map_findings(plant, tables, diagnostics);
 }
 
@@ -106,7 +105,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
                                 diag::Diagnostics& diagnostics) {
   const std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
-    diagnostics = findings::select(diagnostics, options.selection);
+    diagnostics = findings::sift(diagnostics, {}, {}, options.selection);
     diagnostics.sort_by_location();
     return std::nullopt;
   }
@@ -119,7 +118,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
   if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
   const bool sound = inputs->readable && derived.evidence.faults.empty();
-  const bool lowered = sound && (options.tables || symbols_can_overlap(derived.plant));
+  const bool lowered = sound && (options.tables || map_can_have_findings(derived.plant));
   progress.stage("lowering");
   lower::EngineTables tables = lowered ? lower::lower(derived.plant) : lower::EngineTables();
   progress.stage("checking");

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <vector>
 
 #include "base/descriptor.hpp"
 #include "base/large_memory.hpp"
@@ -79,26 +80,21 @@ Result<std::string, FileError> DiskFileSystem::read(const std::string& path) con
   struct stat about {};
   if (::fstat(file.number(), &about) != 0) return error_of("read", path, errno);
   if (S_ISDIR(about.st_mode)) return error_of("read", path, EISDIR);
-  constexpr std::size_t kAtLeast = 64 * 1024;
   constexpr std::size_t kMostOfAStream = std::size_t{256} << 20U;  // of a file without a size: a pipe, /dev/zero
   std::string content;
-  std::size_t filled = 0;
-  // One byte more than the size, so that the end of the file is found without growing the buffer.
-  const std::size_t size = S_ISREG(about.st_mode) ? static_cast<std::size_t>(about.st_size) + 1 : kAtLeast;
-  reserve_large(content, size);
-  content.resize(size);
+  if (S_ISREG(about.st_mode)) reserve_large(content, static_cast<std::size_t>(about.st_size));
+  // Through a buffer that stays in the cache: a string of the size would be filled with zeros first.
+  std::vector<char> buffer(std::size_t{256} << 10U);
   for (;;) {
-    if (!S_ISREG(about.st_mode) && filled > kMostOfAStream) {
+    if (!S_ISREG(about.st_mode) && content.size() > kMostOfAStream) {
       return FileError{"cannot read `" + path + "`: more than 256 MB came from it and it has no end; give a file"};
     }
-    if (filled == content.size()) content.resize(content.size() * 2 + kAtLeast);
-    const ssize_t count = ::read(file.number(), content.data() + filled, content.size() - filled);
+    const ssize_t count = ::read(file.number(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return error_of("read", path, errno);
     if (count == 0) break;
-    filled += static_cast<std::size_t>(count);
+    content.append(buffer.data(), static_cast<std::size_t>(count));
   }
-  content.resize(filled);
   return content;
 }
 

@@ -41,8 +41,9 @@ class IndexTable {
     return index;
   }
 
-  /// Fetches the slot of a hash into the cache, before a search for it.
-  void prefetch(std::uint64_t hash) const {
+  /// Fetches the slot of a hash into the cache, before a search for it. Inlined in any case: g++ 12 drops calls of
+  /// functions that only prefetch.
+  [[gnu::always_inline]] void prefetch(std::uint64_t hash) const {
     if (!slots_.empty()) __builtin_prefetch(&slots_[folded(hash) & (slots_.size() - 1)], 1);
   }
 

@@ -1,4 +1,4 @@
-// Every rule of the tool, those of reading included.
+// Every rule of the tool, those of reading included, and the check of a plant.
 #pragma once
 
 #include <string>
@@ -6,21 +6,24 @@
 #include <vector>
 
 #include "diag/diagnostic.hpp"
+#include "model/evidence.hpp"
+#include "model/plant_model.hpp"
 
 namespace symplant::check {
 
+/// Adds all findings about a plant, rule by rule in the order of the tables. O(symbols + states) for each rule; so many
+/// rules run at once as there are threads, or, if 0, as the symbols are worth.
+void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics,
+                 std::size_t threads = 0);
+
 /// By id.
-std::vector<const diag::RuleInfo*> catalogue();
+const std::vector<const diag::RuleInfo*>& catalogue();
 
-/// The rule of an id (`SP201`), a slug or a former slug, without regard to case; null for an unknown one.
+/// The rule of an id (`SP201`), a slug or a former name, without regard to case; null for an unknown or a removed one.
 const diag::RuleInfo* find_rule(std::string_view id_or_slug);
-
-/// The slug that replaces a former one, without regard to case; empty if `slug` is not a former one.
-std::string_view slug_now(std::string_view slug);
-
-/// For a message: "`nobody-moves` is now `event-not-driven`".
-std::string renamed_rule(std::string_view former);
-
+/// For a message, if an earlier version had a rule of this name: "`nobody-moves` is now `event-not-driven`", "the rule
+/// `SP312` no longer exists"; else empty.
+std::string former_rule(std::string_view name);
 /// For a message: no rule has this name, and the nearest one.
 std::string no_such_rule(std::string_view name);
 

@@ -1,10 +1,13 @@
-// A rule: its description, and the function that checks it.
+// A rule, and what its function uses to look at a plant and to report.
 #pragma once
 
-#include <cstddef>
-#include <memory>
+#include <fmt/core.h>
+
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "description/faults.hpp"
@@ -14,92 +17,116 @@
 
 namespace symplant::check {
 
-class DeviceClasses;
-class OverruledNames;
-struct WrittenCondition;
+using diag::Rank;
+using Kind = diag::Subject::Kind;
+using model::kNone;
+using model::PlantModel;
+using model::State;
+using model::Symbol;
+using model::Transition;
+using model::Unit;
+using tables::Direction;
+struct Find;
 
-/// What rules look at: the plant, and what several of them need to know of it, made once.
-struct Subject {
-  const model::PlantModel& plant;
+/// The plants that a rule is for: all; those with a list whose names follow the naming rule; of these the ones under
+/// the built-in rule, whose tasks are states.
+enum class For : std::uint8_t { all, named, built_in };
+
+struct Rule : diag::RuleInfo {
+  using OfPlant = void (*)(const Find& find);
+  using OfSymbol = void (*)(const Find& find, const Symbol& symbol);
+  using OfUnit = void (*)(const Find& find, const Unit& unit);
+  /// Adds a finding for each root cause. Called once, or for each symbol or unit. Null if others report the rule.
+  using Check = std::variant<std::nullptr_t, OfPlant, OfSymbol, OfUnit>;
+
+  constexpr Rule(std::string_view new_id, std::string_view name, diag::Severity level, Check function,
+                 std::string_view line, std::string_view meaning, std::string_view loss = {},
+                 std::string_view remedy = {}, Rank cause = Rank::last, For lists = For::all)
+      : RuleInfo{new_id, name, level, line, meaning, cause, loss, remedy}, check(function), plants(lists) {}
+
+  Check check;
+  For plants;
+};
+
+inline constexpr auto kNote = diag::Severity::note;
+inline constexpr auto kWarning = diag::Severity::warning;
+inline constexpr auto kError = diag::Severity::error;
+
+/// A finding that is being written. say() adds it.
+struct Finding {
+  /// Another location that belongs to it.
+  Finding& see(diag::Location location, std::string text);
+  Finding& see(const read::ListRow& row, std::string_view cell, std::string text);
+  Finding& see(const Symbol& symbol, std::string text) { return see(*symbol.row, symbol.name(), text); }
+  // It is also about a subject, explains it, or follows from what explains it.
+  Finding& also(Kind kind, std::string_view name);
+  Finding& explains(Kind kind, std::string_view name);
+  Finding& follows(Kind kind, std::string_view name);
+  /// A symbol of this name, which its device lacks, is missing because of the finding.
+  Finding& lacks(std::string_view name, std::string_view path);
+  /// Another name for a symbol; `safe` if the list itself proves it.
+  Finding& rename(const Symbol& symbol, std::string to, bool safe = false);
+
+  template <class... Args>
+  void say(fmt::format_string<Args...> text, Args&&... args) {
+    as.message = fmt::format(text, std::forward<Args>(args)...);
+    diagnostics.add(std::move(as));
+  }
+
+  const PlantModel& plant;
+  diag::Diagnostics& diagnostics;
+  diag::Diagnostic as;
+};
+
+/// What a rule looks at: the plant, and what several rules need to know of it, made once. at() begins a finding.
+struct Find {
+  Finding at(diag::Location location, diag::Subjects subjects = {}) const;
+  /// At a cell of a row. It is about its symbol, or about the row if that is left out. O(log symbols).
+  Finding at(const read::ListRow& row, std::string_view cell) const;
+  Finding at(const Symbol& symbol, std::string_view cell) const;
+  Finding at(const Symbol& symbol) const { return at(symbol, symbol.name()); }
+
+  const model::UnitEvidence& evidence_of(const Unit& unit) const {
+    return evidence.units[static_cast<std::size_t>(&unit - units.data())];
+  }
+
+  const Rule& rule;
+  const PlantModel& plant;
+  const std::vector<Symbol>& symbols;
+  const std::vector<Unit>& units;
   const model::Evidence& evidence;
-  const DeviceClasses& classes;
-  const OverruledNames& overruled;
-  const std::vector<WrittenCondition>& conditions;  ///< of the description
-  const std::vector<bool>& named_otherwise;         ///< for each list: SP208 or SP415 reports all its names at once
+  const std::vector<bool>& named_otherwise;  ///< for each list: SP208 or SP415 reports all its names at once
+  diag::Diagnostics& diagnostics;
 };
 
-struct Rule {
-  diag::RuleInfo info;
-  /// Adds a finding for each violation of the rule: one root cause, one finding. Null for rules about the
-  /// settings, which are no part of the plant.
-  void (*check)(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) = nullptr;
-};
-
+/// A symbol and its device, as the user can name them in the settings.
+diag::Subjects about(const Symbol& symbol);
 /// The location of a cell: the cell itself, or the whole row if the file has the cell in another form (escaped).
-diag::Location location_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell);
-/// A symbol's name.
-diag::Location location_of(const model::PlantModel& plant, const model::Symbol& symbol);
-/// A location in the plant description, by JSON pointer. `fallback` is used until it is resolved, or if there is no
-/// file.
-diag::Location location_of(diag::Location fallback, const description::Pointer& pointer);
-/// The location of a key in the description of a unit, with the unit's first symbol as fallback. The unit must be
-/// described.
-diag::Location described_location(const model::PlantModel& plant, const model::Unit& unit,
-                                  const description::Pointer& pointer);
-/// An entry for a unit's device; its `only` if that removes the derived transitions.
-description::Pointer entry_pointer(const model::Unit& unit);
-description::Pointer transitions_pointer(const model::Unit& unit);
-/// Where a transition is given, or one of its keys.
-description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& transition,
-                                        std::string_view key = {});
-/// Whether the plant has a description at all.
-bool has_description(const model::PlantModel& plant);
-/// Whether it has devices or requirements, and no faults, so that it can be examined.
-bool is_described(const Subject& subject);
-/// What the derivation noticed about a unit of the plant.
-const model::UnitEvidence& evidence_of(const Subject& subject, const model::Unit& unit);
-/// The symbol at an index of a unit's operations or events.
-const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
-const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
-/// The first symbol of a unit in list order.
-const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model::Unit& unit);
-/// The subjects of a finding, as the user can name them in the settings: a symbol and its device, or a device.
-diag::Subjects about(const model::Symbol& symbol);
-/// Of two symbols with one address: the other's name is second.
-diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other);
-diag::Subjects about(const model::Unit& unit);
-diag::Subjects about(const read::ListRow& row);
+diag::Location location_of(const PlantModel& plant, const read::ListRow& row, std::string_view cell);
+/// In the plant description. `fallback` is used until it is resolved, or if there is no file.
+diag::Location location_of(const description::Pointer& pointer, diag::Location fallback = {});
 
-/// Another name for a symbol.
-diag::Rename rename_of(const model::Symbol& symbol, std::string to, bool safe);
+/// The name that the built-in rule gives the symbol of a device for a task and a direction.
+std::string symbol_name(std::string_view path, Direction direction, std::string_view task);
+/// A device's name with `#` for each run of digits, in capitals: devices of one class have one.
+std::string class_name(std::string_view device);
+constexpr Direction other_side(Direction direction) {
+  return direction == Direction::operation ? Direction::event : Direction::operation;
+}
 
-/// For findings that repeat in all devices of a type: `CLAMP#`, or the shape of the path if the device has no number.
-std::string type_shape(const model::Unit& unit);
+// The rules of each file in rules/.
+std::span<const Rule> address_rules();
+std::span<const Rule> description_rules();
+std::span<const Rule> device_rules();
+std::span<const Rule> feedback_rules();
+std::span<const Rule> name_rules();
+std::span<const Rule> row_rules();
+std::span<const Rule> spelling_rules();
+std::span<const Rule> text_rules();
 
-// Subjects that connect a finding with its cause and its consequences.
-diag::Subject device(std::string_view path);
-diag::Subject model_of(std::string_view path);
-diag::Subject sequence_of(std::string_view path);
-diag::Subject symbol_named(std::string_view name);
-diag::Subject address_of(std::string_view symbol);
-diag::Subject missing(std::string name);
-/// The symbol that a device has not, for a task and a direction.
-diag::Subject missing(const model::PlantModel& plant, std::string_view path, tables::Direction direction,
-                      std::string_view task);
-/// The operations, or the events, of a device.
-diag::Subject side_of(std::string_view path, tables::Direction direction);
-/// Adds what the lack of a symbol explains: the symbol itself, a device without operations or events, and its model.
-void explain_missing(diag::Subjects& subjects, std::string name, std::string_view path, tables::Direction direction);
-/// For each state of the unit that has only one side, the symbol of the other side. Callers add up to `more` subjects.
-std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit, std::size_t more);
-/// A device; the finding is about what was derived for it, and follows from whatever the device lacks.
-diag::Subjects about_model(const model::PlantModel& plant, const model::Unit& unit);
-/// Adds to the subjects of a device without events, or without operations, the symbols that it lacks. The finding
-/// explains what else follows from them.
-diag::Subjects about_sides(const model::PlantModel& plant, const model::Unit& unit, diag::Subjects subjects);
-/// The symbol of a row; null if the row is left out. O(log symbols).
-const model::Symbol* symbol_of(const model::PlantModel& plant, const read::ListRow& row);
-/// "operation" or "event".
-std::string_view direction_text(tables::Direction direction);
+/// Whether nothing leads to a state that a unit only reports, for want of an operation.
+bool is_left_alone(const Unit& unit, std::uint32_t state);
+/// For each list of the plant: whether its names follow another rule than the plant's. O(symbols).
+std::vector<bool> lists_named_otherwise(const PlantModel& plant);
 
 }  // namespace symplant::check

@@ -40,11 +40,10 @@ std::vector<address::Radix> radices(std::span<const List> lists, std::size_t& co
 Kind kind_of(const read::ListRow& row, const model::RowAddress& address, name::NameParser& parser) {
   // Only a row without an address needs its name.
   const name::NameReading reading = address.address ? name::NameReading() : parser.parse(row.name);
-  const auto result = model::classify(row, reading, address);
-  if (const auto* symbol = std::get_if<model::Symbol>(&result)) {
-    return symbol->direction == tables::Direction::operation ? Kind::output : Kind::input;
-  }
-  return std::get<model::InternalReason>(result) == model::InternalReason::constant ? Kind::constant : Kind::internal;
+  model::Symbol symbol;
+  const auto reason = model::classify(row, reading, address, symbol);
+  if (!reason) return symbol.direction == tables::Direction::operation ? Kind::output : Kind::input;
+  return *reason == model::InternalReason::constant ? Kind::constant : Kind::internal;
 }
 
 }  // namespace

@@ -29,6 +29,23 @@ std::optional<Severity> severity_of_name(std::string_view name) {
   return std::nullopt;
 }
 
+std::string manual_page(const RuleInfo& rule) {
+  if (rule.page.ends_with('\n')) return std::string(rule.page);
+  std::string text(rule.page);
+  if (!rule.loses.empty()) text.append("\n\n**What the model loses.** ").append(rule.loses);
+  if (!rule.fix.empty()) text.append("\n\n**How to fix it.** ").append(rule.fix);
+  std::size_t begin = 0;  // of the line
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '\n') begin = at + 1;
+    if (at - begin < 120) continue;
+    const std::size_t blank = text.rfind(' ', at);
+    if (blank == std::string::npos || blank < begin) continue;
+    text[blank] = '\n';
+    begin = blank + 1;
+  }
+  return text + "\n";
+}
+
 void Diagnostics::add(const RuleInfo& rule, std::string message, Location location, std::vector<Related> related) {
   add(rule, {}, std::move(message), std::move(location), std::move(related));
 }
@@ -42,6 +59,14 @@ Diagnostic& Diagnostics::add(const RuleInfo& rule, Subjects subjects, std::strin
 void Diagnostics::add(Diagnostic finding) {
   ++counts_[static_cast<std::size_t>(finding.severity)];
   all_.push_back(std::move(finding));
+}
+
+void Diagnostics::add(Diagnostics&& others) {
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += others.counts_[i];
+  all_.insert(all_.end(), std::move_iterator(others.all_.begin()), std::move_iterator(others.all_.end()));
+  ignored_.insert(ignored_.end(), std::move_iterator(others.ignored_.begin()),
+                  std::move_iterator(others.ignored_.end()));
+  leave_out(others.left_out_);
 }
 
 void Diagnostics::ignore(Diagnostic finding, std::string why) {

@@ -31,7 +31,6 @@ enum class Rank : std::uint8_t {
   repeated,   ///< a sequence number twice
   gap,        ///< a sequence number missing
   siblings,   ///< what similar devices have
-  sides,      ///< an operation without event, an event without operation
   last,       ///< all others: they explain nothing
 };
 
@@ -41,9 +40,14 @@ struct RuleInfo {
   std::string_view slug;  ///< "wrong-number-of-levels"
   Severity severity;
   std::string_view summary;  ///< one line, for the catalogue
-  std::string_view page;     ///< the manual page, Markdown: meaning, what the model loses, how to fix it
+  std::string_view page;     ///< the manual page, Markdown: what it means, or all of it
   Rank rank = Rank::last;
+  std::string_view loses = {};  ///< what the model loses, if the page does not say it
+  std::string_view fix = {};    ///< how to fix it
 };
+
+/// The manual page with all of its sections, in lines of at most 120 characters if a section is one line.
+std::string manual_page(const RuleInfo& rule);
 
 /// The severity of "note", "warning" or "error"; nothing for any other word.
 std::optional<Severity> severity_of_name(std::string_view name);
@@ -77,13 +81,11 @@ struct Subject {
     symbol,       ///< a symbol of the list
     missing,      ///< a symbol that the list does not have, by the name that it would have
     address,      ///< the address of the symbol of this name
-    operations,   ///< whether the device of this path has operations
-    events,       ///< whether it has events
-    model,        ///< what is derived for the device of this path: states, transitions
-    sequence,     ///< the sequence numbers of the device of this path
+    model,        ///< what is derived for the device of this path: states, transitions, a missing side
     name,         ///< a symbol whose name breaks the naming rule: it may be any missing one with a similar name
     requirement,  ///< a requirement of the plant description
   };
+  static constexpr std::size_t kKinds = 7;
   Kind kind;
   std::string name;
 
@@ -98,15 +100,6 @@ struct Subjects {
   /// Of the name of the first of `about`, such as `ST#_CLAMP#_O_ADV`, or of the type of its device. Findings of one
   /// rule and one shape become one finding; empty if the finding stays single.
   std::string shape = {};
-
-  Subjects&& explaining(Subject subject) && {
-    explains.push_back(std::move(subject));
-    return std::move(*this);
-  }
-  Subjects&& following(Subject subject) && {
-    follows.push_back(std::move(subject));
-    return std::move(*this);
-  }
 };
 
 /// Wording of messages: lower case, no full stop, back-ticks round user text; what is wrong, then what to do.
@@ -148,6 +141,8 @@ class Diagnostics {
   Diagnostic& add(const RuleInfo& rule, Subjects subjects, std::string message, Location location,
                   std::vector<Related> related = {});
   void add(Diagnostic finding);
+  /// Adds the findings of others, in their order.
+  void add(Diagnostics&& others);
   void ignore(Diagnostic finding, std::string why);
 
   /// Sorts by file and location; findings without a location come first, findings of one location keep their order. The
@@ -160,6 +155,11 @@ class Diagnostics {
   void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
+  /// Removes all findings, to add some of them again.
+  std::vector<Diagnostic> take() {
+    counts_ = {};
+    return std::exchange(all_, {});
+  }
   std::span<const Ignored> ignored() const { return ignored_; }
   const LeftOutByOption& left_out() const { return left_out_; }
   void leave_out(const LeftOutByOption& more) {

@@ -44,8 +44,8 @@ Json rule_of(const RuleInfo& rule) {
   return {{"id", rule.id},
           {"name", rule.slug},
           {"shortDescription", {{"text", rule.summary}}},
-          {"fullDescription", {{"text", first_paragraph(rule.page)}}},
-          {"help", {{"text", rule.page}, {"markdown", rule.page}}},
+          {"fullDescription", {{"text", first_paragraph(manual_page(rule))}}},
+          {"help", {{"text", manual_page(rule)}, {"markdown", manual_page(rule)}}},
           {"defaultConfiguration", {{"level", severity_name(rule.severity)}}}};
 }
 

@@ -126,8 +126,8 @@ class Writer {
       const model::Unit& unit = plant.units[u];
       const std::uint32_t first = unit.operations.empty() ? unit.events.front() : unit.operations.front();
       const name::NameReading& name = plant.symbols[first].reading;
-      Devices& devices = lines_[text::to_upper(name.line)][text::to_upper(name.process)];
-      std::string device = text::to_upper(name.device);
+      Devices& devices = lines_[text::to_upper(name.line())][text::to_upper(name.process())];
+      std::string device = text::to_upper(name.device());
       if (unit.facet != nullptr && !unit.facet->name.empty()) device += "_" + text::to_upper(unit.facet->name);
       while (!devices.emplace(device, u).second) device += "_";
     }

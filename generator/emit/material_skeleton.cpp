@@ -37,7 +37,7 @@ std::string running(const model::PlantModel& plant, std::string_view line, std::
     const model::Unit& unit = plant.units[u];
     if (unit.operations.empty()) continue;
     const name::NameReading& reading = plant.symbols[unit.operations.front()].reading;
-    if (reading.line != line || reading.process != process) continue;
+    if (reading.line() != line || reading.process() != process) continue;
     for (std::size_t s = 0; s < unit.states.size(); ++s) {
       const bool named = std::any_of(kRunning.begin(), kRunning.end(), [&](std::string_view word) {
         return text::equal_ignoring_case(unit.states[s].name, word);
@@ -66,7 +66,7 @@ Json proposed_material(const model::PlantModel& plant) {
   std::map<std::pair<std::string_view, std::string_view>, std::vector<std::string_view>> sensors;
   for (const model::Symbol& symbol : plant.symbols) {
     if (!is_candidate(plant, symbol)) continue;
-    const std::pair station{symbol.reading.line, symbol.reading.process};
+    const std::pair station{symbol.reading.line(), symbol.reading.process()};
     std::vector<std::string_view>& names = sensors[station];
     if (names.empty()) stations.push_back(station);
     names.push_back(symbol.name());

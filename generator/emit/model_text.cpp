@@ -74,7 +74,7 @@ std::string transition_text(const tables::Transition& transition, const model::U
   const std::string& to = unit.states[transition.to].name;
   if (transition.on == tables::kSpringReturn) return fmt::format("spring return: {} to {}", from, to);
   if (transition.on == tables::kNoOperation) return fmt::format("d_int({}) = {}", from, to);
-  const std::string_view task = plant.symbols[unit.operations[transition.on]].reading.task;
+  const std::string_view task = plant.symbols[unit.operations[transition.on]].reading.task();
   return fmt::format("d_ext({}, O_{}) = {}", from, task, to);
 }
 

@@ -95,7 +95,7 @@ std::vector<std::string> add_side(View& view, const std::string& list, const std
   for (const std::uint32_t index : side) {
     const model::Symbol& symbol = plant.symbols[index];
     const bool operation = symbol.direction == tables::Direction::operation;
-    enumerators.push_back(scope.unique(symbol.reading.task, operation ? "O_" : "I_"));
+    enumerators.push_back(scope.unique(symbol.reading.task(), operation ? "O_" : "I_"));
     std::string address(symbol.written_address());
     if (!symbol.row->vendor_address.empty() && !symbol.row->iec_address.empty()) {
       address.append(" ").append(symbol.row->iec_address);
@@ -103,7 +103,7 @@ std::vector<std::string> add_side(View& view, const std::string& list, const std
     View item;
     item.texts["enumerator"] = enumerators.back();
     item.texts["number"] = std::to_string(items.size());
-    item.texts["task"] = comment_text(symbol.reading.task);
+    item.texts["task"] = comment_text(symbol.reading.task());
     item.texts["symbol"] = comment_text(symbol.name());
     item.texts["address"] = address.empty() ? "no address" : comment_text(address);
     item.texts["cite"] = comment_text(fmt::format("{}:{}", plant.list_of(symbol).name(), symbol.row->line));
@@ -256,10 +256,10 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
     wanted[i].name = given ? unit.described->type : class_stem(plant.units[wanted[i].unit], plant);
     wanted[i].type = i;
     for (const std::uint32_t symbol : unit.operations) {
-      wanted[i].tasks.push_back("O_" + text::to_upper(plant.symbols[symbol].reading.task));
+      wanted[i].tasks.push_back("O_" + text::to_upper(plant.symbols[symbol].reading.task()));
     }
     for (const std::uint32_t symbol : unit.events) {
-      wanted[i].tasks.push_back("I_" + text::to_upper(plant.symbols[symbol].reading.task));
+      wanted[i].tasks.push_back("I_" + text::to_upper(plant.symbols[symbol].reading.task()));
     }
     std::sort(wanted[i].tasks.begin(), wanted[i].tasks.end());
   }

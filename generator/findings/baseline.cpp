@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <utility>
 
-#include "check/rules.hpp"
-#include "findings/settings.hpp"
+#include "check/catalogue.hpp"
+#include "findings/selection.hpp"
 #include "symplant/json/document.hpp"
 #include "symplant/json/schema.hpp"
 
@@ -42,81 +41,72 @@ base::Result<Baseline, diag::Diagnostics> Baseline::read(std::shared_ptr<const t
   diag::Diagnostics faults;
   const json::Document document = json::parse(file->text());
   std::vector<json::Placed> placed = document.faults;
-  if (document.root != nullptr) {
-    for (json::Placed& fault : json::locate(file->text(), json::Schema(kSchema).check(*document.root))) {
-      placed.push_back(std::move(fault));
-    }
-  }
+  if (document.root != nullptr) placed = json::locate(file->text(), json::Schema(kSchema).check(*document.root));
   for (const json::Placed& fault : placed) {
-    faults.add(check::kBaselineNotValid.info, fault.message, {file, {fault.span.begin, fault.span.end}});
+    faults.add(*check::find_rule("SP627"), fault.message, {file, {fault.span.begin, fault.span.end}});
   }
   if (!placed.empty()) return faults;
   Baseline baseline;
   for (const nlohmann::json& entry : document.root->at("findings")) {
     const auto text_of = [&](const char* key) { return entry.at(key).get<std::string>(); };
-    baseline.counts_[{text_of("plant"), text_of("rule"), text_of("of")}].given += entry.at("count").get<std::size_t>();
+    const diag::RuleInfo* rule = check::find_rule(text_of("rule"));  // it may have another id now
+    const std::string id = rule == nullptr ? text_of("rule") : std::string(rule->id);
+    baseline.counts_[{text_of("plant"), id, text_of("of")}].given += entry.at("count").get<std::size_t>();
   }
   baseline.file_ = std::move(file);
   return baseline;
 }
 
-diag::Diagnostics Baseline::apply(const std::string& plant, const diag::Diagnostics& findings) {
-  const auto key_of = [&](const diag::Diagnostic& finding) { return Key(plant, finding.rule->id, identity(finding)); };
+diag::Diagnostics Baseline::apply(const std::string& plant, diag::Diagnostics findings) {
+  const auto count_of = [&](const diag::Diagnostic& finding) -> Count& {
+    return counts_[{plant, std::string(finding.rule->id), identity(finding)}];
+  };
   for (const diag::Diagnostic& finding : findings.all()) {
-    if (!is_binding(*finding.rule)) ++counts_[key_of(finding)].found;
+    if (!is_binding(*finding.rule)) ++count_of(finding).found;
   }
-  diag::Diagnostics reported;
-  diag::LeftOutByOption left_out = findings.left_out();
-  for (const diag::Diagnostic& finding : findings.all()) {
-    const auto known = counts_.find(key_of(finding));
-    const bool has_it = known != counts_.end() && (file_ == nullptr || known->second.found <= known->second.given);
-    if (has_it) {
-      ++left_out.baseline;
+  for (diag::Diagnostic& finding : findings.take()) {
+    const Count& count = count_of(finding);
+    if (!is_binding(*finding.rule) && kept(count) == count.found) {
+      findings.leave_out({0, 0, 0, 1});
     } else {
-      reported.add(finding);
+      findings.add(std::move(finding));
     }
   }
-  for (const diag::Ignored& ignored : findings.ignored()) reported.ignore(ignored.finding, ignored.why);
-  reported.leave_out(left_out);
-  return reported;
+  return findings;
 }
 
 void Baseline::report_stale(diag::Diagnostics& findings) const {
   std::size_t stale = 0;
-  const Key* first = nullptr;
+  std::string first;
   for (const auto& [key, count] : counts_) {
     if (count.found >= count.given) continue;
     stale += count.given - count.found;
-    if (first == nullptr) first = &key;
+    const auto& [plant, rule, of] = key;
+    if (first.empty()) first = fmt::format("{} of `{}` in {}", rule, of, plant);
   }
   if (stale == 0) return;
-  findings.add(check::kBaselineStale.info,
-               fmt::format("{} finding{} of the baseline {} no longer there, such as {} of `{}` in {}: run the same "
-                           "command with `--write-baseline` to remove them",
-                           stale, stale == 1 ? "" : "s", stale == 1 ? "is" : "are", std::get<1>(*first),
-                           std::get<2>(*first), std::get<0>(*first)),
+  findings.add(*check::find_rule("SP626"),
+               fmt::format("{} finding{} of the baseline {} no longer there, such as {}: run the same command with "
+                           "`--write-baseline` to remove them",
+                           stale, stale == 1 ? "" : "s", stale == 1 ? "is" : "are", first),
                {file_, {0, 0}});
 }
 
 std::string Baseline::text() const {
-  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+  std::string lines;
   for (const auto& [key, count] : counts_) {
-    const std::size_t kept = file_ == nullptr ? count.found : std::min(count.found, count.given);
-    if (kept == 0) continue;
     const auto& [plant, rule, of] = key;
-    findings.push_back({{"plant", plant}, {"rule", rule}, {"of", of}, {"count", kept}});
+    if (kept(count) == 0) continue;
+    const nlohmann::ordered_json entry{{"plant", plant}, {"rule", rule}, {"of", of}, {"count", kept(count)}};
+    lines += (lines.empty() ? "\n    " : ",\n    ") +
+             entry.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   }
-  std::string text = "{\n  \"symplant-baseline\": 1,\n  \"findings\": [";
-  for (std::size_t i = 0; i < findings.size(); ++i) {
-    text += (i == 0 ? "\n    " : ",\n    ") +
-            findings[i].dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  }
-  return text + (findings.empty() ? "]\n}\n" : "\n  ]\n}\n");
+  return "{\n  \"symplant-baseline\": 1,\n  \"findings\": [" + lines + (lines.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
 std::size_t Baseline::size() const {
   std::size_t size = 0;
-  for (const auto& [key, count] : counts_) size += file_ == nullptr ? count.found : std::min(count.found, count.given);
+  for (const auto& [key, count] : counts_) size += kept(count);
   return size;
 }
 

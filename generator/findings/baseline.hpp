@@ -1,13 +1,11 @@
 // Findings that a plant has had before: `--baseline`.
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <tuple>
-#include <vector>
 
 #include "base/result.hpp"
 #include "diag/diagnostic.hpp"
@@ -26,25 +24,25 @@ class Baseline {
   /// Removes the findings that it has, with what follows from them, and counts them as left out. If there are more than
   /// it counts, all of that kind are reported, since none of them is known to be the new one. Errors that make a valid
   /// plant impossible stay. O(findings * log(entries)).
-  diag::Diagnostics apply(const std::string& plant, const diag::Diagnostics& findings);
-
-  /// Adds one finding (SP626) if it has more than what was found; O(entries).
+  diag::Diagnostics apply(const std::string& plant, diag::Diagnostics findings);
+  /// Adds one finding (SP626) if it has more than what was found.
   void report_stale(diag::Diagnostics& findings) const;
 
-  /// The file for what was found of the baseline. O(entries).
+  /// The file for what was found of the baseline, and how many findings it has.
   std::string text() const;
-  /// How many findings that file has.
   std::size_t size() const;
 
  private:
-  using Key = std::tuple<std::string, std::string, std::string>;  ///< plant, id of the rule, shape or name
   struct Count {
     std::size_t given = 0;
     std::size_t found = 0;
   };
+  std::size_t kept(const Count& count) const {
+    return file_ == nullptr ? count.found : std::min(count.found, count.given);
+  }
 
-  std::shared_ptr<const text::SourceFile> file_;  ///< null: it has every finding
-  std::map<Key, Count> counts_;
+  std::shared_ptr<const text::SourceFile> file_;                               ///< null: it has every finding
+  std::map<std::tuple<std::string, std::string, std::string>, Count> counts_;  ///< by plant, id of the rule, identity
 };
 
 }  // namespace symplant::findings

@@ -1,48 +1,46 @@
 // Which rules a run reports: `--select` and `--ignore`.
 #pragma once
 
+#include <array>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/result.hpp"
 #include "diag/diagnostic.hpp"
 
 namespace symplant::findings {
 
+/// Whether a rule reports an error that makes a valid plant impossible: it is neither lowered nor ignored. Of two rows
+/// of one name (SP302) the first counts, and a plant without devices (SP415) has its symbols.
+bool is_binding(const diag::RuleInfo& rule);
+/// For a message: such a rule cannot be what the user wishes, for example "ignored".
+std::string binding_text(const diag::RuleInfo& rule, std::string_view wish);
+
 /// Rules chosen by id, slug or the beginning of an id. The more exact word counts: `SP401` more than `SP40`, that more
-/// than `SP4`; of equally exact words `--ignore` counts. Errors that make a valid plant impossible (is_binding) are
-/// always reported.
+/// than `SP4`; of equally exact words `--ignore` counts. Binding rules are always reported.
 class Selection {
  public:
   enum class Verdict { reported, not_selected, ignored };
 
   /// Every rule.
   Selection() = default;
-
   /// From the words of the two options; an empty `select` takes every rule. On error, the text of a message: no rule
-  /// has the word, or it ignores an error that cannot be ignored.
+  /// has the word, or it ignores a binding one.
   static base::Result<Selection, std::string> of(std::span<const std::string> select,
                                                  std::span<const std::string> ignore);
 
   Verdict verdict(const diag::RuleInfo& rule) const;
-  bool takes_all() const { return select_.empty() && ignore_.empty(); }
-  /// The former slugs among the words, each once. They work, with a warning.
-  const std::vector<std::string>& renamed() const { return renamed_; }
+  bool takes_all() const { return words_.empty(); }
+  /// Former names among the words: they work, or have no effect if the rule was removed.
+  const std::set<std::string>& former() const { return former_; }
 
  private:
-  void use_current_slug(std::string& word);
-
-  std::vector<std::string> select_;
-  std::vector<std::string> ignore_;
-  std::vector<std::string> renamed_;
+  bool all_ = true;                                                         ///< no word selects
+  std::map<const diag::RuleInfo*, std::array<std::size_t, 2>> words_ = {};  ///< how exactly one selects, ignores
+  std::set<std::string> former_;
 };
-
-/// The selected findings, and how many are left out. The consequences of an ignored finding go with it, except those of
-/// take_independent(); those of one that is not selected are reported separately if they are selected. Findings that
-/// plant.json ignores are not counted if they are left out. Comes after apply_settings(), so that an entry of
-/// plant.json is used whatever is selected. O(findings).
-diag::Diagnostics select(const diag::Diagnostics& findings, const Selection& selection);
 
 }  // namespace symplant::findings

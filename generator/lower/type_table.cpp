@@ -137,7 +137,7 @@ void put_structure(const Type& type, const model::PlantModel& plant, std::string
   for (const std::uint8_t state : type.operation_targets) byte(state);
   for (const model::State& state : unit.states) text.append(state.name).push_back('\0');
   for (const auto* side : {&unit.operations, &unit.events}) {
-    for (const std::uint32_t symbol : *side) text.append(plant.symbols[symbol].reading.task).push_back('\0');
+    for (const std::uint32_t symbol : *side) text.append(plant.symbols[symbol].reading.task()).push_back('\0');
   }
   if (unit.described != nullptr) text.append(unit.described->type);
   text.push_back('\0');

@@ -100,7 +100,7 @@ class Classes {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](std::uint32_t x, std::uint32_t y) {
       const Symbol& left = plant_.symbols[x];
       const Symbol& right = plant_.symbols[y];
-      return text::equal_ignoring_case(left.reading.task, right.reading.task) && left.type == right.type &&
+      return text::equal_ignoring_case(left.reading.task(), right.reading.task()) && left.type == right.type &&
              left.direction == right.direction;
     });
   }

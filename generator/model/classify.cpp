@@ -1,6 +1,7 @@
 // Decides which rows are I/O.
 #include "model/classify.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -77,12 +78,15 @@ struct RadixVotes {
     if (first != 'X' && first != 'Y') return;
     const auto as_hexadecimal = address::parse_melsec(row.vendor_address, address::Radix::hexadecimal);
     if (!as_hexadecimal || as_hexadecimal->number < 8) return;  // equal in both radices
-    const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
     const auto iec = address::parse_iec(row.iec_address);
+    if (iec && iec == as_hexadecimal) return add(hexadecimal, row);
+    const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
+    if (iec && iec == as_octal) return add(octal, row);
     if (!iec && choice.matters_in == nullptr) choice.matters_in = &row;
     if (!iec && !as_octal && not_octal == nullptr) not_octal = &row;
-    if (!iec || (iec != as_hexadecimal && iec != as_octal)) return;
-    RadixProof& vote = iec == as_hexadecimal ? hexadecimal : octal;
+  }
+
+  static void add(RadixProof& vote, const read::ListRow& row) {
     ++vote.count;
     if (vote.proof == nullptr) vote.proof = &row;
   }
@@ -104,11 +108,16 @@ tables::Direction direction_of(name::Side side) {
   return side == name::Side::operation ? tables::Direction::operation : tables::Direction::event;
 }
 
-std::variant<Symbol, InternalReason> classified(const read::ListRow& row, const RowAddress& address,
-                                                const std::optional<Named>& named) {
-  if (row.klass.size() >= 8 && text::to_upper(row.klass).find("CONSTANT") != std::string::npos) {
-    return InternalReason::constant;
-  }
+bool is_constant(std::string_view klass) {
+  constexpr std::string_view kConstant = "CONSTANT";
+  const auto is_letter = [](char written, char capital) { return text::upper(written) == capital; };
+  return std::search(klass.begin(), klass.end(), kConstant.begin(), kConstant.end(), is_letter) != klass.end();
+}
+
+/// Fills in a symbol but for its reading; returns the reason if the row is not one.
+std::optional<InternalReason> classify_named(const read::ListRow& row, const RowAddress& address,
+                                             const std::optional<Named>& named, Symbol& symbol) {
+  if (is_constant(row.klass)) return InternalReason::constant;
   if (address.address && address.address->area == address::Area::memory) return InternalReason::memory;
 
   std::optional<DataType> type = data_type(row.type);
@@ -122,28 +131,26 @@ std::variant<Symbol, InternalReason> classified(const read::ListRow& row, const 
   }
   if (!type) return InternalReason::type;
 
-  Symbol symbol{};
   symbol.row = &row;
   symbol.type = *type;
   symbol.address = address.address;
   if (symbol.address && !symbol.address->sized)
     symbol.address->size = static_cast<address::Size>(data_type_bits(*type));
-  symbol.address_cell = address.cell;
-  symbol.unit = kNone;
-  symbol.leader = kNone;
+  symbol.address_is_iec = address.address && address.cell.data() == row.iec_address.data();
   if (!named) return InternalReason::no_direction;
   symbol.direction = named->direction;
   symbol.direction_by = named->by;
   const auto initial = initial_value(row.initial, *type);
   symbol.initial_known = initial.has_value();
   symbol.initial = initial.value_or(0);
-  return symbol;
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<std::uint64_t> initial_value(std::string_view text, DataType type) {
   if (text.empty()) return 0;
+  if (type == DataType::boolean && text::equal_ignoring_case(text, "FALSE")) return 0;  // most have it
   if (const std::size_t hash = text.find('#'); hash != text.npos && data_type(text.substr(0, hash))) {
     text.remove_prefix(hash + 1);  // INT#5, WORD#16#FF
   }
@@ -188,21 +195,20 @@ RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect
   return result;
 }
 
-std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
-                                              const RowAddress& address) {
+std::optional<InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
+                                       const RowAddress& address, Symbol& symbol) {
   std::optional<Named> named;
   if (address.address) {
     named = Named{direction_of(*address.address), DirectionBy::address};
   } else if (reading.fault == name::NameFault::none) {
     named = Named{direction_of(reading.direction), DirectionBy::name};
   }
-  auto result = classified(row, address, named);
-  if (auto* symbol = std::get_if<Symbol>(&result)) symbol->reading = reading;
-  return result;
+  symbol.reading = reading;
+  return classify_named(row, address, named, symbol);
 }
 
-std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
-                                              const RowAddress& address) {
+std::optional<InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
+                                       const RowAddress& address, Symbol& symbol) {
   std::optional<Named> named;
   if (reading.outcome == name::Outcome::read) {
     const bool by_address = reading.side_by == name::Evidence::address && address.address;
@@ -210,16 +216,10 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   } else if (address.address) {
     named = Named{direction_of(*address.address), DirectionBy::address};
   }
-  auto result = classified(row, address, named);
-  if (auto* symbol = std::get_if<Symbol>(&result)) {
-    symbol->reading.fault = name::NameFault::not_linked;
-    symbol->reading.line = reading.line;
-    symbol->reading.process = reading.process;
-    symbol->reading.device = reading.device;
-    const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
-    symbol->reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
-  }
-  return result;
+  symbol.reading.fault = name::NameFault::not_linked;
+  const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
+  symbol.reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
+  return classify_named(row, address, named, symbol);
 }
 
 RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::optional<address::Radix> forced) {

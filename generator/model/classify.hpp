@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <variant>
 
 #include "model/plant_model.hpp"
 #include "read/types/data_types.hpp"
@@ -31,14 +30,14 @@ struct RowAddress {
 /// `dialect` is that of the row's list.
 RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect);
 
-/// An I/O symbol without unit and leader, or the reason why the row is not an I/O symbol. The address decides the
-/// direction before the name.
-std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
-                                              const RowAddress& address);
+/// Fills in a new I/O symbol without unit and leader. Returns the reason if the row is not an I/O symbol, which then is
+/// not complete. The address decides the direction before the name.
+std::optional<InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
+                                       const RowAddress& address, Symbol& symbol);
 /// The same under a custom naming rule, which decides by the evidence that it names. The symbol is in no unit yet, and
-/// its reading has the direction of the name only.
-std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
-                                              const RowAddress& address);
+/// its reading has the direction of the name only, and no levels.
+std::optional<InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
+                                       const RowAddress& address, Symbol& symbol);
 
 /// The radix of X and Y in the lists of a controller: as rows with both address columns prove, else `forced`, else
 /// hexadecimal.

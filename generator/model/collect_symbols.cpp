@@ -2,7 +2,8 @@
 #include "model/collect_symbols.hpp"
 
 #include <algorithm>
-#include <variant>
+#include <array>
+#include <optional>
 
 #include "base/index_table.hpp"
 #include "base/large_memory.hpp"
@@ -12,73 +13,133 @@
 namespace symplant::model {
 namespace {
 
-/// Rows to fetch ahead: enough time for an access to memory.
-constexpr std::size_t kAhead = 12;
+/// A row and the index of its list.
+struct RowOfList {
+  const read::ListRow* row;
+  std::uint32_t list;
+};
+
+/// Finds rows by their names. Rows are numbered over all lists.
+class RowNames {
+ public:
+  explicit RowNames(const std::vector<PlantList>& lists) : lists_(lists) {
+    for (const PlantList& list : lists) {
+      begins_.push_back(rows_);
+      rows_ += list.table->rows.size();
+    }
+    by_name_ = base::IndexTable(rows_);
+  }
+
+  std::size_t rows() const { return rows_; }
+
+  /// Has to be called for each row before find_or_add(), some rows earlier: fetches what that needs from memory.
+  [[gnu::always_inline]] void announce(const read::ListRow& row, std::size_t number) {
+    std::uint64_t& hash = hashes_[number % hashes_.size()];
+    hash = text::hash_ignoring_case(row.name);
+    by_name_.prefetch(hash);
+  }
+
+  /// The first row of this name, perhaps the row itself.
+  std::uint32_t find_or_add(const read::ListRow& row, std::size_t number) {
+    return by_name_.find_or_add(
+        hashes_[number % hashes_.size()], static_cast<std::uint32_t>(number),
+        [&](std::uint32_t other) { return text::equal_ignoring_case(at(other).row->name, row.name); });
+  }
+
+  RowOfList at(std::size_t number) const {
+    const auto after = std::upper_bound(begins_.begin(), begins_.end(), number);
+    const auto list = static_cast<std::size_t>(after - begins_.begin()) - 1;
+    return {&lists_[list].table->rows[number - begins_[list]], static_cast<std::uint32_t>(list)};
+  }
+
+  static constexpr std::size_t kAhead = 12;  ///< rows: enough time for an access to memory
+
+ private:
+  const std::vector<PlantList>& lists_;
+  std::vector<std::size_t> begins_;  ///< of lists; some may have no rows
+  std::size_t rows_ = 0;
+  std::array<std::uint64_t, 16> hashes_{};  ///< of the rows that are announced
+  base::IndexTable by_name_;
+};
 
 /// Sorts rows into symbols, internal rows and repeated names.
 class SymbolCollector {
  public:
-  SymbolCollector(Derived& derived, std::size_t rows)
-      : plant_(derived.plant), evidence_(derived.evidence), by_name_(rows) {
-    base::reserve_large(plant_.symbols, rows);
-    base::reserve_large(indexes_, rows);
+  explicit SymbolCollector(Derived& derived)
+      : plant_(derived.plant), evidence_(derived.evidence), names_(plant_.lists) {
+    base::reserve_large(plant_.symbols, names_.rows());
+    if (plant_.reader == nullptr) return;
+    plant_.levels = std::make_shared<std::vector<name::LevelTexts>>();
+    plant_.levels->reserve(names_.rows());  // symbols point to them
   }
 
-  /// Fetches the hash slot of a row that will be added soon.
-  void announce(const read::ListRow& row) const { by_name_.prefetch(text::hash_ignoring_case(row.name)); }
-
-  /// Whether the row is a symbol.
-  template <class Reading>
-  bool add(const read::ListRow& row, std::uint32_t list, const Reading& reading) {
-    const auto index = static_cast<std::uint32_t>(indexes_.size());
-    const std::uint32_t first = by_name_.find_or_add(
-        text::hash_ignoring_case(row.name), index,
-        [&](std::uint32_t other) { return text::equal_ignoring_case(indexes_[other].row->name, row.name); });
-    if (first != index) {
-      evidence_.duplicates.push_back({indexes_[first].row, &row, same(indexes_[first], {&row, list})});
-      return false;
-    }
-    indexes_.push_back({&row, list});
-    const RowAddress address = address_of(row, list);
-    auto result = classify(row, reading, address);
-    const auto* reason = std::get_if<InternalReason>(&result);
-    // A row that is internal for another reason may have any address.
-    if (!address.bad_cell.empty() && (reason == nullptr || *reason == InternalReason::no_direction)) {
-      evidence_.bad_addresses.push_back({&row, address.bad_cell});
-    }
-    if (address.vendor && (reason == nullptr || *reason == InternalReason::memory)) {
-      ++plant_.lists[list].compared;
-      if (address.contradicts) {
-        evidence_.address_contradictions.push_back({&row, list, *address.vendor, *address.address});
+  /// Adds the rows of the next list. `take(i)` is called for each row that is a symbol.
+  template <class Reading, class Take>
+  void add(std::uint32_t list, const std::vector<Reading>& readings, Take take) {
+    const std::vector<read::ListRow>& rows = plant_.lists[list].table->rows;
+    for (std::size_t i = 0; i < std::min(RowNames::kAhead, rows.size()); ++i) names_.announce(rows[i], next_ + i);
+    for (std::size_t i = 0; i < rows.size(); ++i, ++next_) {
+      const std::size_t ahead = i + RowNames::kAhead;
+      if (ahead < rows.size()) names_.announce(rows[ahead], next_ + RowNames::kAhead);
+      const std::uint32_t first = names_.find_or_add(rows[i], next_);
+      if (first != next_) {
+        evidence_.duplicates.push_back({names_.at(first).row, &rows[i], same(names_.at(first), {&rows[i], list})});
+      } else if (add_row(rows[i], list, readings[i])) {
+        take(i);
       }
     }
-    if (reason != nullptr && *reason == InternalReason::type && address.address) {
-      evidence_.typeless_io.push_back({&row, address.cell});
-    }
-    if (reason != nullptr) {
-      ++plant_.internal[static_cast<std::size_t>(*reason)];
-    } else {
-      Symbol& symbol = plant_.symbols.emplace_back(std::get<Symbol>(result));
-      symbol.list = list;
-      const bool is_alias = row.extra != read::kNoExtra && !plant_.lists[list].table->extra_of(row).alias.empty();
-      if (is_alias && symbol.direction_by == DirectionBy::address) symbol.direction_by = DirectionBy::alias;
-    }
-    return reason == nullptr;
   }
 
  private:
-  struct Location {
-    const read::ListRow* row;
-    std::uint32_t list;
-  };
-
-  RowAddress address_of(const read::ListRow& row, std::uint32_t list) const {
-    return row_address(row, plant_.lists[list].dialect());
+  /// Whether the row is a symbol.
+  template <class Reading>
+  bool add_row(const read::ListRow& row, std::uint32_t list, const Reading& reading) {
+    const RowAddress address = address_of({&row, list});
+    Symbol& symbol = plant_.symbols.emplace_back();
+    const std::optional<InternalReason> reason = classify(row, reading, address, symbol);
+    observe({&row, list}, address, reason);
+    if (reason) {
+      ++plant_.internal[static_cast<std::size_t>(*reason)];
+      plant_.symbols.pop_back();
+      return false;
+    }
+    symbol.list = list;
+    keep_levels(symbol, reading);
+    const bool is_alias = row.extra != read::kNoExtra && !plant_.lists[list].table->extra_of(row).alias.empty();
+    if (is_alias && symbol.direction_by == DirectionBy::address) symbol.direction_by = DirectionBy::alias;
+    return true;
   }
 
-  bool same(const Location& a, const Location& b) const {
-    const auto first = address_of(*a.row, a.list).address;
-    const auto second = address_of(*b.row, b.list).address;
+  /// Keeps what rules need to know of a row's addresses.
+  void observe(const RowOfList& at, const RowAddress& address, const std::optional<InternalReason>& reason) {
+    // A row that is internal for another reason may have any address.
+    if (!address.bad_cell.empty() && (!reason || *reason == InternalReason::no_direction)) {
+      evidence_.bad_addresses.push_back({at.row, address.bad_cell});
+    }
+    if (address.vendor && (!reason || *reason == InternalReason::memory)) {
+      ++plant_.lists[at.list].compared;
+      if (address.contradicts) {
+        evidence_.address_contradictions.push_back({at.row, at.list, *address.vendor, *address.address});
+      }
+    }
+    if (reason == InternalReason::type && address.address) evidence_.typeless_io.push_back({at.row, address.cell});
+  }
+
+  static void keep_levels(const Symbol&, const name::NameReading&) {}
+  /// Under a custom rule the levels are not those of the name.
+  void keep_levels(Symbol& symbol, const name::RuleReading& reading) {
+    name::LevelTexts& levels = plant_.levels->emplace_back();
+    levels.line = reading.line;
+    levels.process = reading.process;
+    levels.device = reading.device;
+    symbol.reading = name::NameReading::of(levels, symbol.reading.fault, symbol.reading.direction);
+  }
+
+  RowAddress address_of(const RowOfList& at) const { return row_address(*at.row, plant_.lists[at.list].dialect()); }
+
+  bool same(const RowOfList& a, const RowOfList& b) const {
+    const auto first = address_of(a).address;
+    const auto second = address_of(b).address;
     const bool same_address = first && second ? address::same_location(*first, *second) : !first && !second;
     return plant_.lists[a.list].controller == plant_.lists[b.list].controller &&
            text::equal_ignoring_case(a.row->type, b.row->type) && same_address;
@@ -86,8 +147,8 @@ class SymbolCollector {
 
   PlantModel& plant_;
   Evidence& evidence_;
-  std::vector<Location> indexes_;  ///< rows of different names
-  base::IndexTable by_name_;       ///< name -> index in `indexes_`
+  RowNames names_;
+  std::size_t next_ = 0;  ///< the number of the next row
 };
 
 void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {
@@ -128,20 +189,14 @@ std::vector<const name::RuleReading*> collect_symbols(Derived& derived, const st
   PlantModel& plant = derived.plant;
   collect_lists(plant, lists);
   choose_radices(plant, lists);
-  std::size_t rows = 0;
-  for (const ListInput& list : lists) rows += list.table->rows.size();
-  SymbolCollector collector(derived, rows);
+  SymbolCollector collector(derived);
   std::vector<const name::RuleReading*> readings;
   for (std::uint32_t list = 0; list < lists.size(); ++list) {
-    const auto& table = lists[list].table->rows;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      if (i + kAhead < table.size()) collector.announce(table[i + kAhead]);
-      if (!lists[list].named.by_rule.empty()) {
-        const name::RuleReading& reading = lists[list].named.by_rule[i];
-        if (collector.add(table[i], list, reading)) readings.push_back(&reading);
-      } else {
-        collector.add(table[i], list, lists[list].named.readings[i]);
-      }
+    const name::NamedTable& named = lists[list].named;
+    if (plant.reader != nullptr) {
+      collector.add(list, named.by_rule, [&](std::size_t row) { readings.push_back(&named.by_rule[row]); });
+    } else {
+      collector.add(list, named.readings, [](std::size_t) {});
     }
   }
   return readings;

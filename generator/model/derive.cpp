@@ -42,7 +42,7 @@ void gather_units(PlantModel& plant) {
       symbol.unmodelled = Unmodelled::name;
       continue;
     }
-    const std::string_view path = symbol.reading.device_path;
+    const std::string_view path = symbol.reading.device_path();
     if (last == kNone || plant.units[last].path != path) {
       const auto next = static_cast<std::uint32_t>(plant.units.size());
       last = by_path.find_or_add(text::hash_ignoring_case(path), next, [&](std::uint32_t unit) {
@@ -51,7 +51,7 @@ void gather_units(PlantModel& plant) {
       if (last == next) {
         Unit& unit = plant.units.emplace_back();
         unit.path = path;
-        unit.device = symbol.reading.device;
+        unit.device = symbol.reading.device();
         unit.operations.reserve(kFew);
         unit.events.reserve(kFew);
       }
@@ -67,7 +67,7 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
   if (side.size() < 2) return;
   const auto taken = [&](std::size_t index) {
     for (std::size_t i = 0; i < index; ++i) {
-      if (text::equal_ignoring_case(symbols[side[i]].reading.task, symbols[side[index]].reading.task)) return true;
+      if (text::equal_ignoring_case(symbols[side[i]].reading.task(), symbols[side[index]].reading.task())) return true;
     }
     return false;
   };
@@ -90,7 +90,7 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
   }
   text::ByName<bool> tasks;
   std::erase_if(side, [&](std::uint32_t symbol) {
-    if (tasks.try_emplace(symbols[symbol].reading.task, true).second) return false;
+    if (tasks.try_emplace(symbols[symbol].reading.task(), true).second) return false;
     drop(symbol);
     return true;
   });
@@ -128,6 +128,7 @@ void derive_units(Derived& derived, MadeNames& made, description::Faults& faults
   PlantModel& plant = derived.plant;
   // Which transitions there are depends on all states, and on the names of tracks and places.
   const bool later = makes_names(*plant.description) || !plant.description->material.empty();
+  base::reserve_large(derived.evidence.units, plant.units.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     Unit& unit = plant.units[i];
@@ -166,10 +167,12 @@ void prepare_material(Derived& derived, const description::GivenMaterial& given,
   PlantModel& plant = derived.plant;
   if (for_devices(given)) {  // of which sensors may be a part
     const std::vector<Symbol> ungrouped = plant.symbols;
+    const auto levels = plant.levels == nullptr ? std::vector<name::LevelTexts>() : *plant.levels;
     group_symbols(derived, readings);
     derived.material = make_material(plant, given, faults);
     plant.units.clear();
     plant.symbols = ungrouped;
+    if (plant.levels != nullptr) *plant.levels = levels;
   } else {
     derived.material = make_material(plant, given, faults);
   }

@@ -127,22 +127,29 @@ void choose_overrun(Unit& unit, tables::Time usual, description::Faults& faults)
 std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
   std::vector<std::uint32_t> numbered;
   for (std::uint32_t s = 0; s < states.size(); ++s) {
-    if (states[s].numbered) numbered.push_back(s);
+    if (!states[s].numbered) continue;
+    if (numbered.empty()) numbered.reserve(states.size() - s);
+    numbered.push_back(s);
   }
-  std::stable_sort(numbered.begin(), numbered.end(), [&](std::uint32_t a, std::uint32_t b) {
+  const auto is_before = [&](std::uint32_t a, std::uint32_t b) {
     return compare_sequence(sequence_number(states[a].name), sequence_number(states[b].name)) < 0;
-  });
+  };
+  // Mostly they are: S is sorted by number. Sorting takes memory.
+  if (!std::is_sorted(numbered.begin(), numbered.end(), is_before))
+    std::stable_sort(numbered.begin(), numbered.end(), is_before);
   return numbered;
 }
 
 /// Which numbered states derived transitions join.
 class Joins {
  public:
-  Joins(const Unit& unit, description::Sequence sequence) : sequence_(sequence) {
-    if (sequence == description::Sequence::free) return;
+  /// `numbered` is that of by_number().
+  Joins(const Unit& unit, const std::vector<std::uint32_t>& numbered, description::Sequence sequence)
+      : sequence_(sequence) {
+    if (sequence == description::Sequence::free || numbered.empty()) return;
     ranks_.assign(unit.states.size(), kNone);
     std::string_view before;
-    for (const std::uint32_t s : by_number(unit.states)) {
+    for (const std::uint32_t s : numbered) {
       const std::string_view number = sequence_number(unit.states[s].name);
       if (numbers_ == 0 || compare_sequence(before, number) != 0) ++numbers_;
       before = number;
@@ -191,12 +198,13 @@ void derive_commanded(Unit& unit, const GivenTransitions& given, const Joins& jo
 }
 
 /// Inference 3: a numbered state with an event and no operation follows automatically after its predecessor.
-void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwell, UnitEvidence& evidence) {
+/// `numbered` is that of by_number(): groups of one number are runs.
+void infer_sequence(Unit& unit, const std::vector<std::uint32_t>& numbered, const GivenTransitions& given,
+                    tables::Time dwell, UnitEvidence& evidence) {
   if (unit.actuation != tables::Actuation::latched) return;
-  const auto numbered_with_operation = [](const State& s) { return s.numbered && s.operation != kNone; };
-  if (std::none_of(unit.states.begin(), unit.states.end(), numbered_with_operation)) return;
+  const auto has_operation = [&](std::uint32_t s) { return unit.states[s].operation != kNone; };
+  if (std::none_of(numbered.begin(), numbered.end(), has_operation)) return;
 
-  const std::vector<std::uint32_t> numbered = by_number(unit.states);  // groups of one number are runs
   const auto number = [&](std::size_t i) { return sequence_number(unit.states[numbered[i]].name); };
   const auto group_begin = [&](std::size_t i) {
     while (i > 0 && number(i - 1) == number(i)) --i;
@@ -241,8 +249,9 @@ void derive_transitions(Unit& unit, const std::vector<Symbol>& symbols, const de
   if (described != nullptr) add_given_transitions(unit, symbols, faults);
   if (described == nullptr || !described->only) {
     const GivenTransitions given(unit);
-    derive_commanded(unit, given, Joins(unit, sequence_of(unit, defaults, faults)));
-    infer_sequence(unit, given, defaults.dwell, evidence);
+    const std::vector<std::uint32_t> numbered = by_number(unit.states);
+    derive_commanded(unit, given, Joins(unit, numbered, sequence_of(unit, defaults, faults)));
+    infer_sequence(unit, numbered, given, defaults.dwell, evidence);
   }
   if (unit.transitions.size() > tables::kMaxTransitions) {  // never without given ones
     unit.transitions.resize(tables::kMaxTransitions);

@@ -13,14 +13,14 @@ namespace {
 std::uint32_t find_task(std::string_view task, const std::vector<std::uint32_t>& side,
                         const std::vector<Symbol>& symbols) {
   for (std::uint32_t i = 0; i < side.size(); ++i) {
-    if (text::equal_ignoring_case(symbols[side[i]].reading.task, task)) return i;
+    if (text::equal_ignoring_case(symbols[side[i]].reading.task(), task)) return i;
   }
   return kNone;
 }
 
 std::string_view nearest_task(std::string_view task, const std::vector<std::uint32_t>& side,
                               const std::vector<Symbol>& symbols, const description::Faults& faults) {
-  return faults.nearest(task, side.size(), [&](std::size_t i) { return symbols[side[i]].reading.task; });
+  return faults.nearest(task, side.size(), [&](std::size_t i) { return symbols[side[i]].reading.task(); });
 }
 
 class TransitionExpander {

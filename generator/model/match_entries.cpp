@@ -207,7 +207,7 @@ bool has(const PlantModel& plant, const Unit& unit, description::Named what, std
   }
   const std::vector<std::uint32_t>& side = what == description::Named::operation ? unit.operations : unit.events;
   return std::any_of(side.begin(), side.end(), [&](std::uint32_t symbol) {
-    return text::equal_ignoring_case(plant.symbols[symbol].reading.task, name);
+    return text::equal_ignoring_case(plant.symbols[symbol].reading.task(), name);
   });
 }
 

@@ -20,8 +20,8 @@ const name::NameReading& reading_of(const PlantModel& plant, const Unit& unit) {
 MatchedNames MatchedNames::of(const PlantModel& plant, const Unit& unit, std::string_view pattern) {
   MatchedNames names;
   const name::NameReading& reading = reading_of(plant, unit);
-  names.line_ = reading.line;
-  names.process_ = reading.process;
+  names.line_ = reading.line();
+  names.process_ = reading.process();
   names.device_ = unit.device;
   names.self_ = unit.device_path();
   names.shares_ = text::wildcard_shares(unit.device_path(), pattern);
@@ -31,10 +31,10 @@ MatchedNames MatchedNames::of(const PlantModel& plant, const Unit& unit, std::st
 
 MatchedNames MatchedNames::of(const Symbol& symbol, std::string_view pattern) {
   MatchedNames names;
-  names.line_ = symbol.reading.line;
-  names.process_ = symbol.reading.process;
-  names.device_ = symbol.reading.device;
-  names.self_ = symbol.reading.device_path;
+  names.line_ = symbol.reading.line();
+  names.process_ = symbol.reading.process();
+  names.device_ = symbol.reading.device();
+  names.self_ = symbol.reading.device_path();
   names.shares_ = text::wildcard_shares(symbol.name(), pattern);
   return names;
 }

@@ -59,13 +59,9 @@ void add_unit(PlantModel& plant, const pairing::Facet& facet) {
   for (const pairing::Member& member : facet.members) {
     Symbol& symbol = plant.symbols[member.input];
     symbol.unit = index;
-    name::NameReading& reading = symbol.reading;
-    reading.fault = name::NameFault::none;
-    reading.device_path = facet.path;
-    reading.line = facet.line;
-    reading.process = facet.process;
-    reading.device = facet.device;
-    reading.task = member.task;
+    name::LevelTexts& levels = (*plant.levels)[member.input];
+    levels = {facet.path, facet.line, facet.process, facet.device, member.task};
+    symbol.reading = name::NameReading::of(levels, name::NameFault::none, symbol.reading.direction);
     (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(member.input);
   }
 }

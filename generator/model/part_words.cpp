@@ -37,7 +37,7 @@ bool has_word(std::string_view name) {
 
 bool looks_like_part_sensor(const Symbol& symbol) {
   if (symbol.reading.fault != name::NameFault::none) return has_word(symbol.name());
-  return has_word(symbol.reading.device) || has_word(symbol.reading.task);
+  return has_word(symbol.reading.device()) || has_word(symbol.reading.task());
 }
 
 bool is_driven(const PlantModel& plant, const Symbol& symbol) {

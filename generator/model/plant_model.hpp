@@ -1,6 +1,7 @@
 // The plant as derived from symbol lists: symbols, units and their I/O models. Immutable once built.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -64,24 +65,28 @@ enum class DirectionBy : std::uint8_t {
   alias,    ///< the address of the operand that it is an alias of
 };
 
-/// One I/O symbol. Views point into its list.
+/// One I/O symbol, which points into its list. There may be millions: mind the size.
 struct Symbol {
   const read::ListRow* row = nullptr;
   name::NameReading reading;
+  std::optional<address::Address> address;
+  std::uint64_t initial = 0;  ///< in the form of tables::InitialValue; 0 if the list has none
+  std::uint32_t list = 0;     ///< index in PlantModel::lists
+  std::uint32_t unit = kNone;
+  std::uint32_t leader = kNone;  ///< the symbol on its address whose value it follows; kNone: it leads
   tables::Direction direction{};
   DirectionBy direction_by = DirectionBy::name;
   tables::DataType type{};
-  std::optional<address::Address> address;
-  std::string_view address_cell;  ///< the cell that `address` was read from; empty without an address
-  bool initial_known = true;      ///< false: its Initial could not be read
-  std::uint64_t initial = 0;      ///< in the form of tables::InitialValue; 0 if the list has none
-  std::uint32_t list = 0;         ///< index in PlantModel::lists
   Unmodelled unmodelled = Unmodelled::modelled;
-  std::uint32_t unit = kNone;
-  std::uint32_t leader = kNone;  ///< the symbol on its address whose value it follows; kNone: it leads
-  bool inverted = false;         ///< its bit is on while what it means is off
+  bool address_is_iec = false;  ///< `address` is that of the cell for IEC addresses
+  bool initial_known = true;    ///< false: its Initial could not be read
+  bool inverted = false;        ///< its bit is on while what it means is off
 
   std::string_view name() const { return row->name; }
+  /// The cell that `address` was read from; empty without an address.
+  std::string_view address_cell() const {
+    return !address ? std::string_view() : address_is_iec ? row->iec_address : row->vendor_address;
+  }
   /// Whether a condition or parts drive it: then it is in no unit.
   bool driven_without_unit() const {
     return unmodelled == Unmodelled::follows || unmodelled == Unmodelled::senses_parts;
@@ -176,6 +181,10 @@ struct Unit {
   bool rest_added = false;       ///< inference 1: NOT_X
   bool single_solenoid = false;  ///< inference 2
 
+  /// The first one in list order.
+  std::uint32_t first_symbol() const {
+    return std::min(operations.empty() ? kNone : operations.front(), events.empty() ? kNone : events.front());
+  }
   /// The path of its device.
   std::string_view device_path() const { return facet == nullptr ? path : facet->path; }
   /// Whether the naming rule gives all of its model.
@@ -223,10 +232,11 @@ struct PlantModel {
   const name::NamingRule* rule = nullptr;
   /// The custom naming rule; null under the built-in one. Holds the texts of names.
   std::shared_ptr<const name::SymbolReader> reader;
-  std::shared_ptr<const pairing::Pairing> pairing;  ///< under a custom rule: the facets of the units; else null
-  std::vector<std::string> naming_files;            ///< naming.json and its links; none with the built-in rule
-  std::vector<Symbol> symbols;                      ///< I/O symbols, in the order of lists and in list order
-  std::vector<Unit> units;                          ///< in the order of their first symbol
+  std::shared_ptr<const pairing::Pairing> pairing;        ///< under a custom rule: the facets of the units; else null
+  std::shared_ptr<std::vector<name::LevelTexts>> levels;  ///< under a custom rule: those of each symbol; else null
+  std::vector<std::string> naming_files;                  ///< naming.json and its links; none with the built-in rule
+  std::vector<Symbol> symbols;                            ///< I/O symbols, in the order of lists and in list order
+  std::vector<Unit> units;                                ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<Follow> follows;  ///< sorted by symbol
   Material material;

@@ -90,7 +90,7 @@ std::string PlantNames::why_no_state(std::uint32_t unit, std::string_view name) 
   const Unit& of = plant_.units[unit];
   const auto reports = [&](const std::vector<std::uint32_t>& side, std::string_view why) -> std::string {
     for (const std::uint32_t symbol : side) {
-      if (!text::equal_ignoring_case(plant_.symbols[symbol].reading.task, name)) continue;
+      if (!text::equal_ignoring_case(plant_.symbols[symbol].reading.task(), name)) continue;
       return description::ticked(name) + std::string(why) + description::ticked(of.path) + "; name the symbol " +
              description::ticked(plant_.symbols[symbol].name());
     }

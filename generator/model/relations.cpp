@@ -234,7 +234,7 @@ class Relations {
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       const Symbol& symbol = plant_.symbols[i];
       if (symbol.type == tables::DataType::boolean || symbol.reading.fault != name::NameFault::none) continue;
-      const auto found = names_.unit(symbol.reading.device_path, {});
+      const auto found = names_.unit(symbol.reading.device_path(), {});
       if (!found) continue;
       Unit& unit = plant_.units[*found];
       if (unit.has_behaviour()) unit.values.push_back(i);

@@ -49,8 +49,14 @@ std::vector<std::array<std::uint32_t, 2>> find_shared_addresses(PlantModel& plan
   const auto is_at = [&](const Location& position) {
     return [&](std::uint32_t other) { return location_of(plant.symbols[other]) == position; };
   };
+  const auto fetch = [&](std::size_t i) {
+    if (i < plant.symbols.size() && has_index(plant.symbols[i]))
+      leaders.prefetch(hash_of(location_of(plant.symbols[i])));
+  };
+  constexpr std::size_t kAhead = 12;  // symbols: enough time for an access to memory
   bool any = false;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    fetch(std::size_t{i} + kAhead);
     const Symbol& symbol = plant.symbols[i];
     if (!has_index(symbol)) continue;
     const Location position = location_of(symbol);

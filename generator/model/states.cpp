@@ -22,6 +22,8 @@ struct Draft {
 /// Drafts by task. Most units have so few that a linear search is fastest.
 class Drafts {
  public:
+  explicit Drafts(std::size_t symbols) { drafts_.reserve(symbols); }
+
   Draft& of(std::string_view task, std::uint32_t symbol) {
     if (drafts_.size() <= kFew) {
       for (Draft& draft : drafts_) {
@@ -44,15 +46,15 @@ class Drafts {
 };
 
 std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbols) {
-  Drafts drafts;
-  const auto add = [&](std::uint32_t symbol) -> Draft& { return drafts.of(symbols[symbol].reading.task, symbol); };
+  Drafts drafts(unit.operations.size() + unit.events.size());
+  const auto add = [&](std::uint32_t symbol) -> Draft& { return drafts.of(symbols[symbol].reading.task(), symbol); };
   for (std::uint32_t i = 0; i < unit.operations.size(); ++i) add(unit.operations[i]).operation = i;
   for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
     Draft& draft = add(unit.events[i]);
     draft.event = i;
     if (unit.events[i] < draft.first_symbol) {  // the first row names the state
       draft.first_symbol = unit.events[i];
-      draft.task = symbols[unit.events[i]].reading.task;
+      draft.task = symbols[unit.events[i]].reading.task();
     }
   }
   return drafts.take();
@@ -81,7 +83,7 @@ std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbol
     return order != 0 ? order < 0 : a.first_symbol < b.first_symbol;
   });
   std::vector<State> states;
-  states.reserve(drafts.size() + 1);
+  states.reserve(std::max<std::size_t>(drafts.size(), 2));  // the only one gets a counterpart
   for (const Draft& draft : drafts) {
     states.push_back({std::string(draft.task), draft.operation, draft.event, !draft.sequence.empty()});
   }

@@ -9,8 +9,8 @@ namespace {
 class UnitTasks {
  public:
   UnitTasks(const Unit& unit, const std::vector<Symbol>& symbols) {
-    for (const std::uint32_t symbol : unit.operations) operations_.insert(symbols[symbol].reading.task);
-    for (const std::uint32_t symbol : unit.events) events_.insert(symbols[symbol].reading.task);
+    for (const std::uint32_t symbol : unit.operations) operations_.insert(symbols[symbol].reading.task());
+    for (const std::uint32_t symbol : unit.events) events_.insert(symbols[symbol].reading.task());
     states_.insert(unit.described->states.begin(), unit.described->states.end());
   }
 

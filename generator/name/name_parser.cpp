@@ -48,40 +48,17 @@ std::pair<std::size_t, std::size_t> surplus_levels(const NamingRule& rule, const
 }
 
 /// Reads the levels of a name. Their number must be that of the rule, and none may be empty.
-void read_levels(const NamingRule& rule, std::string_view name, const std::vector<std::string_view>& levels,
-                 NameReading& reading) {
-  const auto offset = [&](const char* index) { return static_cast<std::size_t>(index - name.data()); };
-  std::size_t device_end = 0;
+void read_levels(const NamingRule& rule, const std::vector<std::string_view>& levels, NameReading& reading) {
   reading.levels = static_cast<std::uint32_t>(levels.size());
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const std::string_view text = levels[i];
-    switch (rule.levels[i]) {
-      case Level::line:
-        reading.line = text;
-        break;
-      case Level::process:
-        reading.process = text;
-        break;
-      case Level::device:
-        reading.device = text;
-        device_end = offset(text.data() + text.size());
-        break;
-      case Level::task:
-        reading.task = text;
-        break;
-      case Level::direction: {
-        const DirectionWord* found = direction_word(rule, text);
-        if (found == nullptr) {
-          reading.fault = NameFault::direction_not_io;
-          reading.where = {offset(text.data()), offset(text.data() + text.size())};
-          return;
-        }
-        reading.direction = found->direction;
-        break;
-      }
+    if (rule.levels[i] != Level::direction) {
+      reading.set(rule.levels[i], levels[i]);
+      continue;
     }
+    const DirectionWord* found = direction_word(rule, levels[i]);
+    if (found == nullptr) return reading.set_fault(NameFault::direction_not_io, levels[i]);
+    reading.direction = found->direction;
   }
-  reading.device_path = name.substr(0, device_end);
 }
 
 constexpr auto kAsciiAlnum = [] {
@@ -94,16 +71,19 @@ constexpr auto kAsciiAlnum = [] {
 /// Splits a name of ASCII letters and digits that has the levels of the rule, none of them empty, as most names do.
 /// Returns false for all other names, which the grammar parses; for these names it gives the same result.
 bool cut_plain(const NamingRule& rule, std::string_view name, std::vector<std::string_view>& levels) {
-  levels.clear();
-  std::size_t begin = 0;
-  for (std::size_t at = 0; at <= name.size(); ++at) {
-    if (at < name.size() && kAsciiAlnum[static_cast<unsigned char>(name[at])]) continue;
-    const bool separates = at == name.size() || static_cast<unsigned char>(name[at]) == rule.separator;
-    if (!separates || at == begin || levels.size() == rule.levels.size()) return false;
-    levels.push_back(name.substr(begin, at - begin));
-    begin = at + 1;
+  levels.resize(rule.levels.size());
+  const char* at = name.data();
+  const char* const end = at + name.size();
+  for (std::string_view& level : levels) {
+    const char* const begin = at;
+    while (at != end && kAsciiAlnum[static_cast<unsigned char>(*at)]) ++at;
+    if (at == begin) return false;
+    level = {begin, static_cast<std::size_t>(at - begin)};
+    if (&level == &levels.back()) return at == end;
+    if (at == end || static_cast<unsigned char>(*at) != rule.separator) return false;
+    ++at;
   }
-  return levels.size() == rule.levels.size();
+  return false;
 }
 
 }  // namespace
@@ -118,8 +98,8 @@ NameParser::~NameParser() = default;
 
 NameReading NameParser::parse(std::string_view name) {
   if (!cut_plain(rule_, name, work_->levels)) return parse_by_grammar(name);
-  NameReading reading;
-  read_levels(rule_, name, work_->levels, reading);
+  NameReading reading(name);
+  read_levels(rule_, work_->levels, reading);
   return reading;
 }
 
@@ -135,17 +115,17 @@ NameReading NameParser::parse_by_grammar(std::string_view name) {
   const auto level = x3::raw[*x3::unicode::alnum];
   x3::parse(at, last, level % x3::unicode::char_(rule_.separator), pieces);
 
-  NameReading reading;
+  NameReading reading(name);
   const auto offset = [&](const char* index) { return static_cast<std::size_t>(index - begin); };
   if (at != last) {
-    const char* bad = at.base();
-    reading.fault = NameFault::illegal_character;
-    reading.where = {offset(bad), offset((++at).base())};
+    const std::size_t bad = offset(at.base());
+    reading.set_fault(NameFault::illegal_character, name.substr(bad, offset((++at).base()) - bad));
     return reading;
   }
   reading.levels = static_cast<std::uint32_t>(pieces.size());
-  const auto span_of = [&](std::size_t from, std::size_t to) {
-    return text::Span{offset(pieces[from].begin().base()), offset(pieces[to].end().base())};
+  const auto text_between = [&](std::size_t from, std::size_t to) {
+    const std::size_t first = offset(pieces[from].begin().base());
+    return name.substr(first, offset(pieces[to].end().base()) - first);
   };
 
   std::size_t empty = 0;
@@ -157,24 +137,23 @@ NameReading NameParser::parse_by_grammar(std::string_view name) {
   }
   const std::size_t wanted = rule_.levels.size();
   if (empty != 0 && (pieces.size() == wanted || pieces.size() - empty == wanted)) {
-    reading.fault = NameFault::empty_level;
-    reading.where = span_of(first_empty, first_empty);
+    reading.set_fault(NameFault::empty_level, text_between(first_empty, first_empty));
     return reading;
   }
-  if (pieces.size() != wanted) {
-    reading.fault = NameFault::wrong_number_of_levels;
-    reading.where = {0, name.size()};
-    if (pieces.size() > wanted) {
-      const auto [first, last_surplus] = surplus_levels(rule_, pieces);
-      reading.where = span_of(first, last_surplus);
-    }
+  if (pieces.size() < wanted) {
+    reading.set_fault(NameFault::wrong_number_of_levels, name);
+    return reading;
+  }
+  if (pieces.size() > wanted) {
+    const auto [first, last_surplus] = surplus_levels(rule_, pieces);
+    reading.set_fault(NameFault::wrong_number_of_levels, text_between(first, last_surplus));
     return reading;
   }
 
   std::vector<std::string_view>& levels = work_->levels;
   levels.clear();
   for (const Piece& piece : pieces) levels.push_back(text_of(piece));
-  read_levels(rule_, name, levels, reading);
+  read_levels(rule_, levels, reading);
   return reading;
 }
 

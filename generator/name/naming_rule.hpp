@@ -1,15 +1,16 @@
 // The naming rule as a value: the levels of a name, their separator, and the words for a direction.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace symplant::name {
 
-enum class Level { line, process, device, direction, task };
+enum class Level : std::uint8_t { line, process, device, direction, task };
 
 /// As the PLC sees it: it writes operations (its outputs) and reads events (its inputs).
-enum class Direction { operation, event };
+enum class Direction : std::uint8_t { operation, event };
 
 struct DirectionWord {
   std::string word;  ///< compared without regard to the case of ASCII letters

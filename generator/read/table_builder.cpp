@@ -61,8 +61,9 @@ bool TableBuilder::has_cell_too_long() {
   return false;
 }
 
-std::optional<SymbolTable> TableBuilder::finish() {
-  if (has_cell_too_long()) return std::nullopt;
+std::optional<SymbolTable> TableBuilder::finish() { return has_cell_too_long() ? std::nullopt : finish_bounded(); }
+
+std::optional<SymbolTable> TableBuilder::finish_bounded() {
   if (!table_.rows.empty()) return std::move(table_);
   report(kHeaderAlone, "the file declares no symbol; export the list again with its symbols",
          source().span_of(source().line_at(0)));

@@ -42,6 +42,8 @@ class TableBuilder {
 
   /// The table, or nothing, with an error, if it has no row (SP104) or a cell that is too long (SP111).
   std::optional<SymbolTable> finish();
+  /// The same where no cell can be too long.
+  std::optional<SymbolTable> finish_bounded();
 
  private:
   bool has_cell_too_long();

@@ -15,9 +15,9 @@ Part part_of(const model::Symbol& symbol, Level level) {
     part.list = symbol.list;
     return part;
   }
-  part.line = reading.line;
-  if (level != Level::line) part.process = reading.process;
-  if (level == Level::device) part.device = reading.device;
+  part.line = reading.line();
+  if (level != Level::line) part.process = reading.process();
+  if (level == Level::device) part.device = reading.device();
   return part;
 }
 

@@ -101,7 +101,7 @@ class TaskPairs {
   std::vector<MotionTask> motions_of(const std::vector<std::uint32_t>& symbols) {
     std::vector<MotionTask> motions;
     for (const std::uint32_t symbol : symbols) {
-      const name::ReadTask& motion = motion_of(plant_.symbols[symbol].reading.task);
+      const name::ReadTask& motion = motion_of(plant_.symbols[symbol].reading.task());
       if (motion.pair != name::kNoPair) motions.push_back({symbol, &motion});
     }
     return motions;

@@ -1,11 +1,12 @@
 // Compares texts without regard to ASCII case, as PLC tools compare names.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <unordered_map>
 
 #include "base/words.hpp"
@@ -18,13 +19,37 @@ constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+/// Eight characters with capitals for small letters.
+constexpr std::uint64_t upper_word(std::uint64_t word) {
+  const std::uint64_t low = word & ~base::kHighBits;
+  const std::uint64_t from_a = low + base::spread(0x80 - 'a');
+  const std::uint64_t beyond_z = low + base::spread(0x80 - 'z' - 1);
+  return word - ((from_a & ~beyond_z & ~word & base::kHighBits) >> 2U);  // 0x80 of a small letter to its 0x20
+}
+
 constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
+  if (a.size() != b.size()) return false;
+  std::size_t at = 0;
+  while (!std::is_constant_evaluated() && a.size() - at >= 8) {
+    if (upper_word(base::load_word(a.data() + at)) != upper_word(base::load_word(b.data() + at))) return false;
+    at += 8;
+  }
+  for (; at < a.size(); ++at) {
+    if (upper(a[at]) != upper(b[at])) return false;
+  }
+  return true;
 }
 
 inline std::string to_upper(std::string_view text) {
   std::string result(text);
-  for (char& c : result) c = upper(c);
+  std::size_t at = 0;
+  for (; result.size() - at >= 8; at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, result.data() + at, sizeof word);
+    word = upper_word(word);
+    std::memcpy(result.data() + at, &word, sizeof word);
+  }
+  for (; at < result.size(); ++at) result[at] = upper(result[at]);
   return result;
 }
 

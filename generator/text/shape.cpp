@@ -1,39 +1,57 @@
 // Replaces digits and blanks.
 #include "text/shape.hpp"
 
+#include <array>
+#include <cstdint>
+
 #include "text/ascii.hpp"
 
 namespace symplant::text {
 
 namespace {
 
-/// The length of ST, ND, RD or TH at an index, with no letter after it; else 0.
-std::size_t ordinal_at(std::string_view text, std::size_t at) {
+/// Whether ST, ND, RD or TH is at an index, with no letter after it.
+bool is_ordinal_at(std::string_view text, std::size_t at) {
   const auto is_letter = [](char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; };
-  if (at + 2 > text.size() || (at + 2 < text.size() && is_letter(text[at + 2]))) return 0;
+  if (at + 2 > text.size() || !is_letter(text[at]) || (at + 2 < text.size() && is_letter(text[at + 2]))) return false;
   const std::string_view ending = text.substr(at, 2);
   for (const std::string_view known : {"ST", "ND", "RD", "TH"}) {
-    if (equal_ignoring_case(ending, known)) return known.size();
+    if (equal_ignoring_case(ending, known)) return true;
   }
-  return 0;
+  return false;
 }
+
+enum class Kind : std::uint8_t { other, digit, blank };
+
+constexpr auto kKinds = [] {
+  std::array<Kind, 256> kinds{};
+  for (unsigned char c = '0'; c <= '9'; ++c) kinds[c] = Kind::digit;
+  for (const char c : std::string_view(" \t\r\n")) kinds[static_cast<unsigned char>(c)] = Kind::blank;
+  return kinds;
+}();
 
 }  // namespace
 
 std::string shape_of(std::string_view text) {
-  std::string shape;
+  std::string shape(text.size(), '\0');  // it is never longer
+  char* end = shape.data();
+  Kind before = Kind::other;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (const std::size_t ordinal = shape.ends_with('#') && i > 0 && is_digit(text[i - 1]) ? ordinal_at(text, i) : 0) {
-      shape += "TH";
-      i += ordinal - 1;
-      continue;
+    const Kind kind = kKinds[static_cast<unsigned char>(text[i])];
+    if (kind == Kind::other) {
+      if (before == Kind::digit && is_ordinal_at(text, i)) {
+        *end++ = 'T';
+        *end++ = 'H';
+        ++i;
+      } else {
+        *end++ = text[i];
+      }
+    } else if (kind != before && (kind == Kind::blank || end == shape.data() || end[-1] != '#')) {
+      *end++ = kind == Kind::digit ? '#' : ' ';
     }
-    const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
-    const char as = is_digit(c) ? '#' : blank ? ' ' : c;
-    const bool repeated = (as == '#' && c != '#') || blank;
-    if (!repeated || shape.empty() || shape.back() != as) shape += as;
+    before = kind;
   }
+  shape.resize(static_cast<std::size_t>(end - shape.data()));
   return shape;
 }
 

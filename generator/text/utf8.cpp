@@ -1,7 +1,10 @@
 // Reads and writes code points in UTF-8.
 #include "text/utf8.hpp"
 
-#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "base/words.hpp"
 
 namespace symplant::text {
 
@@ -45,7 +48,15 @@ void append_utf8(std::string& text, char32_t value) {
 }
 
 std::size_t count_code_points(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
+  std::size_t continuations = 0;
+  std::size_t at = 0;
+  for (; text.size() - at >= 8; at += 8) {
+    const std::uint64_t word = base::load_word(text.data() + at);
+    const std::uint64_t found = word & ~(word << 1U) & base::kHighBits;  // 10xxxxxx
+    if (found != 0) continuations += static_cast<std::size_t>(std::popcount(found));
+  }
+  for (; at < text.size(); ++at) continuations += is_continuation(text[at]) ? 1U : 0U;
+  return text.size() - continuations;
 }
 
 std::string_view first_code_points(std::string_view text, std::size_t most) {

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "check/rule.hpp"
 #include "diag/encode.hpp"
 #include "diag/visible_text.hpp"
 #include "model/classify.hpp"
@@ -147,11 +146,11 @@ class DataWriter {
 
   void write_unit(std::uint32_t index) {
     const model::Unit& unit = plant_.units[index];
-    const name::NameReading& reading = check::first_symbol_of(plant_, unit).reading;
+    const name::NameReading& reading = plant_.symbols[unit.first_symbol()].reading;
     json_.begin_object();
     json_.member("path", visible(unit.path));
-    json_.member("line", visible(reading.line));
-    json_.member("process", visible(reading.process));
+    json_.member("line", visible(reading.line()));
+    json_.member("process", visible(reading.process()));
     json_.member("device", visible(unit.device));
     if (unit.facet != nullptr && !unit.facet->name.empty()) json_.member("facet", visible(unit.facet->name));
     json_.member("kind", kinds_[static_cast<std::size_t>(unit_positions_[index])]);

@@ -63,7 +63,7 @@ class KindWriter {
  private:
   void write_tasks(std::string_view key, const std::vector<std::uint32_t>& symbols) {
     json_.key(key);
-    json_.array(symbols, [&](std::uint32_t symbol) { json_.value(visible(plant_.symbols[symbol].reading.task)); });
+    json_.array(symbols, [&](std::uint32_t symbol) { json_.value(visible(plant_.symbols[symbol].reading.task())); });
   }
 
   void write_edges(const Chart& chart) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "check/rule.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
 #include "symplant/tables/digest.hpp"
@@ -60,10 +59,10 @@ class UnitWriter {
   std::string_view event(std::uint32_t position) const { return plant_.symbols[unit_.events[position]].name(); }
 
   void write_head() {
-    const name::NameReading& reading = check::first_symbol_of(plant_, unit_).reading;
+    const name::NameReading& reading = plant_.symbols[unit_.first_symbol()].reading;
     json_.member("path", unit_.path);
-    json_.member("line", reading.line);
-    json_.member("process", reading.process);
+    json_.member("line", reading.line());
+    json_.member("process", reading.process());
     json_.member("device", unit_.device);
     if (unit_.facet != nullptr && !unit_.facet->name.empty()) json_.member("facet", unit_.facet->name);
     json_.member("actuation", description::actuation_name(unit_.actuation));
@@ -181,7 +180,7 @@ void write_symbol(const model::Symbol& symbol, const model::PlantModel& plant, J
   json.member("name", symbol.name());
   json.member("list", symbol.list);
   json.member("row", symbol.row->line);
-  json.member("direction", check::direction_text(symbol.direction));
+  json.member("direction", symbol.direction == tables::Direction::operation ? "operation" : "event");
   json.member("direction_by", direction_by_key(symbol.direction_by));
   json.member("type", model::data_type_name(symbol.type));
   json.member("address", symbol.row->vendor_address);

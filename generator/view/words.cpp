@@ -155,11 +155,11 @@ std::string_view unmodelled_reason(model::Unmodelled reason) {
 }
 
 std::string operation_text(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t operation) {
-  return "O_" + std::string(plant.symbols[unit.operations[operation]].reading.task);
+  return "O_" + std::string(plant.symbols[unit.operations[operation]].reading.task());
 }
 
 std::string event_text(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
-  return "I_" + std::string(plant.symbols[unit.events[event]].reading.task);
+  return "I_" + std::string(plant.symbols[unit.events[event]].reading.task());
 }
 
 std::vector<std::string_view> inferences(const model::Unit& unit) {

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "check/spelling/device_classes.hpp"
 #include "check/spelling/slips.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
@@ -50,7 +49,7 @@ model::PlantModel plant_of(const std::string& text) {
 void near_names(benchmark::State& state, bool halves) {
   const model::PlantModel plant = plant_of(list_text(state.range(0), halves));
   std::size_t found = 0;
-  for (auto _ : state) found = check::find_slips(plant, check::DeviceClasses(plant)).size();
+  for (auto _ : state) found = check::find_slips(plant, check::Siblings(plant)).size();
   state.counters["slips"] = static_cast<double>(found);
   state.SetComplexityN(state.range(0));
 }

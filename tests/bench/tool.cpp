@@ -8,7 +8,7 @@
 #include "bench/list_text.hpp"
 #include "bench/loops.hpp"
 #include "bench/rich_files.hpp"
-#include "check/check_plant.hpp"
+#include "check/catalogue.hpp"
 #include "emit/emit.hpp"
 #include "lower/lower.hpp"
 #include "model/derive.hpp"

@@ -128,7 +128,7 @@ std::vector<Kind> address_kinds() {
       {"address-twice", "the address of another device's output", "address-used-twice", share_output},
       {"address-moved-twice", "the address of another device's input, where both move", "event-driven-twice",
        share_driven_input},
-      {"address-other-side", "an address of the other direction, where the task has both", "task-claimed-twice",
+      {"address-other-side", "an address of the other direction, where the task has both", "direction-against-address",
        other_side_of_pair},
       {"address-other-side-alone", "the same, where the task has only one", "direction-against-address",
        other_side_alone},

@@ -183,7 +183,7 @@ std::vector<Kind> device_kinds() {
       {"operation-lost", "the row of an operation lost", "shape-lacks-symbol", lose_operation},
       {"event-lost", "the row of an event lost", "shape-lacks-symbol", lose_event},
       {"memory-address", "a bit of the PLC's memory for an input or output", "io-name-in-memory", move_to_memory},
-      {"task-lost", "all rows of a task lost, of two", "one-task-alone", lose_task},
+      {"task-lost", "all rows of a task lost, of two", "shape-lacks-symbol", lose_task},
       {"number-skipped", "a gap in the sequence numbers, as in `P1 P2 P4`", "sequence-gap", leave_gap},
       {"step-lost", "all rows of a step lost", "sequence-gap", lose_step},
       {"number-repeated", "a sequence number twice, as in `HOME1 JOB2 DONE2`", "sequence-repeated", repeat_number},

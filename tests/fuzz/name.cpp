@@ -20,21 +20,21 @@ std::size_t offset_of(std::string_view level, std::string_view name) {
 
 void look_at_levels(std::string_view name, const NameReading& reading) {
   require(reading.levels == 5, "a name without a fault has not five levels");
-  for (const std::string_view level : {reading.line, reading.process, reading.device, reading.task}) {
+  for (const std::string_view level : {reading.line(), reading.process(), reading.device(), reading.task()}) {
     require(!level.empty() && level.find('_') == level.npos, "a level is empty, or two");
     offset_of(level, name);
   }
   const std::string path =
-      std::string(reading.line) + "_" + std::string(reading.process) + "_" + std::string(reading.device);
-  require(reading.device_path == path && name.starts_with(path), "the device's path is not its levels");
-  const std::size_t task = offset_of(reading.task, name);
-  require(task == path.size() + 3 && task + reading.task.size() == name.size(), "the levels joined are not the name");
+      std::string(reading.line()) + "_" + std::string(reading.process()) + "_" + std::string(reading.device());
+  require(reading.device_path() == path && name.starts_with(path), "the device's path is not its levels");
+  const std::size_t task = offset_of(reading.task(), name);
+  require(task == path.size() + 3 && task + reading.task().size() == name.size(), "the levels joined are not the name");
   const char letter = name[path.size() + 1];
   require((letter | 0x20) == (reading.direction == name::Direction::event ? 'i' : 'o'), "the direction is another");
 }
 
 void look_at_fault(std::string_view name, const NameReading& reading) {
-  const auto [begin, end] = reading.where;
+  const auto [begin, end] = reading.where();
   require(begin <= end && end <= name.size(), "a fault lies outside the name");
   require(is_utf8(name.substr(0, begin)) && is_utf8(name.substr(begin, end - begin)), "a fault cuts a character");
   const auto separators = static_cast<std::size_t>(std::count(name.begin(), name.end(), '_'));

@@ -11,7 +11,6 @@
 
 #include "app/pipeline.hpp"
 #include "check/catalogue.hpp"
-#include "check/check_plant.hpp"
 #include "findings/finish.hpp"
 #include "lower/lower.hpp"
 #include "model/derive.hpp"

@@ -123,8 +123,8 @@ class Check {
         inputs_(options.plants) {}
 
   void run() {
-    for (const std::string& word : selection_.renamed()) {
-      context_.err << "warning: " << check::renamed_rule(word) << "\n";
+    for (const std::string& word : selection_.former()) {
+      context_.err << "warning: " << check::former_rule(word) << "\n";
     }
     if (!baseline_.open()) return;
     for (const std::string& plant : options_.plants) look_at(plant);

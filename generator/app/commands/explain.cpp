@@ -19,15 +19,16 @@ void add_explain(CLI::App& app, Context& context) {
   command->footer("Examples:\n  symplant explain SP201\n  symplant explain wrong-number-of-levels");
   command->callback([rule, &context] {
     const diag::RuleInfo* info = check::find_rule(*rule);
+    const std::string former = check::former_rule(*rule);
     if (info == nullptr) {
-      context.err << "error: " << diag::visible(check::no_such_rule(*rule)) << "\n";
+      context.err << "error: " << diag::visible(former.empty() ? check::no_such_rule(*rule) : former) << "\n";
       context.exit_code = host::kBadInput;
       return;
     }
-    if (!check::slug_now(*rule).empty()) context.err << "warning: " << check::renamed_rule(*rule) << "\n";
+    if (!former.empty()) context.err << "warning: " << former << "\n";
     context.out << "# " << info->id << " " << info->slug << "\n\n"
                 << "Severity: " << diag::severity_name(info->severity) << "; " << info->summary << ".\n\n"
-                << info->page;
+                << diag::manual_page(*info);
   });
 }
 

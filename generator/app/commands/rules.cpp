@@ -25,7 +25,7 @@ std::string as_markdown() {
   }
   for (const diag::RuleInfo* rule : check::catalogue()) {
     text += fmt::format("\n## {} {}\n\nSeverity: {}.\n\n{}", rule->id, rule->slug, diag::severity_name(rule->severity),
-                        rule->page);
+                        diag::manual_page(*rule));
   }
   return text;
 }
@@ -37,7 +37,7 @@ std::string as_json() {
                      {"slug", rule->slug},
                      {"severity", diag::severity_name(rule->severity)},
                      {"summary", rule->summary},
-                     {"page", rule->page}});
+                     {"page", diag::manual_page(*rule)}});
   }
   return nlohmann::ordered_json{{"symplant-rules", 1}, {"rules", rules}}.dump(2) + "\n";
 }

@@ -1,263 +1,189 @@
-// Rules: addresses and how they are counted.
-#include <fmt/format.h>
+// Rules: addresses, how they are counted, and which symbols share them.
+#include <algorithm>
+#include <array>
+#include <tuple>
 
-#include <vector>
-
-#include "address/address.hpp"
-#include "check/rules.hpp"
-#include "text/ascii.hpp"
+#include "address/bits.hpp"
+#include "check/rule.hpp"
+#include "model/classify.hpp"
 
 namespace symplant::check {
 namespace {
 
-std::string_view examples_of(address::Notation notation) {
-  switch (notation) {
-    case address::Notation::siemens:
-      return "`%I0.0`, `%QW64` or `E 2.6`";
-    case address::Notation::rockwell:
-      return "`Local:1:I.Data.0`";
-    case address::Notation::omron:
-      return "`1052.02`, `W10.00` or `D100`";
-    case address::Notation::modbus:
-      return "`10001` or `400001`";
-    default:
-      return "`%IX1`, `%QW5`, `X1F` or `Y0001`";
+/// Two symbols of one location.
+Finding at_shared(const Find& find, const Symbol& symbol, const Symbol& other, std::string text) {
+  Finding finding = find.at(symbol, symbol.address_cell());
+  finding.also(Kind::symbol, other.name()).see(*other.row, other.address_cell(), std::move(text));
+  return finding.follows(Kind::address, symbol.name()).follows(Kind::address, other.name());
+}
+
+void address_used_twice(const Find& find, const Symbol& symbol) {
+  if (symbol.leader == kNone) return;
+  const auto index = static_cast<std::uint32_t>(&symbol - find.symbols.data());
+  const auto& twice = find.evidence.driven_twice;  // SP304 reports them
+  const auto driven = std::ranges::lower_bound(twice, std::array{index, std::uint32_t{0}});
+  if (driven != twice.end() && (*driven)[0] == index) return;
+  const Symbol& leader = find.symbols[symbol.leader];
+  at_shared(find, symbol, leader, "the symbol that it follows")
+      .say("`{}` has the address `{}`, as `{}` has: they are kept equal; correct the address if they are two signals",
+           symbol.name(), symbol.address_cell(), leader.name());
+}
+
+void event_driven_twice(const Find& find) {
+  for (const auto& [second, first] : find.evidence.driven_twice) {
+    const Symbol& a = find.symbols[first];
+    const Symbol& b = find.symbols[second];
+    at_shared(find, b, a, "the other one")
+        .say("`{}` has the address `{}`, as `{}` has, and the plant drives each of them: correct one address", b.name(),
+             b.address_cell(), a.name());
   }
 }
 
-/// An address of X or Y whose digits are hexadecimal, in a list that is read in octal.
-bool is_hexadecimal(address::Notation notation, std::string_view cell) {
-  if (notation != address::Notation::melsec) return false;
-  const char first = cell.empty() ? ' ' : text::upper(cell.front());
-  return (first == 'X' || first == 'Y') && address::parse_melsec(cell, address::Radix::hexadecimal).has_value();
-}
-
-void check_address_not_understood(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  for (const model::BadAddress& bad : subject.evidence.bad_addresses) {
-    const address::Notation notation = plant.lists[plant.list_of(*bad.row)].table->notation;
-    const bool in_octal = is_hexadecimal(notation, bad.cell);
-    diagnostics.add(rule.info, about(*bad.row),
-                    fmt::format("`{}` is not a valid address{}: `{}` gets no address from it; {}", bad.cell,
-                                in_octal ? ", since X and Y count in octal here" : "", bad.row->name,
-                                in_octal ? "correct its digits, or use `--xy hex` if the list counts in hexadecimal"
-                                         : fmt::format("write it like {}", examples_of(notation))),
-                    location_of(plant, *bad.row, bad.cell));
+void address_not_understood(const Find& find) {
+  for (const model::BadAddress& bad : find.evidence.bad_addresses) {
+    const bool melsec = find.plant.lists[find.plant.list_of(*bad.row)].table->notation == address::Notation::melsec;
+    const bool octal = melsec && address::parse_melsec(bad.cell, address::Radix::hexadecimal).has_value();
+    find.at(*bad.row, bad.cell)
+        .say("`{}` is not a valid address{}: `{}` gets no address from it; correct it", bad.cell,
+             octal ? ", since X and Y count in octal here (`--xy hex` changes that)" : "", bad.row->name);
   }
 }
 
-void check_no_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  std::vector<const model::Symbol*> found;
-  for (const model::Symbol& symbol : plant.symbols) {
+void no_address(const Find& find) {
+  std::vector<const Symbol*> found;
+  for (const Symbol& symbol : find.symbols) {
     if (!symbol.address && symbol.written_address().empty()) found.push_back(&symbol);  // otherwise SP307
   }
   if (found.empty()) return;
-  std::vector<diag::Related> others;
-  for (std::size_t i = 1; i < found.size() && i <= 5; ++i)
-    others.push_back({location_of(plant, *found[i]), "no address either"});
-  diagnostics.add(rule.info, about(*found[0]),
-                  found.size() == 1 ? fmt::format("`{}` has no address: it is on no link", found[0]->name())
-                                    : fmt::format("`{}` and {} more have no address: they are on no link",
-                                                  found[0]->name(), found.size() - 1),
-                  location_of(plant, *found[0]), std::move(others));
+  find.at(*found[0]).say("`{}`{} no address, and no link", found[0]->name(),
+                         found.size() == 1 ? " has" : fmt::format(" and {} more have", found.size() - 1));
 }
 
-void check_radix_assumed(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  for (std::uint32_t list = 0; list < plant.lists.size(); ++list) {
-    const model::RadixChoice& radix = plant.lists[list].radix;
-    if (radix.by != model::RadixChoice::By::nothing || radix.matters_in == nullptr) continue;
-    const read::ListRow& row = *radix.matters_in;
-    if (plant.list_of(row) != list) continue;  // reported once for all lists of a controller
-    diagnostics.add(rule.info, about(row),
-                    fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: use `--xy hex` or "
-                                "`--xy octal`",
-                                row.vendor_address),
-                    location_of(plant, row, row.vendor_address));
-  }
-}
-
-std::string_view radix_name(address::Radix radix) {
-  return radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
-}
-
-void check_radix_disagrees(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  for (const model::PlantList& list : plant.lists) {
-    if (list.own.by == model::RadixChoice::By::nothing || list.own.radix == list.radix.radix) continue;
-    diag::Location location{list.table->source, {}};
-    if (list.own.proof != nullptr) location = location_of(plant, *list.own.proof, list.own.proof->vendor_address);
-    std::vector<diag::Related> related;
-    if (list.radix.proof != nullptr) {
-      const read::ListRow& proof = *list.radix.proof;
-      related.push_back({location_of(plant, proof, proof.vendor_address), "this row proves the other radix"});
+void radix_assumed(const Find& find) {
+  using By = model::RadixChoice::By;
+  for (const model::PlantList& list : find.plant.lists) {
+    if (list.own.by == By::option && list.own.radix != list.radix.radix) {
+      Finding finding = find.at(diag::Location{list.table->source, {}});
+      finding.as.severity = kWarning;
+      finding.say("lists of a controller count X and Y alike, this one has another `xy`: correct one of them");
     }
-    diagnostics.add(rule.info,
-                    fmt::format("this list counts X and Y in {}, but all lists of its controller are read in {}: "
-                                "correct one of them, or give the lists different controllers",
-                                radix_name(list.own.radix), radix_name(list.radix.radix)),
-                    std::move(location), std::move(related));
+    const read::ListRow* row = list.radix.matters_in;
+    if (list.radix.by != By::nothing || row == nullptr) continue;
+    if (&find.plant.lists[find.plant.list_of(*row)] != &list) continue;  // once for all lists of a controller
+    find.at(*row, row->vendor_address)
+        .say("`{}` is read as hexadecimal, and nothing in the list proves it: use `--xy hex` or `--xy octal`",
+             row->vendor_address);
   }
 }
 
-constexpr std::size_t kFew = 8;
-
-std::string_view side(address::Area area) {
-  switch (area) {
-    case address::Area::input:
-      return "input";
-    case address::Area::output:
-      return "output";
-    default:
-      return "memory of the PLC";
-  }
+/// "input 16".
+std::string location_text(const address::Address& address) {
+  if (address.area == address::Area::memory) return "memory";
+  return fmt::format("{} {}", address.area == address::Area::input ? "input" : "output", address.number);
 }
 
-std::string location_words(const address::Address& address, bool with_number) {
-  if (address.area == address::Area::memory) return "in the memory of the PLC";
-  const std::string_view article = with_number ? "" : "an ";
-  return fmt::format("{}{}{}", article, side(address.area), with_number ? fmt::format(" {}", address.number) : "");
-}
-
-address::Radix other_radix(address::Radix radix) {
-  return radix == address::Radix::hexadecimal ? address::Radix::octal : address::Radix::hexadecimal;
-}
-
-std::string_view radix_word(address::Radix radix) {
-  return radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
-}
-
-/// Whether the two agree if X and Y are counted in the other radix.
-bool agree_otherwise(const model::PlantModel& plant, const model::AddressContradiction& found) {
-  const auto other = address::parse_melsec(found.row->vendor_address, other_radix(plant.lists[found.list].radix.radix));
-  return other && *other == found.iec;
-}
-
-/// What is there, as far as "the IEC address counts".
-std::string difference(const model::PlantModel& plant, const model::AddressContradiction& found) {
-  const read::ListRow& row = *found.row;
-  const address::Radix radix = plant.lists[found.list].radix.radix;
-  if (found.vendor.area == found.iec.area && agree_otherwise(plant, found)) {
-    return fmt::format("`{}` and `{}` agree only where X and Y are counted in {}, and here they are counted in {}",
-                       row.vendor_address, row.iec_address, radix_word(other_radix(radix)), radix_word(radix));
-  }
-  const bool numbers = found.vendor.area == found.iec.area;
-  return fmt::format("`{}` is {} and `{}` {}", row.vendor_address, location_words(found.vendor, numbers),
-                     row.iec_address, location_words(found.iec, numbers));
-}
-
-/// SP314 reports a list that counts in another radix than its controller.
-bool reported_of_list(const model::PlantModel& plant, const model::AddressContradiction& found) {
-  const model::PlantList& list = plant.lists[found.list];
-  return list.own.by != model::RadixChoice::By::nothing && list.own.radix != list.radix.radix &&
-         agree_otherwise(plant, found);
-}
-
-/// The symbol and its device, or the row if it is left out.
-diag::Subjects about_row(const model::PlantModel& plant, const read::ListRow& row) {
-  const model::Symbol* symbol = symbol_of(plant, row);
-  diag::Subjects subjects = symbol != nullptr ? about(*symbol) : about(row);
-  subjects.explains.push_back(address_of(row.name));
-  return subjects;
-}
-
-void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  std::vector<std::size_t> count(plant.lists.size());
-  for (const model::AddressContradiction& found : subject.evidence.address_contradictions) ++count[found.list];
-  std::vector<bool> reported(plant.lists.size());
-  for (const model::AddressContradiction& found : subject.evidence.address_contradictions) {
-    if (reported_of_list(plant, found)) continue;
-    const model::PlantList& list = plant.lists[found.list];
+void addresses_contradict(const Find& find) {
+  std::vector<std::size_t> count(find.plant.lists.size());
+  for (const model::AddressContradiction& found : find.evidence.address_contradictions) ++count[found.list];
+  for (const model::AddressContradiction& found : find.evidence.address_contradictions) {
+    const model::PlantList& list = find.plant.lists[found.list];
+    const std::size_t of_list = count[found.list];
+    if (of_list == 0) continue;  // they are reported
     const read::ListRow& row = *found.row;
-    diag::Location location = location_of(plant, row, row.iec_address);
-    if (count[found.list] > kFew && 2 * count[found.list] > list.compared) {
-      if (reported[found.list]) continue;
-      reported[found.list] = true;
-      diagnostics.add(rule.info,
-                      fmt::format("the two addresses of {} of {} rows differ, first of this one: {}; "
-                                  "the IEC addresses count; export the list again, or empty the column that is wrong",
-                                  count[found.list], list.compared, difference(plant, found)),
-                      std::move(location));
-      continue;
-    }
-    std::vector<diag::Related> related;
+    const bool all = of_list > 8 && 2 * of_list > list.compared;
+    if (all) count[found.list] = 0;
+    Finding finding = all ? find.at(location_of(find.plant, row, row.iec_address)) : find.at(row, row.iec_address);
+    finding.explains(Kind::address, row.name);
     if (list.radix.proof != nullptr && found.vendor.area == found.iec.area) {
-      related.push_back({location_of(plant, *list.radix.proof, list.radix.proof->vendor_address),
-                         "this row proves how X and Y are counted"});
+      finding.see(*list.radix.proof, list.radix.proof->vendor_address, "this row proves how X and Y are counted");
     }
-    diagnostics.add(rule.info, about_row(plant, row),
-                    fmt::format("{}: the IEC address counts; correct one of them", difference(plant, found)),
-                    std::move(location), std::move(related));
+    finding.say(
+        "{}`{}` ({}) and `{}` ({}) differ: the IEC address counts; correct one of them",
+        all ? fmt::format("both addresses of {} of {} rows differ, such as here: ", of_list, list.compared) : "",
+        row.vendor_address, location_text(found.vendor), row.iec_address, location_text(found.iec));
   }
 }
+
+/// The bits of a symbol, by the numbering that it shares.
+struct Covered {
+  std::tuple<std::uint32_t, address::Area, address::Bank> numbering;
+  address::BitRange bits;
+  const Symbol* symbol;
+};
+
+void addresses_overlap(const Find& find) {
+  std::vector<Covered> covered;
+  const auto is_bool = [](const Symbol& symbol) { return symbol.type == tables::DataType::boolean; };
+  if (std::ranges::all_of(find.symbols, is_bool)) return;
+  for (const Symbol& symbol : find.symbols) {
+    if (!symbol.address || symbol.address->bank == address::kNoBank || symbol.leader != kNone) continue;
+    if (static_cast<int>(symbol.address->size) != model::data_type_bits(symbol.type)) continue;
+    covered.push_back({{find.plant.controller_of(symbol), symbol.address->area, symbol.address->bank},
+                       *address::bits_of(*symbol.address),
+                       &symbol});
+  }
+  std::ranges::sort(covered, [](const Covered& a, const Covered& b) {  // of two the larger one is first
+    return std::tuple(a.numbering, a.bits.first, b.bits.last) < std::tuple(b.numbering, b.bits.first, a.bits.last);
+  });
+  const Covered* next = nullptr;  // the one that reaches farthest
+  bool has_bits = false;
+  for (const Covered& part : covered) {
+    const Covered* whole = next;
+    const bool apart = whole == nullptr || part.numbering != whole->numbering || part.bits.first > whole->bits.last;
+    if (apart || part.bits.last > whole->bits.last) next = &part;
+    if (apart) has_bits = false;
+    const bool bit = part.symbol->address->size == address::Size::bit;
+    if (apart || (bit && std::exchange(has_bits, true))) continue;
+    Finding finding = at_shared(find, *whole->symbol, *part.symbol, "has bits of it");
+    if (bit) finding.as.severity = kNote;
+    finding.say("`{}` on `{}` has bits of `{}` on `{}`, and they are not kept equal: {}", whole->symbol->name(),
+                whole->symbol->address_cell(), part.symbol->name(), part.symbol->address_cell(),
+                bit ? "let the PLC program use either the number or its bits" : "correct one of the addresses");
+  }
+}
+
+constexpr Rule kAddressRules[] = {
+    {"SP303", "address-used-twice", kWarning, address_used_twice, "several symbols have one address",
+     "This may be intended (two names for one signal). Most often a row was copied and its address not changed.",
+     "The symbols are kept equal: writing one writes all.",
+     "Give the symbol the address that it has in the wiring, or remove the second name."},
+    {"SP304", "event-driven-twice", kError, event_driven_twice, "two devices drive events on one address",
+     "Devices, conditions (`follow`) or sensors of parts drive two events of one address.",
+     "The plant cannot be built: the PLC reads one bit there.", "Correct the address of one of them."},
+    {"SP307", "address-not-understood", kWarning, address_not_understood, "an address cell has no valid address",
+     "It is no IEC 61131-3 address (`%IX1`, `%QX0.5`, `%IW5`) and none of the list's tool: `X1F`, `%I0.0`, `E2.6`, "
+     "`PIW64`, `Local:1:I.Data.0`, `1052.02`, `10001`.",
+     "Without another address the symbol is on no link, and its name gives its direction.",
+     "Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`."},
+    {"SP308", "radix-assumed", kNote, radix_assumed, "whether X and Y count in hexadecimal is assumed",
+     "MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal: `X0010` has index 16 or 8 on a link. "
+     "Rows with a MELSEC and an IEC address prove it for all lists of a controller. Else use `--xy hex` or "
+     "`--xy octal`."},
+    {"SP309", "no-address", kNote, no_address, "I/O symbols have no address",
+     "They are in the model and in traces, and their names give their directions. A PLC does not see them."},
+    {"SP315", "addresses-contradict", kWarning, addresses_contradict, "the MELSEC and the IEC address of a row differ",
+     "Most often one column was changed and the other was not. If more than half of a list's rows differ, there is one "
+     "finding for the list: it counts X and Y in octal, and other lists of its controller do not.",
+     "The IEC address counts. If it is wrong, the symbol has the address of another signal.",
+     "Correct the wrong column, or leave it empty; or give each list a `controller`.", Rank::address},
+    {"SP316", "symbols-overlap", kError, nullptr, "two symbols have one coil, input or register of a link",
+     "By default a symbol has the number of its address in registers: `%QD5` has 10 and 11, and meets `%QW10`.",
+     "What the PLC writes for one of them would reach the other.",
+     "Correct an address, or give one a `number` in `links`. `symplant map` shows each index."},
+    {"SP317", "address-without-number", kWarning, nullptr, "an address without a number costs others theirs",
+     "Of a table most addresses have a number (`%IX1.5` is discrete input 13), and a few have none: a bit of 8 or more "
+     "(`%IX1.8`), three parts, 65536 or more. Then all symbols of the table are packed in list order.",
+     "Every coil, input or register of that table has another number on the link than its address.",
+     "Correct the address, or give the symbol a `number` in the `links` of plant.json: then the others keep theirs."},
+    {"SP319", "addresses-overlap", kWarning, addresses_overlap, "two numbers, or a number and a bit, overlap",
+     "SIMATIC numbers bytes: `%ID100` has bits of `%IW102`. A word and its bits (`%IW64`, `%I64.3`) are usually "
+     "wanted.",
+     "They are separate symbols: what is written to one does not change the other.",
+     "Correct the address, or let the PLC program use one of them."},
+};
 
 }  // namespace
 
-const Rule kAddressNotUnderstood{
-    {"SP307", "address-not-understood", diag::Severity::warning, "an address cell has no valid address",
-     R"(A cell of an address column has something that is neither an IEC 61131-3 address (`%IX1`, `%QX0.5`, `%IW5`) nor an address in the
-notation of the list's tool: a MELSEC device (X1F, Y0001, M500, D10), a SIMATIC operand (`%I0.0`, `E 2.6`, `PIW 64`), a tag of a
-Logix module (`Local:1:I.Data.0`), a word and bit of CX-Programmer (`1052.02`, `W10.00`), a Modbus reference (10001).
-
-**What the model loses.** The symbol has no address from this cell. If the other column has none either, its direction is that
-of its name, and it is on no link.
-
-**How to fix it.** Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`.
-)"},
-    check_address_not_understood};
-
-const Rule kNoAddress{
-    {"SP309", "no-address", diag::Severity::note, "I/O symbols have no address",
-     R"(Some symbols have neither a vendor's nor an IEC address; their direction comes from their names.
-
-**What the model loses.** Nothing within the plant: they are in the model and in traces. But they are on no link, so no PLC
-writes or reads them.
-
-**How to fix it.** Give them addresses if a PLC should see them.
-)"},
-    check_no_address};
-
-const Rule kRadixAssumed{
-    {"SP308", "radix-assumed", diag::Severity::note, "whether X and Y count in hexadecimal is assumed",
-     R"(MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal. This list proves neither: no row has both a MELSEC and
-an IEC address, and it has numbers for which it makes a difference.
-
-**What the model loses.** Nothing within the plant. On a link, `X0010` has index 16 in hexadecimal and index 8 in octal.
-
-**How to fix it.** Use `--xy hex` or `--xy octal` (in plant.json `"xy"` next to the list's file), or export the IEC addresses as
-well.
-)"},
-    check_radix_assumed};
-
-const Rule kRadixDisagrees{
-    {"SP314", "radix-disagrees", diag::Severity::warning, "two lists of one controller count X and Y differently",
-     R"(A controller counts its X and Y either in hexadecimal or in octal. Here the lists of one controller disagree, by rows with both
-a MELSEC and an IEC address or by their `"xy"`. What most rows of all its lists prove counts for all of them.
-
-**What the model loses.** MELSEC addresses of this list in rows without an IEC address are read in the other radix: `X0010` has
-index 16 in hexadecimal and index 8 in octal.
-
-**How to fix it.** If the lists belong to two controllers, give each its `"controller"`. If they belong to one, correct the
-wrong addresses, or the `"xy"`.
-)"},
-    check_radix_disagrees};
-
-const Rule kAddressesContradict{
-    {"SP315", "addresses-contradict", diag::Severity::warning, "the MELSEC and the IEC address of a row differ",
-     R"(A row has a MELSEC and an IEC address, and they differ: another number (`X0010` is input 16, `%IX17` input 17), another side
-(`X`, `%Q`), or a number counted in octal in a list that counts in hexadecimal (`X0020` and `%IX16`). Most often one column was
-changed and the other was not.
-
-If more than half of a list's rows differ, there is one finding for the list: the columns do not belong together.
-
-**What the model loses.** The IEC address counts. If it is wrong, the symbol has the address of another signal, or is on the
-other side: the PLC reads and writes what belongs to another device.
-
-**How to fix it.** Correct the wrong column, or leave it empty.
-)",
-     diag::Rank::address},
-    check_addresses_contradict};
+std::span<const Rule> address_rules() { return kAddressRules; }
 
 }  // namespace symplant::check

@@ -1,230 +1,274 @@
-// Rules: names against the naming rule.
-#include <fmt/format.h>
-
+// Rules: names against the naming rule and the limits of tools, and names and comments in a row.
 #include <algorithm>
 #include <array>
-#include <string>
-#include <utility>
+#include <charconv>
+#include <map>
 
-#include "check/rules.hpp"
-#include "text/ascii.hpp"
+#include "check/rule.hpp"
+#include "convert/identifiers.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::check {
 namespace {
 
-/// Reports each name with a fault. `text_of(symbol)` is the message.
-template <class Text>
-void report_names(const Rule& rule, const Subject& subject, name::NameFault fault, diag::Diagnostics& diagnostics,
-                  Text text_of) {
-  for (const model::Symbol& symbol : subject.plant.symbols) {
-    if (!breaks_rule(subject, symbol, fault)) continue;
-    diag::Location location = location_of(subject.plant, symbol);
-    narrow(location, symbol);
-    diagnostics.add(rule.info, about_name(subject.plant, symbol), text_of(symbol), std::move(location));
-  }
-}
+using name::NameFault;
 
-void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const name::NamingRule& naming = *subject.plant.rule;
-  const std::size_t wanted = naming.levels.size();
-  report_names(rule, subject, name::NameFault::wrong_number_of_levels, diagnostics, [&](const model::Symbol& symbol) {
-    const std::size_t levels = symbol.reading.levels;
-    return fmt::format("`{}` has {} level{}, `{}` requires {}: its device is unknown, {}; {}", symbol.name(), levels,
-                       levels == 1 ? "" : "s", naming.pattern, wanted, consequence(symbol),
-                       levels > wanted ? "remove a level or join two" : "add the missing levels");
-  });
-}
-
-void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  report_names(rule, subject, name::NameFault::empty_level, diagnostics, [](const model::Symbol& symbol) {
-    return fmt::format(
-        "`{}` has an empty level: its device is unknown, {}; write the missing word or remove the "
-        "surplus separator",
-        symbol.name(), consequence(symbol));
-  });
-}
-
-/// Whether a word is a direction in another form, and not a word of the name.
-bool is_direction_sign(std::string_view word) {
-  constexpr std::size_t kLongestSign = 2;  // X, DI, 0
-  constexpr std::array<std::string_view, 6> kDirections{"IN", "OUT", "INP", "INPUT", "OUTP", "OUTPUT"};
-  if (word.size() <= kLongestSign) return true;
-  return std::any_of(kDirections.begin(), kDirections.end(),
-                     [&](std::string_view direction) { return text::equal_ignoring_case(direction, word); });
-}
-
-/// The name with its direction added and the level after it joined to the next one; empty if there is no next one.
-std::string name_with_direction(const model::Symbol& symbol, std::string_view direction) {
+/// What is wrong with a name, and what to do.
+std::string fault_text(const PlantModel& plant, const Symbol& symbol, std::string_view part) {
   const std::string_view name = symbol.name();
-  const text::Span part = symbol.reading.where;
-  if (part.end + 1 >= name.size()) return {};
-  const std::string_view separator = name.substr(part.end, 1);
-  return fmt::format("{}{}{}{}{}", name.substr(0, part.begin), direction, separator, faulty_part(symbol),
-                     name.substr(part.end + 1));
-}
-
-std::string direction_message(const model::PlantModel& plant, const model::Symbol& symbol) {
-  const std::string_view word = symbol.direction == tables::Direction::event ? "I" : "O";
-  const std::string example = name_with_direction(symbol, word);
-  if (is_direction_sign(faulty_part(symbol)) || example.empty()) {
+  const name::NameReading& reading = symbol.reading;
+  if (reading.fault == NameFault::wrong_number_of_levels) {
     return fmt::format(
-        "`{}` has `{}` as its direction, `{}` requires `I` or `O`: {}; write `{}`, as its address `{}` says",
-        symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol), word, symbol.address_cell);
+        "`{}` has {} level{}, and `{}` {}; {}", name, reading.levels, reading.levels == 1 ? "" : "s",
+        plant.rule->pattern, plant.rule->levels.size(),
+        reading.levels > plant.rule->levels.size() ? "remove a level or join two" : "add what is missing");
   }
-  return fmt::format(
-      "`{}` has no direction, `{}` requires `I` or `O` before the task: {}; add `{}`, as its address `{}` says, "
-      "and join words, for example `{}`",
-      symbol.name(), plant.rule->pattern, consequence(symbol), word, symbol.address_cell, example);
+  if (reading.fault == NameFault::empty_level) {
+    return fmt::format("`{}` has an empty level; write the missing word or remove the surplus `_`", name);
+  }
+  if (reading.fault == NameFault::illegal_character) {
+    return fmt::format("`{}` has `{}`, which is neither letter nor digit nor `_`; write `_` or nothing", name, part);
+  }
+  return fmt::format("`{}` has `{}` where its direction belongs; write or insert `{}`, as its address `{}` says", name,
+                     part, symbol.direction == Direction::event ? "I" : "O", symbol.address_cell());
 }
 
-void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  report_names(rule, subject, name::NameFault::direction_not_io, diagnostics,
-               [&](const model::Symbol& symbol) { return direction_message(subject.plant, symbol); });
+template <NameFault fault>
+void broken_names(const Find& find, const Symbol& symbol) {
+  if (symbol.reading.fault != fault || find.named_otherwise[symbol.list]) return;
+  const text::Span where = symbol.reading.where();
+  const std::string_view part = symbol.name().substr(where.begin, where.end - where.begin);
+  Finding finding = find.at(symbol);
+  text::Span& span = finding.as.location.span;
+  if (span.end - span.begin == symbol.name().size()) span = {span.begin + where.begin, span.begin + where.end};
+  finding.explains(Kind::name, symbol.name());
+  std::size_t path = symbol.name().find('_');
+  for (int level = 1; level < 3 && path < where.begin; ++level) path = symbol.name().find('_', path + 1);
+  // The device is known if the fault is behind it.
+  const bool known = fault != NameFault::wrong_number_of_levels && path < where.begin;
+  if (known) finding.explains(Kind::model, symbol.name().substr(0, path));
+  if (fault == NameFault::illegal_character) {
+    finding.rename(symbol, std::string(symbol.name()).replace(where.begin, part.size(), "_"));
+  }
+  finding.say("{}", fault_text(find.plant, symbol, part));
 }
 
-void check_illegal_character(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  for (const model::Symbol& symbol : plant.symbols) {
-    if (!breaks_rule(subject, symbol, name::NameFault::illegal_character)) continue;
-    diag::Location location = location_of(plant, symbol);
-    narrow(location, symbol);
-    diag::Diagnostic& finding =
-        diagnostics.add(rule.info, about_name(plant, symbol),
-                        fmt::format("`{}` has `{}`, which is neither letter nor digit nor separator: {}; "
-                                    "remove it or write `_` instead",
-                                    symbol.name(), faulty_part(symbol), consequence(symbol)),
-                        location);
-    std::string renamed(symbol.name());
-    renamed.replace(symbol.reading.where.begin, faulty_part(symbol).size(), "_");
-    finding.renames.push_back(rename_of(symbol, std::move(renamed), false));
+/// The I/O names of a list, and how many have each fault. Under a custom rule the score counts what no pattern matches.
+struct NameCount {
+  std::size_t all = 0;
+  std::array<std::size_t, 6> broken{};  ///< by NameFault
+
+  /// The fault of more than a third of at least four names; `none` if there is no such fault.
+  NameFault common() const {
+    const auto most = std::ranges::max_element(broken);
+    return *most < 4 || *most * 3 <= all ? NameFault::none : static_cast<NameFault>(most - broken.begin());
+  }
+};
+
+std::vector<NameCount> count_names(const PlantModel& plant) {
+  std::vector<NameCount> counts(plant.lists.size());
+  for (const Symbol& symbol : plant.symbols) {
+    const NameFault fault = symbol.reading.fault;
+    ++counts[symbol.list].all;
+    if (fault == NameFault::none || fault == NameFault::not_linked) continue;
+    ++counts[symbol.list].broken[static_cast<std::size_t>(fault)];
+  }
+  return counts;
+}
+
+void named_otherwise(const Find& find) {
+  if (find.units.empty()) return;  // SP415 reports it
+  std::vector<NameCount> counts = count_names(find.plant);
+  for (const Symbol& symbol : find.symbols) {
+    const NameCount count = counts[symbol.list];
+    const NameFault fault = count.common();
+    if (fault == NameFault::none || symbol.reading.fault != fault) continue;
+    counts[symbol.list] = {};  // reported
+    const std::string file = find.plant.lists[symbol.list].name();
+    find.at(location_of(find.plant, *symbol.row, symbol.name()))
+        .say("{} of {} I/O names in `{}` break `{}` like `{}`; `symplant infer {} -o naming.json` proposes a rule",
+             count.broken[static_cast<std::size_t>(fault)], count.all, file, find.plant.rule->pattern, symbol.name(),
+             file);
   }
 }
 
-void check_direction_conflict(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  if (conflicts_are_errors(subject.plant)) report_direction_conflicts(rule, subject, diagnostics);
-}
-
-void check_path_ambiguous(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  if (plant.pairing == nullptr) return;
-  for (const pairing::Remark& remark : plant.pairing->remarks) {
-    if (remark.kind != pairing::Remark::Kind::path_ambiguous) continue;
-    const model::Symbol& symbol = plant.symbols[remark.input];
-    const model::Symbol& other = plant.symbols[remark.other];
-    diagnostics.add(rule.info, about(symbol),
-                    fmt::format("`{}` is the path of another device too, with other levels or of another controller: "
-                                "names in conditions and plant.json mean the first device",
-                                symbol.reading.device_path),
-                    location_of(plant, symbol), {{location_of(plant, other), "a symbol of the other device"}});
+void naming_ambiguous(const Find& find) {
+  if (find.plant.pairing == nullptr) return;
+  for (const pairing::Remark& remark : find.plant.pairing->remarks) {
+    const bool of_path = remark.kind == pairing::Remark::Kind::path_ambiguous;
+    if (!of_path && remark.kind != pairing::Remark::Kind::role_taken) continue;
+    const Symbol& symbol = find.symbols[remark.input];
+    find.at(symbol)
+        .see(find.symbols[remark.other], "the one that comes first")
+        .say("`{}` {}", of_path ? symbol.reading.device_path() : symbol.name(),
+             of_path ? "is the path of another device too: conditions and plant.json mean the first one"
+                     : "fits the same role of an archetype as another symbol; make the text of the role more specific");
   }
 }
 
-void check_role_taken(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  if (plant.pairing == nullptr) return;
-  for (const pairing::Remark& remark : plant.pairing->remarks) {
-    if (remark.kind != pairing::Remark::Kind::role_taken) continue;
-    const model::Symbol& symbol = plant.symbols[remark.input];
-    const model::Symbol& first = plant.symbols[remark.other];
-    diagnostics.add(rule.info, about(symbol),
-                    fmt::format("`{}` fits the same role of an archetype as `{}`, which comes first; make the text of "
-                                "the role more specific",
-                                symbol.name(), first.name()),
-                    location_of(plant, symbol), {{location_of(plant, first), "the symbol that has the role"}});
+struct Limit {
+  std::string_view tool;  ///< the beginning of SymbolTable::title
+  std::size_t characters;
+};
+constexpr std::array kLimits{Limit{"GX IEC Developer", 32}, Limit{"Logix Designer", 40}, Limit{"TIA Portal", 128}};
+
+void name_too_long(const Find& find, const Symbol& symbol) {
+  const std::string_view title = find.plant.lists[symbol.list].table->title;
+  const auto* limit = std::ranges::find_if(kLimits, [&](const Limit& known) { return title.starts_with(known.tool); });
+  if (limit == kLimits.end() || symbol.name().size() <= limit->characters) return;
+  const std::size_t length = text::count_code_points(symbol.name());
+  // A part of a structure or array has a longer path than its tag.
+  if (length <= limit->characters || symbol.name().find_first_of(".[") != std::string_view::npos) return;
+  find.at(symbol).say("`{}` has {} characters, and {} accepts {}; shorten it", symbol.name(), length, limit->tool,
+                      limit->characters);
+}
+
+void reserved_word(const Find& find, const Symbol& symbol) {
+  if (!convert::is_iec_reserved(symbol.name())) return;
+  find.at(symbol)
+      .rename(symbol, convert::iec_identifier(symbol.name()))
+      .say("`{}` is a reserved word of IEC 61131-3: programs cannot use it as a name; rename it", symbol.name());
+}
+
+/// A symbol with an address, by the last number of its name, or of its comment where that is its name.
+struct Numbered {
+  const Symbol* symbol;
+  std::string_view before;
+  std::string_view digits;
+  std::string_view after;
+
+  std::uint64_t number() const {
+    std::uint64_t value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+  }
+  bool continues(const Numbered& last) const {
+    return symbol->address->number == last.symbol->address->number + 1 && after == last.after && before == last.before;
+  }
+};
+
+/// Reports the one symbol whose number does not continue a series of six or more, if all others do. The first two
+/// numbers are its beginning: the next ones rise by one or double.
+void end_run(const Find& find, std::vector<Numbered>& run) {
+  for (const bool doubling : {false, true}) {
+    std::size_t odd = 0;
+    std::uint64_t expected = 0;
+    bool fits = run.size() >= 6;
+    std::uint64_t next = fits ? run.front().number() : 0;
+    for (std::size_t i = 0; fits && i < run.size(); ++i, next = doubling ? 2 * next : next + 1) {
+      if (run[i].number() == next) continue;
+      fits = odd == 0 && i >= 2;
+      odd = i;
+      expected = next;
+    }
+    if (!fits || odd == 0) continue;
+    find.at(*run[odd].symbol, run[odd].digits)
+        .see(*run[odd - 1].symbol, "the one before")
+        .say("`{}` breaks the series of {} symbols from `{}` on: its number is {}, and {} continues the series",
+             run[odd].symbol->name(), run.size(), run.front().symbol->name(), run[odd].number(), expected);
+  }
+  run.clear();
+}
+
+void series_broken(const Find& find) {
+  std::map<std::pair<std::uint32_t, address::Area>, std::vector<const Symbol*>> sides;  // of each list
+  for (const Symbol& symbol : find.symbols) {
+    if (!symbol.address || symbol.type != tables::DataType::boolean || symbol.leader != kNone) continue;
+    sides[{symbol.list, symbol.address->area}].push_back(&symbol);
+  }
+  const auto number = [](const Symbol* symbol) { return symbol->address->number; };
+  for (auto& [where, side] : sides) {
+    if (!std::ranges::is_sorted(side, {}, number)) std::ranges::stable_sort(side, {}, number);
+    std::vector<Numbered> run;
+    for (const Symbol* symbol : side) {
+      const std::string_view text = symbol->row->is_named_by_address() ? symbol->row->comment : symbol->name();
+      const std::size_t end = text.find_last_of("0123456789") + 1;
+      const std::size_t begin = text.substr(0, end).find_last_not_of("0123456789") + 1;
+      const Numbered each{symbol, text.substr(0, begin), text.substr(begin, end - begin), text.substr(end)};
+      if (!run.empty() && !each.continues(run.back())) end_run(find, run);
+      run.push_back(each);
+    }
+    end_run(find, run);
   }
 }
+
+void comment_twice(const Find& find) {
+  using Points = std::vector<const Symbol*>;
+  std::vector<std::map<std::pair<std::string_view, Direction>, Points>> lists(find.plant.lists.size());
+  for (const Symbol& symbol : find.symbols) {
+    const std::string_view comment = symbol.row->comment;
+    if (!symbol.row->is_named_by_address() || comment.size() < 8 || symbol.leader != kNone) continue;
+    lists[symbol.list][{comment, symbol.direction}].push_back(&symbol);
+  }
+  for (const auto& comments : lists) {
+    std::size_t unique = 0;
+    Points twice;  // more than two are spares, or mean one thing
+    for (const auto& [comment, points] : comments) {
+      unique += points.size() == 1 ? 1U : 0U;
+      if (points.size() == 2) twice.insert(twice.end(), points.begin(), points.end());
+    }
+    if (twice.empty() || unique < 20 || (comments.size() - unique) * 20 > comments.size()) continue;
+    Finding finding = find.at(*twice[1], twice[1]->row->comment);
+    for (const Symbol* point : twice) {
+      if (point != twice[1]) finding.see(*point->row, point->row->comment, std::string(point->name()));
+    }
+    finding.say("`{}` and `{}` have the same comment `{}`{}; number or correct them", twice[1]->name(),
+                twice[0]->name(), twice[1]->row->comment,
+                twice.size() == 2 ? "" : fmt::format("; so do {} more pairs of points", twice.size() / 2 - 1));
+  }
+}
+
+constexpr Rule kNameRules[] = {
+    {"SP201", "wrong-number-of-levels", kWarning, broken_names<NameFault::wrong_number_of_levels>,
+     "a name has more or fewer levels than the rule",
+     "The built-in rule is `LINE_PROC_DEV_I|O_TASK`: five levels of letters and digits, separated by `_`.",
+     "The symbol is served, but its device is unknown: it is in no device.",
+     "Add a level or join words: `LINE_MB_AGV_FAST_O_P2` becomes `LINE_MB_AGVFAST_O_P2`.", Rank::name, For::built_in},
+    {"SP202", "empty-level", kWarning, broken_names<NameFault::empty_level>, "a level of a name is empty",
+     "A name has two adjacent separators, or one at its beginning or end: `EXLINE__AGV_I_P1`.",
+     "The symbol is served, but in no device.", "Write the missing word, or remove a `_`.", Rank::name, For::built_in},
+    {"SP203", "direction-not-io", kWarning, broken_names<NameFault::direction_not_io>,
+     "the direction level is neither I nor O", "`I` is an input of the PLC (an event), `O` an output (an operation).",
+     "The symbol is served in the direction of its address, but is in no device.",
+     "Write `I` or `O`, or insert it: `L_P_DOOR_OPEN_P1` becomes `L_P_DOOR_I_OPENP1`.", Rank::name, For::built_in},
+    {"SP204", "illegal-character", kWarning, broken_names<NameFault::illegal_character>,
+     "a name has an illegal character",
+     "A name has a blank, `-`, `.` or bracket. Letters (of any script), digits and the separator are legal.",
+     "The symbol is served, but is in no device: its name has no levels.",
+     "Remove it or write the separator: `LINE_MB-AGV_I_P1` becomes `LINE_MB_AGV_I_P1`.", Rank::name, For::built_in},
+    {"SP206", "naming-ambiguous", kWarning, naming_ambiguous, "two devices have one path, or two symbols one role",
+     "Names differ in words that a custom naming rule leaves out, or two texts match the pattern of one role.",
+     "A path in a condition or in plant.json means the first device, and a second symbol is paired by its words.",
+     "Divide levels alike, or add `\"fixed\": { \"line\": \"PLC2\" }`; make the texts of roles more specific."},
+    {"SP208", "named-otherwise", kWarning, named_otherwise, "many names of a list break the naming rule alike",
+     "More than a third of the I/O names do. Neither single names nor devices are reported then.",
+     "The symbols are served, but in no device.", "`symplant infer LIST -o naming.json` proposes a rule.", Rank::name},
+    {"SP213", "name-too-long", kWarning, name_too_long, "a name is longer than its engineering tool accepts",
+     "GX IEC Developer accepts 32 characters, Logix Designer 40, TIA Portal 128.",
+     "Nothing here, but an import into the tool refuses or cuts the name.", "Shorten it."},
+    {"SP214", "reserved-word", kWarning, reserved_word, "a name is a word of IEC 61131-3",
+     "A name is a keyword, an elementary type or a standard function: `STEP`, `TIME`, `LIMIT`.",
+     "Nothing here, but programs in structured text cannot use the name.",
+     "Rename the symbol. `symplant convert` writes `_STEP`."},
+    {"SP321", "series-broken", kWarning, series_broken, "one number of a series of names does not fit",
+     "Names or comments on addresses in a row differ only in their last number, which rises by one or doubles (1, 2, 4 "
+     "... 64), except for one: `CODE_64` and then `CODE_12`.",
+     "That symbol is paired with another one, or with none.", "Write the number that continues the series."},
+    {"SP322", "comment-twice", kWarning, comment_twice, "two points have one comment",
+     "Two inputs, or two outputs, have one comment in a list that names its points by comments, nearly all unique. "
+     "Most often a row was copied. There is one finding for each list.",
+     "A naming rule that reads comments cannot distinguish the two.",
+     "Correct the wrong comment, or number both: `LIMIT 1`, `LIMIT 2`."},
+};
 
 }  // namespace
 
-const Rule kWrongNumberOfLevels{
-    {"SP201", "wrong-number-of-levels", diag::Severity::warning, "a name has more or fewer levels than the rule",
-     R"(A symbol's name has another number of levels than the naming rule requires. The built-in rule is `LINE_PROC_DEV_I|O_TASK`: five
-levels of letters and digits, separated by `_`.
+std::vector<bool> lists_named_otherwise(const PlantModel& plant) {
+  std::vector<bool> otherwise;
+  for (const NameCount& count : count_names(plant)) otherwise.push_back(count.common() != NameFault::none);
+  return otherwise;
+}
 
-**What the model loses.** The device of the symbol is unknown, so it is in no unit: no device drives it, and it drives none. It
-is still served: it is in the images, on the links and in the traces, and can be set by hand.
-
-**How to fix it.** Add the missing level, or join two words into one level: `EXLINE_MB_AGV_FAST_O_P2` becomes
-`EXLINE_MB_AGVFAST_O_P2`.
-)",
-     diag::Rank::name},
-    check_wrong_number_of_levels};
-
-const Rule kEmptyLevel{
-    {"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty",
-     R"(A symbol's name has two adjacent separators, or a separator at its beginning or end, so that one of its levels is empty.
-
-**What the model loses.** The symbol is in no unit: no device drives it, and it drives none. It is still served.
-
-**How to fix it.** Write the missing word, or remove the surplus `_`: `EXLINE__AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
-)",
-     diag::Rank::name},
-    check_empty_level};
-
-const Rule kDirectionNotIo{
-    {"SP203", "direction-not-io", diag::Severity::warning, "the direction level is neither I nor O",
-     R"(The level of a symbol's name that gives its direction holds another word than the naming rule knows. Under the built-in rule
-it is `I` (the PLC reads it: an event of the plant) or `O` (the PLC writes it: an operation).
-
-**What the model loses.** The symbol is in no unit: no device drives it, and it drives none. It is still served, in the direction
-of its address.
-
-**How to fix it.** Look at the word. If it is a direction in another form (`X`, `IN`, `OUT`, a digit for a letter), write `I` or
-`O` instead, as seen from the PLC: `EXLINE_MB_AGV_X_P1` with address X0001 becomes `EXLINE_MB_AGV_I_P1`. If it is part of the
-device's or the task's name, the direction is missing: add it, and join words so that the number of levels is right.
-`EXTN_PLT1_FRT_Light_Curtain1` becomes `EXTN_PLT1_FRT_I_LightCurtain1`.
-)",
-     diag::Rank::name},
-    check_direction_not_io};
-
-const Rule kIllegalCharacter{
-    {"SP204", "illegal-character", diag::Severity::warning, "a name has an illegal character",
-     R"(A symbol's name has a character that is neither a letter, nor a digit, nor the separator: a blank, a `-`, a `.`, a bracket.
-Letters and digits of every script are allowed.
-
-**What the model loses.** The name cannot be divided into levels, so the symbol is in no unit: no device drives it, and it drives
-none. It is still served, under the name that it has.
-
-**How to fix it.** Remove the character, or write the separator instead: `EXLINE-MB_AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
-)",
-     diag::Rank::name},
-    check_illegal_character};
-
-const Rule kDirectionConflict{
-    {"SP209", "direction-conflict", diag::Severity::error,
-     "a name and its address disagree under a naming rule that forbids it",
-     R"(The naming rule has `"direction": { "on-conflict": "error" }`, and the direction in a symbol's name contradicts its address.
-
-**What the model loses.** Nothing is run or generated until all names and addresses agree.
-
-**How to fix it.** Correct the name or the address. If the contradiction is wanted, such as an echo that is named from the
-partner's side, remove `on-conflict`: then it is the warning `direction-against-address`.
-)",
-     diag::Rank::direction},
-    check_direction_conflict};
-
-const Rule kPathAmbiguous{
-    {"SP206", "path-ambiguous", diag::Severity::warning, "two devices have one path",
-     R"(Under a custom naming rule the path of a device is its line, process and device, joined by `_`. Two devices have the same
-path, because the levels are divided differently (`A_B` and `C`, `A` and `B_C`), or because they are in two controllers.
-
-**What the model loses.** Both devices are in the model. A condition, a scenario or plant.json that names the path means the
-first one only.
-
-**How to fix it.** Divide the levels alike in both rules of naming.json, or add a level, as with `"fixed": { "line": "PLC2" }`.
-)"},
-    check_path_ambiguous};
-
-const Rule kRoleTaken{
-    {"SP207", "role-taken", diag::Severity::warning, "several symbols fit one role of an archetype",
-     R"(An archetype of naming.json has one symbol for each role. In a device several symbols match the text of one role.
-
-**What the model loses.** The first symbol in the list has the role. The others are left to later archetypes and to pairing by
-words, and drive nothing if nothing else fits them.
-
-**How to fix it.** Make the text of the role more specific, or add `{x}` to all roles, so that each of the symbols belongs to
-a model of its kind.
-)"},
-    check_role_taken};
+std::span<const Rule> name_rules() { return kNameRules; }
 
 }  // namespace symplant::check

@@ -1,281 +1,206 @@
-// Rules: words of names and comments.
-#include <fmt/format.h>
-
+// Rules: words of names and comments, and texts in a row.
 #include <algorithm>
-#include <iterator>
 #include <map>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <unordered_set>
-#include <utility>
-#include <vector>
+#include <set>
+#include <tuple>
 
-#include "check/rules.hpp"
+#include "check/rule.hpp"
+#include "check/words.hpp"
 #include "text/ascii.hpp"
 #include "text/utf8.hpp"
 
 namespace symplant::check {
 namespace {
 
-constexpr std::size_t kLeastLetters = 5;  ///< of the shorter word; shorter words are often two words
-constexpr std::size_t kMostLetters = 32;
-constexpr std::size_t kLeastCount = 2;  ///< of the more frequent word
+bool is_latin(char c) { return text::upper(c) >= 'A' && text::upper(c) <= 'Z'; }
+bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+bool has_foreign(std::string_view text) { return std::ranges::any_of(text, is_foreign); }
 
-/// A word of Latin letters.
+/// Calls `visit` with each word, a run of letters of any script, and its beginning.
+template <class Visit>
+void visit_words(std::string_view text, Visit visit) {
+  const auto is_letter = [](char c) { return is_latin(c) || is_foreign(c); };
+  for (auto begin = std::ranges::find_if(text, is_letter); begin != text.end();) {
+    const auto end = std::find_if_not(begin, text.end(), is_letter);
+    visit(std::string_view(begin, end), static_cast<std::size_t>(begin - text.begin()));
+    begin = std::find_if(end, text.end(), is_letter);
+  }
+}
+
+/// A text with Latin capitals for the letters of Cyrillic and Greek that look like them.
+std::string with_latin_letters(std::string_view text) {
+  constexpr std::u32string_view kAlike = U"АВЕКМНОРСТУХΑΒΕΖΗΙΚΜΝΟΡΤΥΧ";
+  constexpr std::string_view kLatin = "ABEKMHOPCTYXABEZHIKMNOPTYX";
+  std::string latin;
+  for (std::size_t at = 0; at < text.size();) {
+    const text::CodePoint letter = text::code_point_at(text, at);
+    const std::size_t alike = kAlike.find(letter.value);
+    latin += alike == kAlike.npos ? text.substr(at, letter.length) : kLatin.substr(alike, 1);
+    at += letter.length;
+  }
+  return latin;
+}
+
+void letters_alike(const Find& find) {
+  std::map<std::string, std::vector<const Symbol*>> others;  // by the word in Latin letters
+  for (const Symbol& symbol : find.symbols) {
+    if (!has_foreign(symbol.name())) continue;
+    visit_words(symbol.name(), [&](std::string_view word, std::size_t) {
+      const std::string latin = has_foreign(word) ? text::to_upper(with_latin_letters(word)) : "";
+      if (!latin.empty() && !has_foreign(latin)) others[latin].push_back(&symbol);
+    });
+  }
+  for (const Symbol& symbol : find.symbols) {
+    if (others.empty()) return;
+    visit_words(symbol.name(), [&](std::string_view word, std::size_t) {
+      const auto found = others.find(text::to_upper(word));
+      if (found == others.end()) return;
+      const std::vector<const Symbol*>& alike = found->second;
+      Finding finding = find.at(*alike.front());
+      for (const Symbol* each : alike) finding.rename(*each, with_latin_letters(each->name()), true);
+      finding.see(symbol, "in Latin letters")
+          .say("`{}`{} Cyrillic or Greek letters that look like the Latin `{}` of `{}`; write it in one script",
+               alike.front()->name(), alike.size() == 1 ? " has" : fmt::format(" and {} more have", alike.size() - 1),
+               word, symbol.name());
+      others.erase(found);
+    });
+  }
+}
+
+/// A word of Latin letters in names and comments.
 struct Word {
   std::size_t count = 0;  ///< in all rows, internal ones too
   const read::ListRow* row = nullptr;
   std::string_view as_written;
-  const model::Symbol* used_by = nullptr;  ///< the first input or output
+  const Symbol* used_by = nullptr;  ///< the first input or output
 };
-using Words = text::ByName<Word>;
 
-bool is_latin(char c) { return text::upper(c) >= 'A' && text::upper(c) <= 'Z'; }
-
-/// Calls `visit` with each run of Latin letters, and with what is between them.
-template <class Visit>
-void visit_runs(std::string_view text, Visit visit) {
-  for (std::size_t begin = 0; begin < text.size();) {
-    const bool latin = is_latin(text[begin]);
-    std::size_t end = begin + 1;
-    while (end < text.size() && is_latin(text[end]) == latin) ++end;
-    visit(text.substr(begin, end - begin), latin);
-    begin = end;
-  }
-}
-
-/// Adds the words of a text. Next to a character of another script, Latin letters are a part of a word.
-void add_words(std::string_view text, const read::ListRow& row, const model::Symbol* symbol, Words& words) {
-  const auto is_foreign = [&](std::size_t at) {
-    return at < text.size() && static_cast<unsigned char>(text[at]) >= 0x80;
-  };
-  visit_runs(text, [&](std::string_view run, bool latin) {
-    if (!latin || run.size() < kLeastLetters || run.size() > kMostLetters) return;
-    const auto begin = static_cast<std::size_t>(run.data() - text.data());
-    if (is_foreign(begin - 1) || is_foreign(begin + run.size())) return;
-    Word& word = words[run];
-    if (word.count++ == 0) word = {1, &row, run, nullptr};
-    if (word.used_by == nullptr && symbol != nullptr) word = {word.count, &row, run, symbol};
-  });
-}
-
-Words words_of(const model::PlantModel& plant) {
-  Words words;
+/// Of 5 to 32 letters: shorter words that are near each other are often two words.
+text::ByName<Word> words_of(const PlantModel& plant) {
+  text::ByName<Word> words;
   auto next = plant.symbols.begin();  // in the order of lists and rows
   for (const model::PlantList& list : plant.lists) {
     for (const read::ListRow& row : list.table->rows) {
       const bool is_io = next != plant.symbols.end() && next->row == &row;
-      const model::Symbol* symbol = is_io ? &*next++ : nullptr;
-      if (!row.is_named_by_address()) add_words(row.name, row, symbol, words);
-      add_words(row.comment, row, symbol, words);
+      const Symbol* symbol = is_io ? &*next++ : nullptr;
+      const auto add = [&](std::string_view run, std::size_t) {
+        if (run.size() < 5 || run.size() > 32 || has_foreign(run)) return;
+        Word& word = words[run];
+        const bool first_use = word.used_by == nullptr && symbol != nullptr;
+        if (word.count++ == 0 || first_use) word = {word.count, &row, run, symbol};
+      };
+      if (!row.is_named_by_address()) visit_words(row.name, add);
+      visit_words(row.comment, add);
     }
   }
   return words;
 }
 
-/// Finds pairs of which an input or output uses the rarer one. O(rows + words * letters).
-class TwoSpellings {
- public:
-  TwoSpellings(const Rule& rule, const model::PlantModel& plant)
-      : rule_(rule), plant_(plant), words_(words_of(plant)) {}
+/// Whether an inner letter is missing in one of two near words, or two are exchanged. Else they may be two words.
+bool are_one_word(std::u32string_view a, std::u32string_view b) {
+  return a.front() == b.front() && a.back() == b.back() && !differ_by_another_letter(a, b);
+}
 
-  std::vector<diag::Diagnostic> find() {
-    std::vector<std::string> sorted;
-    for (const auto& [word, of] : words_) sorted.push_back(text::to_upper(word));
-    std::sort(sorted.begin(), sorted.end());
-    for (const std::string& word : sorted) look_at(word);
-    add_renames();
-    return std::move(found_);
-  }
-
- private:
-  /// Compares a word with those that lack an inner letter of it, or have two inner letters exchanged. A first or last
-  /// letter more is another form or another word.
-  void look_at(const std::string& word) {
-    for (std::size_t i = 1; i + 1 < word.size(); ++i) {
-      if (i > 1 && word[i] == word[i - 1]) continue;  // the same word as without the letter before
-      compare(word, word.substr(0, i) + word.substr(i + 1));
-    }
-    for (std::size_t i = 1; i + 2 < word.size(); ++i) {
-      std::string exchanged = word;
-      std::swap(exchanged[i], exchanged[i + 1]);
-      if (exchanged > word) compare(word, exchanged);
-    }
-  }
-
-  void compare(const std::string& word, const std::string& other) {
-    const auto found = words_.find(other);
-    if (found == words_.end()) return;
-    const bool first_is_rare = words_.find(word)->second.count <= found->second.count;
-    const std::string& rare = first_is_rare ? word : other;
-    const std::string& common = first_is_rare ? other : word;
-    const Word& of_rare = words_.find(rare)->second;
-    const Word& of_common = words_.find(common)->second;
-    if (of_rare.used_by == nullptr || of_common.count < kLeastCount) return;
-    diag::Diagnostic finding;
-    finding.rule = &rule_.info;
-    finding.severity = rule_.info.severity;
-    finding.message = fmt::format("`{}` ({} time{}) and `{}` ({} times) look like one word; write it alike everywhere",
-                                  rare, of_rare.count, of_rare.count == 1 ? "" : "s", common, of_common.count);
-    finding.location = location_of(plant_, *of_rare.row, of_rare.as_written);
-    finding.related = {{location_of(plant_, *of_common.row, of_common.as_written), "the other spelling"}};
-    finding.subjects.about = {symbol_named(rare), symbol_named(of_rare.used_by->name())};
-    // SP205 says which one is meant.
-    if (plant_.pairing == nullptr) finding.subjects.follows = {device(of_rare.used_by->reading.device_path)};
-    spellings_.try_emplace(rare, std::pair(common, found_.size()));
-    found_.push_back(std::move(finding));
-  }
-
-  /// For the names of inputs and outputs with the rarer spelling.
-  void add_renames() {
-    if (spellings_.empty()) return;
-    for (const model::Symbol& symbol : plant_.symbols) {
-      std::string renamed;
-      std::optional<std::size_t> by;
-      visit_runs(symbol.name(), [&](std::string_view run, bool latin) {
-        const auto found = latin ? spellings_.find(text::to_upper(run)) : spellings_.end();
-        if (found != spellings_.end()) by = found->second.second;
-        renamed += found == spellings_.end() ? run : std::string_view(found->second.first);
-      });
-      if (by) found_[*by].renames.push_back(rename_of(symbol, std::move(renamed), false));
+void two_spellings(const Find& find) {
+  const text::ByName<Word> words = words_of(find.plant);
+  std::map<std::u32string, const Word*> sorted;
+  for (const auto& [word, of] : words) sorted.emplace(capitals(word), &of);
+  std::vector<CountedWord> counted;
+  for (const auto& [word, of] : sorted) counted.push_back({word, of->count});
+  const NearWords near(counted);
+  std::map<std::string, std::pair<std::string_view, Finding>> found;  // by the rarer spelling, in capitals
+  for (const auto& [word, count] : counted) {
+    const Word& rare = *sorted[word];
+    for (const std::uint32_t other : near.near(word)) {
+      const Word& common = *sorted[counted[other].text];
+      const bool is_rarer = std::tuple(count, counted[other].text) < std::tuple(common.count, word);
+      if (rare.used_by == nullptr || common.count < 2 || !is_rarer || !are_one_word(word, counted[other].text))
+        continue;
+      Finding finding = find.at(location_of(find.plant, *rare.row, rare.as_written));
+      finding.also(Kind::symbol, rare.as_written).also(Kind::symbol, rare.used_by->name());
+      finding.see(*common.row, common.as_written, "the other spelling");
+      // SP205 says which one is meant.
+      if (find.plant.pairing == nullptr) finding.follows(Kind::device, rare.used_by->reading.device_path());
+      found.emplace(text::to_upper(rare.as_written), std::pair(common.as_written, std::move(finding)));
+      break;
     }
   }
+  for (const Symbol& symbol : find.symbols) {
+    if (found.empty()) break;
+    visit_words(symbol.name(), [&](std::string_view word, std::size_t at) {
+      const auto known = found.find(text::to_upper(word));
+      if (known == found.end()) return;
+      known->second.second.rename(symbol, std::string(symbol.name()).replace(at, word.size(), known->second.first));
+    });
+  }
+  for (auto& [rare, of] : found) {
+    const std::size_t count = words.find(rare)->second.count;
+    of.second.say("`{}` ({} time{}) and `{}` ({} times) look like one word; write it alike everywhere", rare, count,
+                  count == 1 ? "" : "s", text::to_upper(of.first), words.find(of.first)->second.count);
+  }
+}
 
-  const Rule& rule_;
-  const model::PlantModel& plant_;
-  const Words words_;
-  std::map<std::string, std::pair<std::string, std::size_t>> spellings_;  ///< rare: common, index in found_
-  std::vector<diag::Diagnostic> found_;
+/// The last word of a text, in capitals; empty if the text ends otherwise or in another script.
+std::string last_word(std::string_view text) {
+  std::string last;
+  visit_words(text, [&](std::string_view word, std::size_t at) {
+    if (at + word.size() == text.size() && !has_foreign(word)) last = text::to_upper(word);
+  });
+  return last;
+}
+
+void text_cut(const Find& find) {
+  std::vector<std::map<std::size_t, std::vector<const Symbol*>>> lists(find.plant.lists.size());
+  for (const Symbol& symbol : find.symbols) {
+    lists[symbol.list][text::count_code_points(symbol.row->comment)].push_back(&symbol);
+  }
+  for (const auto& by_length : lists) {
+    if (by_length.empty() || by_length.rbegin()->first < 15) continue;  // fields are longer
+    auto [length, longest] = *by_length.rbegin();
+    if (longest.size() < 3) continue;
+    text::ByName<bool> others;  // words that do not end one of the longest comments
+    for (const auto& [other, symbols] : by_length) {
+      for (const Symbol* symbol : symbols) {
+        const std::string_view comment = symbol->row->comment;
+        visit_words(comment, [&, all = other != length](std::string_view word, std::size_t at) {
+          if (all || at + word.size() != comment.size()) others.try_emplace(word, true);
+        });
+      }
+    }
+    std::set<std::string> words;
+    for (const auto& [word, is_other] : others) words.insert(text::to_upper(word));
+    std::erase_if(longest, [&](const Symbol* symbol) {
+      const std::string last = last_word(symbol->row->comment);
+      const auto next = words.lower_bound(last);
+      return last.empty() || next == words.end() || *next == last || !next->starts_with(last);
+    });
+    if (longest.size() < 3) continue;
+    const read::ListRow& row = *longest.front()->row;
+    find.at(location_of(find.plant, row, row.comment))
+        .also(Kind::symbol, row.name)
+        .say("{} comments end after {} characters within a word, such as `{}`: they are cut; shorten them",
+             longest.size(), length, row.comment);
+  }
+}
+
+constexpr Rule kTextRules[] = {
+    {"SP210", "letters-alike", kWarning, letters_alike, "words in letters of two scripts that look alike",
+     "A name has a word in Cyrillic or Greek letters, and another name has it in Latin ones: `КА12` and `KA2`.",
+     "The symbols of one device become two devices, and patterns read only some of them.",
+     "Write it in Latin letters. In naming.json, `\"replace\": [[\"КА\", \"KA\"]]` makes them equal.", Rank::name},
+    {"SP211", "two-spellings", kWarning, two_spellings, "one word is spelled in two forms",
+     "`SAFTY` and `SAFETY`, `NORMAL` and `NOMAL`: an inner letter is missing, or two are exchanged.",
+     "A pattern with one spelling does not match the other.",
+     "Write one everywhere. In naming.json, `\"replace\": [[\"SAFTY\", \"SAFETY\"]]` makes them equal."},
+    {"SP212", "text-cut", kWarning, text_cut, "comments end at the length limit of a field",
+     "Several of the longest comments have one length and end with the beginning of a word that others have. An "
+     "engineering tool or an export cut them: GX Works keeps 32 characters.",
+     "The end, which often says what a signal means: `forward end`, `forward start`.",
+     "Shorten the comments, or export them with a longer field."},
 };
-
-void check_two_spellings(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  for (diag::Diagnostic& finding : TwoSpellings(rule, subject.plant).find()) diagnostics.add(std::move(finding));
-}
-
-constexpr std::size_t kShortestLimit = 16;
-constexpr std::size_t kLeastCut = 3;
-
-using WordSet = std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>;
-
-/// The comments of one list.
-struct Comments {
-  std::vector<const model::Symbol*> longest;
-  std::size_t length = 0;
-  WordSet last;                    ///< last words of the longest comments that no other comment has
-  WordSet others;                  ///< words of the other comments, until `last` is empty
-  std::vector<std::string> words;  ///< the same in capitals, sorted
-};
-
-/// Letters, and the bytes of other scripts.
-bool is_in_word(char c) {
-  return (text::upper(c) >= 'A' && text::upper(c) <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::size_t begin_of_last_word(std::string_view text) {
-  std::size_t begin = text.size();
-  while (begin > 0 && is_in_word(text[begin - 1])) --begin;
-  return begin;
-}
-
-void add_words(std::string_view text, Comments& comments) {
-  while (!text.empty()) {
-    const std::size_t begin = begin_of_last_word(text);
-    if (begin < text.size() && comments.others.insert(text.substr(begin)).second)
-      comments.last.erase(text.substr(begin));
-    text.remove_suffix(text.size() - begin + (begin == 0 ? 0 : 1));
-    if (begin == 0) break;
-  }
-}
-
-/// Whether the last word is the beginning of another one, and is itself no word. Words of other scripts often differ in
-/// an ending.
-bool is_cut(const Comments& comments, std::string_view text) {
-  const std::string last = text::to_upper(text.substr(begin_of_last_word(text)));
-  if (comments.last.count(last) == 0) return false;
-  if (std::any_of(last.begin(), last.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) return false;
-  const auto next = std::lower_bound(comments.words.begin(), comments.words.end(), last);
-  return next != comments.words.end() && std::string_view(*next).starts_with(last);
-}
-
-std::vector<Comments> comments_of(const model::PlantModel& plant) {
-  std::vector<Comments> lists(plant.lists.size());
-  for (const model::Symbol& symbol : plant.symbols) {
-    Comments& comments = lists[symbol.list];
-    if (symbol.row->comment.size() < std::max(comments.length, kShortestLimit)) continue;
-    const std::size_t length = text::count_code_points(symbol.row->comment);
-    if (length > comments.length) {
-      comments.length = length;
-      comments.longest.clear();
-    }
-    if (length == comments.length) comments.longest.push_back(&symbol);
-  }
-  for (Comments& comments : lists) {
-    if (comments.longest.size() < kLeastCut) continue;
-    for (const model::Symbol* symbol : comments.longest) {
-      const std::string_view text = symbol->row->comment;
-      if (const std::size_t begin = begin_of_last_word(text); begin < text.size())
-        comments.last.insert(text.substr(begin));
-    }
-  }
-  for (const model::Symbol& symbol : plant.symbols) {
-    Comments& comments = lists[symbol.list];
-    if (comments.last.empty()) continue;
-    std::string_view text = symbol.row->comment;
-    if (text.size() >= comments.length && text::count_code_points(text) == comments.length)
-      text = text.substr(0, begin_of_last_word(text));
-    add_words(text, comments);
-  }
-  for (Comments& comments : lists) {
-    if (comments.last.empty()) continue;
-    for (const std::string_view word : comments.others) comments.words.push_back(text::to_upper(word));
-    std::sort(comments.words.begin(), comments.words.end());
-  }
-  return lists;
-}
-
-void check_text_cut(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
-  const model::PlantModel& plant = subject.plant;
-  for (const Comments& comments : comments_of(plant)) {
-    if (comments.length < kShortestLimit) continue;
-    std::vector<const model::Symbol*> cut;
-    std::copy_if(comments.longest.begin(), comments.longest.end(), std::back_inserter(cut),
-                 [&](const model::Symbol* symbol) { return is_cut(comments, symbol->row->comment); });
-    if (cut.size() < kLeastCut) continue;
-    const model::Symbol& first = *cut.front();
-    diagnostics.add(
-        rule.info, diag::Subjects{{symbol_named(first.name())}, {}, {}},
-        fmt::format("{} comments of {} characters end within a word, such as `{}`, and none is longer: they "
-                    "are cut; shorten them in the engineering tool",
-                    cut.size(), comments.length, first.row->comment),
-        location_of(plant, *first.row, first.row->comment));
-  }
-}
 
 }  // namespace
 
-const Rule kTwoSpellings{
-    {"SP211", "two-spellings", diag::Severity::warning, "one word is spelled in two forms",
-     R"(The names or comments of a list have one word in two spellings, such as `SAFTY` and `SAFETY`, or `NORMAL` and `NOMAL`: a letter
-within the word is missing, or two are exchanged. The message counts both in all rows. It does not say which one is right.
-
-**What the model loses.** A pattern of a naming rule or of plant.json that has one spelling does not match the other.
-
-**How to fix it.** Write one spelling everywhere. In naming.json, `"replace": [["SAFTY", "SAFETY"]]` makes them equal.
-)"},
-    check_two_spellings};
-
-const Rule kTextCut{
-    {"SP212", "text-cut", diag::Severity::warning, "comments end at the length limit of a field",
-     R"(Several of the longest comments of a list have exactly one length and end within a word: with the beginning of a word that other
-comments have. The engineering tool, or an export, cut them there. GX Works keeps 32 characters of a device comment.
-
-**What the model loses.** A naming rule that reads comments lacks the end of these texts, which often says what a signal means:
-`forward end` and `forward start` may be cut to one text.
-
-**How to fix it.** Shorten the comments in the engineering tool so that the important word is within the limit, or export them
-with a longer field.
-)"},
-    check_text_cut};
+std::span<const Rule> text_rules() { return kTextRules; }
 
 }  // namespace symplant::check

@@ -93,11 +93,11 @@ void check_tasks_of_sensors(const PlantModel& plant, description::Faults& faults
   for (const Unit& unit : plant.units) units.try_emplace(unit.path, &unit);
   for (const Symbol& symbol : plant.symbols) {
     if (symbol.unmodelled != Unmodelled::senses_parts || symbol.reading.fault != name::NameFault::none) continue;
-    const auto unit = units.find(symbol.reading.device_path);
+    const auto unit = units.find(symbol.reading.device_path());
     if (unit == units.end() || unit->second->described == nullptr) continue;
     const description::DeviceDescription& described = *unit->second->described;
     for (std::size_t i = 0; i < described.states.size(); ++i) {
-      if (!text::equal_ignoring_case(described.states[i], symbol.reading.task)) continue;
+      if (!text::equal_ignoring_case(described.states[i], symbol.reading.task())) continue;
       faults.add(description::key_pointer(described, description::DeviceKey::states) / i,
                  ticked(described.states[i]) + " is the task of " + ticked(symbol.name()) +
                      ", which is a sensor of parts; choose another name");

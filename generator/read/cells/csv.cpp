@@ -69,6 +69,18 @@ bool CsvRow::blank() const {
   return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.empty(); });
 }
 
+inline void CsvReader::skip_blanks() {
+  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+}
+
+inline std::string_view CsvReader::plain_cell() {
+  const std::size_t begin = at_;
+  at_ = ends_.next(begin);
+  std::size_t end = at_;
+  while (end > begin && is_blank(text_[end - 1])) --end;
+  return {text_.data() + begin, end - begin};
+}
+
 bool CsvReader::next(CsvRow& row) {
   if (at_ >= text_.size() || unclosed_quote_) return false;
   row.cells.clear();
@@ -90,18 +102,6 @@ bool CsvReader::next(CsvRow& row) {
   row.whole.end = at_;
   end_row();
   return true;
-}
-
-void CsvReader::skip_blanks() {
-  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
-}
-
-std::string_view CsvReader::plain_cell() {
-  const std::size_t begin = at_;
-  at_ = base::find_any(text_, at_, delimiter_, '\n', '\r');
-  std::size_t end = at_;
-  while (end > begin && is_blank(text_[end - 1])) --end;
-  return text_.substr(begin, end - begin);
 }
 
 bool CsvReader::quoted_cell(CsvRow& row, std::string_view& cell) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/forward_search.hpp"
 #include "text/source_file.hpp"
 
 namespace symplant::read {
@@ -37,7 +38,12 @@ class CsvReader {
   /// Begins at `offset`, in line `line`. Cells with `""` are written to `arena`; the others point into `text`.
   CsvReader(std::string_view text, char delimiter, std::deque<std::string>& arena, std::size_t offset = 0,
             std::uint32_t line = 1)
-      : text_(text), delimiter_(delimiter), arena_(arena), at_(offset), line_(line) {}
+      : text_(text),
+        delimiter_(delimiter),
+        arena_(arena),
+        at_(offset),
+        line_(line),
+        ends_(text, delimiter, '\n', '\r') {}
 
   /// False at the end, and if a quote is not closed. An empty line is a row of one empty cell.
   bool next(CsvRow& row);
@@ -60,6 +66,7 @@ class CsvReader {
   std::deque<std::string>& arena_;
   std::size_t at_;
   std::uint32_t line_;
+  base::ForwardSearch ends_;  ///< of cells without quotes
   std::optional<std::size_t> unclosed_quote_;
 };
 

@@ -64,7 +64,7 @@ class TableReading {
       return std::nullopt;
     }
     decide();
-    return builder_.finish();
+    return builder_.finish_bounded();  // each row was examined
   }
 
  private:

@@ -10,7 +10,7 @@ char upper_letter(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 
 
 std::uint32_t find_task(const Rules& rules, const std::vector<std::uint32_t>& symbols, std::string_view task) {
   for (std::uint32_t i = 0; i < symbols.size(); ++i) {
-    if (same_name(rules.model->symbols[symbols[i]].reading.task, task)) return i;
+    if (same_name(rules.model->symbols[symbols[i]].reading.task(), task)) return i;
   }
   return kNone;
 }
@@ -35,7 +35,7 @@ UnitRules gather(const Rules& rules, std::uint32_t index) {
     }
     const bool named = symbol.reading.fault == name::NameFault::none && !senses_parts(model, i);
     if (unit.described != nullptr && !unit.described->behaviour.empty() && named && !rules.is_bool(i) &&
-        same_name(symbol.reading.device_path, unit.path)) {
+        same_name(symbol.reading.device_path(), unit.path)) {
       unit.values.push_back(i);
     }
   }

@@ -51,7 +51,7 @@ std::vector<StateRules> tasks(const Rules& rules, const UnitRules& unit) {
     const auto operation = std::find(unit.operations.begin(), unit.operations.end(), symbol);
     const auto event = std::find(unit.events.begin(), unit.events.end(), symbol);
     if (operation == unit.operations.end() && event == unit.events.end()) continue;
-    const std::string_view task = rules.model->symbols[symbol].reading.task;
+    const std::string_view task = rules.model->symbols[symbol].reading.task();
     std::size_t index = 0;
     while (index < found.size() && !same_name(found[index].name, task)) ++index;
     if (index == found.size()) found.emplace_back().name = task;

@@ -1,10 +1,13 @@
 // Addresses as one value.
 #include "address/address.hpp"
 
+#include <random>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "address/bits.hpp"
+#include "address/grammars.hpp"
 #include "support/catch.hpp"
 
 using namespace symplant::address;
@@ -252,4 +255,67 @@ TEST_CASE("The addresses after one are elements of its size further") {
   CHECK(advanced(*parse_iec("%IW0"), (std::uint64_t{1} << 60U) - 1));
   CHECK_FALSE(advanced(*parse_iec("%IW0"), std::uint64_t{1} << 60U));
   CHECK(advanced(*parse_iec("%IX0"), 0) == parse_iec("%IX0"));
+}
+
+namespace {
+
+/// All members: equal addresses may cover bits of different banks.
+std::string all_of(const std::optional<Address>& address) {
+  if (!address) return "none";
+  std::string text;
+  for (const std::uint64_t member :
+       {static_cast<std::uint64_t>(address->area), static_cast<std::uint64_t>(address->size),
+        std::uint64_t{address->plain}, std::uint64_t{address->assigned}, std::uint64_t{address->sized},
+        std::uint64_t{address->element}, std::uint64_t{address->bank}, address->number, address->first_bit}) {
+    text += std::to_string(member) + " ";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("The fast path reads usual addresses as the grammar does") {
+  std::mt19937 random(1);
+  const std::vector<std::string> pieces{"%",
+                                        "I",
+                                        "Q",
+                                        "X",
+                                        "Y",
+                                        "M",
+                                        "i",
+                                        "x",
+                                        "y",
+                                        "0",
+                                        "1",
+                                        "7",
+                                        "8",
+                                        "9",
+                                        "A",
+                                        "F",
+                                        "f",
+                                        "G",
+                                        ".",
+                                        " ",
+                                        "*",
+                                        "W",
+                                        "D",
+                                        "%IX",
+                                        "%QX",
+                                        "X",
+                                        "Y",
+                                        "000000000000001",
+                                        "FFFFFFFFFFFFFFF",
+                                        "99999999999999999999"};
+  std::size_t read = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    std::string text;
+    for (std::size_t size = random() % 6; size > 0; --size) text += pieces[random() % pieces.size()];
+    CAPTURE(text);
+    REQUIRE(all_of(parse_iec(text)) == all_of(parse_iec_by_grammar(text)));
+    for (const Radix radix : {Radix::octal, Radix::hexadecimal}) {
+      REQUIRE(all_of(parse_melsec(text, radix)) == all_of(parse_melsec_by_grammar(text, radix)));
+    }
+    read += parse_iec(text) || parse_melsec(text, Radix::hexadecimal) ? 1U : 0U;
+  }
+  CHECK(read > 1000);
 }

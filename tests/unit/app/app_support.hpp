@@ -18,7 +18,7 @@ inline MemoryFileSystem lists() {
   MemoryFileSystem files;
   files.files["excell.csv"] = excell();
   files.files["clean.csv"] = excell();
-  files.files["note.csv"] = list_text(bits({"L_P_D_O_RUN", "L_P_D_I_RUN"}));
+  files.files["note.csv"] = list_text(bits({"L_P_D_O_RUN", "L_P_D_I_RUN", "L_P_B_I_ON"}));
   files.files["warning.csv"] = list_text(bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "START"}));
   files.files["error.csv"] = list_text({{"L_P_D_I_A", "X1"}, {"L_P_D_I_A", "X2"}});
   files.files["empty.csv"] = "";

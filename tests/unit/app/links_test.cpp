@@ -135,15 +135,18 @@ TEST_CASE("check: An invalid URL, and a port of two links, are reported at their
   CHECK_FALSE(contains(reported(one + R"({"controller": "B", "url": "modbus-tcp-server://:1503"})"), "error"));
 }
 
-TEST_CASE("check: A symbol of 8 bits with a given register is not reported as without one") {
-  const auto reported = [](const std::string& link) {
-    MemoryFileSystem files = plant(link);
-    files.files["l.csv"] += "VAR_GLOBAL,MODE,,%IB3,BYTE,7\n";
-    return run_tool({"check", "plant.json", "--select", "SP312"}, files).out;
+TEST_CASE("check: An address without a number is reported unless its symbol has a number in links") {
+  const auto reported = [](const std::string& members) {
+    MemoryFileSystem files = plant(members);
+    files.files["l.csv"] = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
+    for (const std::string bit : {"1.0", "1.8", "2.0", "2.1"}) {
+      files.files["l.csv"] +=
+          "VAR_GLOBAL,L_P_D_I_A" + bit.substr(0, 1) + bit.substr(2) + ",,%IX" + bit + ",BOOL,FALSE\n";
+    }
+    return run_tool({"check", "plant.json", "--select", "SP317"}, files).out;
   };
-  CHECK(contains(reported(""), "`MODE` is BYTE, 8 bits: it is in the images and on no register"));
-  CHECK(contains(reported(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])"), "SP312"));
-  CHECK_FALSE(contains(reported(R"("map": [{"symbol": "MODE", "number": 2}])"), "SP312"));
+  CHECK(contains(reported(""), "`%IX1.8` has no number on a link, so 3 other discrete inputs are in list order"));
+  CHECK_FALSE(contains(reported(R"("map": [{"symbol": "L_P_D_I_A18", "number": 70}])"), "SP317"));
 }
 
 TEST_CASE("run: A timeout shorter than the cycle allows gives a warning with the key that sets it") {

@@ -43,6 +43,17 @@ TEST_CASE("A finding has its rule's severity unless another is set, and counts b
   CHECK(found.ignored().size() == 1);
 }
 
+TEST_CASE("A manual page has its sections in lines of at most 120 characters, or as its rule writes it") {
+  const std::string words = "one two three four five six seven eight nine ten eleven twelve thirteen fourteen";
+  const std::string twice = words + " " + words;
+  const diag::RuleInfo rule{"SP1", "s", diag::Severity::note, "", words, diag::Rank::last, twice, "Write it."};
+  CHECK(diag::manual_page(rule) == words + "\n\n**What the model loses.** " + words + " one two three\n" +
+                                       words.substr(14) + "\n\n**How to fix it.** Write it.\n");
+  const std::string line(130, 'a');
+  CHECK(diag::manual_page({"SP1", "s", diag::Severity::note, "", line}) == line + "\n");
+  CHECK(diag::manual_page({"SP1", "s", diag::Severity::note, "", "One.\n\nTwo.\n"}) == "One.\n\nTwo.\n");
+}
+
 TEST_CASE("A severity is found by its word") {
   CHECK(diag::severity_of_name("note") == diag::Severity::note);
   CHECK(diag::severity_of_name("error") == diag::Severity::error);

@@ -1,6 +1,5 @@
 // Findings of one rule and one shape.
-#include "findings/roll_up.hpp"
-
+#include "findings/finish.hpp"
 #include "support/catch.hpp"
 
 namespace symplant::findings {

@@ -2,6 +2,7 @@
 #include "findings/selection.hpp"
 
 #include "check/catalogue.hpp"
+#include "findings/finish.hpp"
 #include "unit/check/check_support.hpp"
 
 namespace symplant::test {
@@ -45,14 +46,16 @@ TEST_CASE("A word is an id, a slug or the prefix of an id, in any case") {
   CHECK(verdict({"SP2", "SP4"}, {}, "SP402") == "reported");
 }
 
-TEST_CASE("A former slug selects the current rule, and is returned once") {
+TEST_CASE("A former name selects the current rule, and is returned once") {
   CHECK(verdict({"nobody-moves"}, {}, "SP404") == "reported");
   CHECK(verdict({"nobody-moves"}, {}, "SP402") == "not selected");
   CHECK(verdict({"SP4"}, {"Nobody-Moves"}, "SP404") == "ignored");
   const auto selection = Selection::of(Words{"nobody-moves", "SP4"}, Words{"NOBODY-MOVES", "places-overlap"});
   CHECK_FALSE(selection);  // an error that leaves no valid plant is not ignored by its former name, either
-  CHECK(Selection::of(Words{"nobody-moves", "SP4"}, Words{"NOBODY-MOVES"})->renamed() == Words{"nobody-moves"});
-  CHECK(Selection::of(Words{"SP404"}, Words{"event-not-driven"})->renamed().empty());
+  CHECK(Selection::of(Words{"nobody-moves", "SP4"}, Words{"nobody-moves"})->former() ==
+        std::set<std::string>{"nobody-moves"});
+  CHECK(Selection::of({}, Words{"SP312"})->former() == std::set<std::string>{"SP312"});  // removed: no effect
+  CHECK(Selection::of(Words{"SP404"}, Words{"event-not-driven"})->former().empty());
 }
 
 TEST_CASE("The more exact word of --select and --ignore counts, --ignore if they are equal") {
@@ -96,7 +99,7 @@ TEST_CASE("Hidden findings are counted by option; those that plant.json ignores 
   REQUIRE(list.diagnostics.ignored().size() == 1);
 
   const auto chosen = [&](const Words& select, const Words& ignore) {
-    return findings::select(list.diagnostics, *Selection::of(select, ignore));
+    return findings::sift(list.diagnostics, {}, {}, *Selection::of(select, ignore));
   };
   const diag::Diagnostics names = chosen({"SP2"}, {});
   CHECK(names.all().size() == 2);

@@ -75,8 +75,8 @@ TEST_CASE("A non-octal digit proves hexadecimal, except against an octal option 
   CHECK(octal.model().lists.front().radix.by == RadixChoice::By::option);
   CHECK(octal.count("address-not-understood") == 2);
   CHECK(finding_of(analyse_rows({rows[0], rows[2]}, Radix::octal), "address-not-understood").message ==
-        "`Y8` is not a valid address, since X and Y count in octal here: `L_P_D_O_A` gets no address from it; correct "
-        "its digits, or use `--xy hex` if the list counts in hexadecimal");
+        "`Y8` is not a valid address, since X and Y count in octal here (`--xy hex` changes that): `L_P_D_O_A` gets no "
+        "address from it; correct it");
   const Analysed proved = analyse_rows({{"L_P_D_O_A", "Y8"}, {"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}});
   CHECK(proved.model().lists.front().radix.radix == Radix::octal);
 }

@@ -221,11 +221,11 @@ TEST_CASE("Two devices of one path, and two symbols of one role, are warnings") 
   naming.archetypes[0].texts[1].second = "{x}ECHO|{x}SEEN";
   const Analysed list =
       analyse_cell({"Q A_B-C-ADV-SOL", "I A_B-C-ADV-END", "Q A-B_C-ADV-SOL", "I A-B_C-ADV-END"}, {}, naming);
-  CHECK(list.count("path-ambiguous") == 1);
+  CHECK(list.count("naming-ambiguous") == 1);
   naming = cell();
   naming.archetypes[0].texts[1].second = "{x} ECHO|{x} SEEN";
   const Analysed roles = analyse_cell({"Q S1_RB_GO", "I S1_RB_GO_ECHO", "I S1_RB_GO_SEEN"}, {}, naming);
-  CHECK(roles.count("role-taken") == 1);
+  CHECK(roles.count("naming-ambiguous") == 1);
 }
 
 TEST_CASE("An event of several states is on in each of them") {
@@ -243,7 +243,7 @@ TEST_CASE("A list without pairs says why") {
   const Analysed list = analyse_cell({"Q S1_RB_ADV_SOL", "I S1_RB_READY", "I XYZ"});
   CHECK(list.count("no-device") == 1);
   CHECK(std::string(list.diagnostics.all().front().message)
-            .find("2 have no symbols to be paired with, 1 is matched by no rule") != std::string::npos);
+            .find("1 matched by no pattern, 2 not paired; correct the rule") != std::string::npos);
 }
 
 TEST_CASE("Names in braces are levels of the naming rule, and a level that it lacks is an error") {

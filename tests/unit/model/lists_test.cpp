@@ -71,8 +71,7 @@ TEST_CASE("A name in two lists is declared twice, and both locations are reporte
 TEST_CASE("A name in lists of two controllers is an error, for any address") {
   const Analysed plant = two(kFirst, {{"L_P_D_O_A", "Y1"}}, "PLC1", "PLC2");
   CHECK(finding_of(plant, "symbol-declared-differently").message ==
-        "`L_P_D_O_A` is declared again for another controller, and names are unique across a plant: rename it, or "
-        "delete the row that is wrong");
+        "`L_P_D_O_A` is declared again with another address, type or controller: rename it, or delete the wrong row");
 }
 
 TEST_CASE("Findings are in the order of the lists, for any order of rules and size of lists") {
@@ -95,7 +94,6 @@ TEST_CASE("X and Y count separately for each controller") {
   const Analysed plant = two(octal, hex, "PLC1", "PLC2");
   CHECK(symbol_of(plant, "L_P_D_I_B").address->number == 16);
   CHECK(symbol_of(plant, "L_P_E_I_B").address->number == 32);
-  CHECK(plant.count("radix-disagrees") == 0);
 }
 
 TEST_CASE("The proof of a controller's list counts for its other lists") {
@@ -104,7 +102,6 @@ TEST_CASE("The proof of a controller's list counts for its other lists") {
   CHECK(symbol_of(plant, "L_P_E_I_A").address->number == 16);
   CHECK(plant.model().lists[0].radix.by == RadixChoice::By::rows);
   CHECK(plant.count("radix-assumed") == 0);
-  CHECK(plant.count("radix-disagrees") == 0);
   CHECK(two({{"L_P_E_I_A", "X0020"}}, octal, "PLC1", "PLC2").count("radix-assumed") == 1);
 }
 
@@ -119,9 +116,10 @@ TEST_CASE("The most rows count if two lists of one controller count X and Y diff
                                                                             {"L_P_E_I_B", "X0011", "BOOL", "", "%IX17"},
                                                                             {"L_P_E_I_C", "X0020"}});
   CHECK(symbol_of(plant, "L_P_E_I_C").address->number == 32);
-  const diag::Diagnostic& finding = finding_of(plant, "radix-disagrees");
+  const diag::Diagnostic& finding = finding_of(plant, "addresses-contradict");
+  CHECK(finding.severity == diag::Severity::warning);
   CHECK(file_of(finding.location) == "first.csv");
-  CHECK(index_text(finding) == "X0010");
+  CHECK(index_text(finding) == "%IX8");
   CHECK(file_of(finding.related.front().location) == "second.csv");
 }
 
@@ -131,7 +129,7 @@ TEST_CASE("The first option of one controller's lists counts, and a different on
                                         {"c.csv", list_text({{"L_P_F_I_A", "X30"}}), "", Radix::hexadecimal}});
   CHECK(symbol_of(plant, "L_P_D_I_A").address->number == 8);
   CHECK(symbol_of(plant, "L_P_F_I_A").address->number == 24);
-  CHECK(file_of(finding_of(plant, "radix-disagrees").location) == "c.csv");
+  CHECK(file_of(finding_of(plant, "radix-assumed").location) == "c.csv");
 }
 
 TEST_CASE("A list without a symbol is still a list") {

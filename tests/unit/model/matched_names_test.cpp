@@ -131,9 +131,9 @@ TEST_CASE("An input is left out like a transition, and findings about the others
   CHECK(conditions(list, "A_S1_CL1") == "A_S1_DOOR.ADV; A_S1_CL1.RET and A_S1_CL1.ADV");
   CHECK(conditions(list, "B_S2_CL1") == "B_S2_CL1.RET and B_S2_CL1.ADV");
   CHECK(unit_of(list, "B_S2_CL1").input_names == std::vector<std::string_view>{"b_both"});
-  REQUIRE(list.count("condition-never-holds") == 2);
+  REQUIRE(list.count("condition-decided") == 2);
   for (const diag::Diagnostic& finding : list.diagnostics.all()) {
-    if (finding.rule->slug == "condition-never-holds") CHECK(finding.message.starts_with("`{self}.RET and"));
+    if (finding.rule->slug == "condition-decided") CHECK(finding.message.starts_with("`{self}.RET and"));
   }
 }
 

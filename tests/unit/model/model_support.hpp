@@ -59,7 +59,7 @@ inline std::string transitions_text(const Analysed& analysed, const model::Unit&
     if (!text.empty()) text += " ";
     text += unit.states[t.from].name;
     if (t.on != model::kNone) {
-      text += "-O_" + std::string(analysed.model().symbols[unit.operations[t.on]].reading.task);
+      text += "-O_" + std::string(analysed.model().symbols[unit.operations[t.on]].reading.task());
     }
     text += ">" + unit.states[t.to].name;
   }

@@ -46,12 +46,5 @@ TEST_CASE("A symbol knows what gave its direction") {
   CHECK(symbol_of(list, "L_P_D_I_B").direction_by == DirectionBy::name);  // an alias of nothing that has an address
 }
 
-TEST_CASE("An invalid address is reported with examples of the list's notation") {
-  const Analysed list = analyse_in(Notation::siemens, {{"L_P_D_I_A", "I0.9"}, {"L_P_D_O_A", "Q0.0"}});
-  CHECK(
-      finding_of(list, "address-not-understood").message ==
-      "`I0.9` is not a valid address: `L_P_D_I_A` gets no address from it; write it like `%I0.0`, `%QW64` or `E 2.6`");
-}
-
 }  // namespace
 }  // namespace symplant::test

@@ -173,12 +173,12 @@ TEST_CASE("The first of two symbols that claim one task and direction keeps it, 
   CHECK(unit.operations.size() == 1);
   CHECK(symbol_of(list, "L_P_D_O_P1").unmodelled == Unmodelled::task_taken);
   CHECK(symbol_of(list, "L_P_D_I_P1").unmodelled == Unmodelled::modelled);
-  CHECK(list.fired(diag::Severity::warning) == "task-claimed-twice");
+  CHECK(list.fired(diag::Severity::warning) == "direction-against-address");
   // The overridden one comes first and keeps the task.
   const Analysed first = analyse_rows({{"L_P_D_O_P1", "X5"}, {"L_P_D_I_P1", "X1"}});
   CHECK(symbol_of(first, "L_P_D_O_P1").unmodelled == Unmodelled::modelled);
   CHECK(symbol_of(first, "L_P_D_I_P1").unmodelled == Unmodelled::task_taken);
-  CHECK(first.fired(diag::Severity::warning) == "task-claimed-twice");
+  CHECK(first.fired(diag::Severity::warning) == "direction-against-address");
 }
 
 TEST_CASE("Many claims of one task differ from many tasks") {

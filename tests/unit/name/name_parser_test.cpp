@@ -19,22 +19,33 @@ struct Read {
     NameParser parser(built_in_rule());
     reading = parser.parse(name);
   }
-  std::string faulty() const { return name.substr(reading.where.begin, reading.where.end - reading.where.begin); }
+  std::string faulty() const { return name.substr(reading.where().begin, reading.where().end - reading.where().begin); }
   /// As an editor counts: from 1, in characters.
-  std::size_t column() const { return text::SourceFile("list", name).position(reading.where.begin).column; }
+  std::size_t column() const { return text::SourceFile("list", name).position(reading.where().begin).column; }
 };
 
 TEST_CASE("A name that follows the rule gives its levels, and its device's path") {
   const Read read("EXLINE_MB_AGV_I_P1");
   CHECK(read.reading.fault == NameFault::none);
   CHECK(read.reading.levels == 5);
-  CHECK(read.reading.line == "EXLINE");
-  CHECK(read.reading.process == "MB");
-  CHECK(read.reading.device == "AGV");
-  CHECK(read.reading.task == "P1");
-  CHECK(read.reading.device_path == "EXLINE_MB_AGV");
+  CHECK(read.reading.line() == "EXLINE");
+  CHECK(read.reading.process() == "MB");
+  CHECK(read.reading.device() == "AGV");
+  CHECK(read.reading.task() == "P1");
+  CHECK(read.reading.device_path() == "EXLINE_MB_AGV");
   CHECK(read.reading.direction == Direction::event);
   CHECK(Read("BB_S301_RBT3_O_WELD").reading.direction == Direction::operation);
+}
+
+TEST_CASE("A name with a fault has no task and no device's path") {
+  for (const char* name : {"LEVEL", "A_B_C_X_P1", "A__C_I_P1", "A_B-_C_I_P1", "A_B_C_D_I_P1"}) {
+    const Read read(name);
+    INFO(name);
+    REQUIRE(read.reading.fault != NameFault::none);
+    CHECK(read.reading.task().empty());
+    CHECK(read.reading.device_path().empty());
+  }
+  CHECK(Read("A_B_C_X_P1").reading.process() == "B");
 }
 
 TEST_CASE("The direction is read in any case") {
@@ -56,11 +67,11 @@ TEST_CASE("A word that begins with I or O is no direction") {
 TEST_CASE("Words like OPEN are ordinary tasks and devices") {
   const Read task("EXLINE_MB_DOOR_O_OPEN");
   CHECK(task.reading.fault == NameFault::none);
-  CHECK(task.reading.task == "OPEN");
+  CHECK(task.reading.task() == "OPEN");
   const Read levels("I_O_I_O_I");
   CHECK(levels.reading.fault == NameFault::none);
   CHECK(levels.reading.direction == Direction::operation);
-  CHECK(levels.reading.task == "I");
+  CHECK(levels.reading.task() == "I");
 }
 
 TEST_CASE("A letter that only looks like I or O is no direction") {
@@ -77,8 +88,8 @@ TEST_CASE("Letters and digits of every script make levels") {
     const Read read("LINE_" + std::string(word) + "_" + word + "_I_" + word);
     INFO(read.name);
     CHECK(read.reading.fault == NameFault::none);
-    CHECK(read.reading.process == word);
-    CHECK(read.reading.task == word);
+    CHECK(read.reading.process() == word);
+    CHECK(read.reading.task() == word);
   }
 }
 
@@ -100,13 +111,15 @@ TEST_CASE("A character that is neither letter nor digit is the fault, complete a
     const Read read(c.name);
     INFO(c.name);
     CHECK(read.reading.fault == NameFault::illegal_character);
-    CHECK(read.reading.where.begin == c.begin);
+    CHECK(read.reading.where().begin == c.begin);
     CHECK(read.faulty() == c.part);
     CHECK(read.column() == c.column);
   }
 }
 
-TEST_CASE("The first of several illegal characters is reported") { CHECK(Read("A.B-C_I_P1").reading.where.begin == 1); }
+TEST_CASE("The first of several illegal characters is reported") {
+  CHECK(Read("A.B-C_I_P1").reading.where().begin == 1);
+}
 
 TEST_CASE("The whole name is the fault if it has too few levels") {
   for (const char* name : {"EXLINE_AGV_I_P1", "START", "A_B", "A_B_C", "Ä_I_P1"}) {
@@ -144,8 +157,8 @@ TEST_CASE("An empty level is reported at its location") {
     const Read read(c.name);
     INFO(c.name);
     CHECK(read.reading.fault == NameFault::empty_level);
-    CHECK(read.reading.where.begin == c.begin);
-    CHECK(read.reading.where.end == c.begin);
+    CHECK(read.reading.where().begin == c.begin);
+    CHECK(read.reading.where().end == c.begin);
   }
 }
 
@@ -159,7 +172,7 @@ TEST_CASE("Names of 20,000 characters are read") {
   const std::string word(19'990, 'W');
   const Read read("A_B_" + word + "_I_P1");
   CHECK(read.reading.fault == NameFault::none);
-  CHECK(read.reading.device == word);
+  CHECK(read.reading.device() == word);
   const Read levels(std::string(20'000, '_'));
   CHECK(levels.reading.fault != NameFault::none);
   std::string many;
@@ -203,10 +216,10 @@ TEST_CASE("The fast path reads plain names as the grammar does") {
     const NameReading other = parser.parse_by_grammar(name);
     REQUIRE(one.fault == other.fault);
     REQUIRE(one.levels == other.levels);
-    REQUIRE((one.where.begin == other.where.begin && one.where.end == other.where.end));
-    REQUIRE(one.device_path == other.device_path);
-    REQUIRE((one.line == other.line && one.process == other.process && one.device == other.device));
-    REQUIRE(one.task == other.task);
+    REQUIRE((one.where().begin == other.where().begin && one.where().end == other.where().end));
+    REQUIRE(one.device_path() == other.device_path());
+    REQUIRE((one.line() == other.line() && one.process() == other.process() && one.device() == other.device()));
+    REQUIRE(one.task() == other.task());
     REQUIRE(one.direction == other.direction);
     plain += one.fault == NameFault::none ? 1 : 0;
   }

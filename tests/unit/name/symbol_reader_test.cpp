@@ -261,9 +261,9 @@ TEST_CASE("The built-in rule as a pattern reads names as its own parser does") {
     }
     ++followed;
     REQUIRE(general.outcome == Outcome::read);
-    CHECK(general.path == strict.device_path);
-    CHECK(general.process == strict.process);
-    CHECK(general.task.text == strict.task);
+    CHECK(general.path == strict.device_path());
+    CHECK(general.process == strict.process());
+    CHECK(general.task.text == strict.task());
     CHECK((general.side == Side::event) == (strict.direction == Direction::event));
   }
   CHECK(followed > 50);
