@@ -5,6 +5,7 @@ import {length as lengthText} from "./words.js";
 
 const kSide = 14;
 const kBeltHeight = 22;
+const kNameGap = 8;  // between two names of sensors
 
 /// A strip with the names of sensors and a scale, and a low one without: its height, the top of its belt, the line of names.
 export const kFull = {height: 86, belt: 34, names: 11};
@@ -32,17 +33,22 @@ const cut = (context, text, width) => {
   return length === 0 ? "" : text.slice(0, length) + "…";
 };
 
-/// Cuts the names of sensors, { at, text }, so that they do not overlap: sets `shown`.
-export const placeNames = (context, track, width, sensors) => {
+/// Which names of sensors, { at, text, wide }, are written in a strip: from the left, those that overlap no other one. `x(at)` is
+/// where a position is. Sets `shown`.
+export const placeNames = (sensors, width, x) => {
+  let until = 0;
+  for (const sensor of [...sensors].sort((a, b) => a.at - b.at)) {
+    const left = x(sensor.at) - sensor.wide / 2;
+    const fits = left >= until && left + sensor.wide <= width;
+    sensor.shown = fits ? sensor.text : "";
+    if (fits) until = left + sensor.wide + kNameGap;
+  }
+};
+
+/// Sets how wide the names of sensors are.
+export const measureNames = (context, sensors) => {
   context.font = "11px " + kFont;
-  const sorted = [...sensors].sort((a, b) => a.at - b.at);
-  const x = (rank) => xOf(track, width, sorted[rank].at);
-  sorted.forEach((sensor, rank) => {
-    const left = rank > 0 ? (x(rank - 1) + x(rank)) / 2 : 0;
-    const right = rank + 1 < sorted.length ? (x(rank) + x(rank + 1)) / 2 : width;
-    const shown = cut(context, sensor.text, 2 * Math.min(x(rank) - left, right - x(rank)) - 6);
-    sensor.shown = shown.length < 4 && shown !== sensor.text ? "" : shown;
-  });
+  for (const sensor of sensors) sensor.wide = context.measureText(sensor.text).width;
 };
 
 /// The sensor at a point of the strip, or undefined.

@@ -108,7 +108,7 @@ test("A device shows its most urgent status, and its station counts them", () =>
     end();
     return [...found];
   };
-  statuses.update({all: true, devices: [], keys: new Set()});
+  statuses.update({all: true, devices: [], symbols: [], keys: new Set()});
   assert.deepEqual([...statuses.of], [rank.waits, rank.contact]);
   assert.deepEqual(changed({rev: 2, t: 1, devices: [[0, 0, 1, 1, 0, 1, 5, 5]]}), [0]);
   assert.equal(statuses.of[0], rank.moving);
