@@ -9,7 +9,7 @@ const kNoJump = "A PLC that is connected does not jump: its outputs, timers and 
 
 /// The speed that was chosen; with the real one where they differ, since that one is a mean and comes later.
 export const speedText = ({speed, real_speed: real}) =>
-  speed === "max" || Math.abs(real - speed) <= .1 * speed ? factor(speed === "max" ? real : speed) : factor(real) + " of " + factor(speed);
+  speed === "max" || Math.abs(real - speed) <= .1 * speed ? factor(speed === "max" ? real : speed) : factor(real).replace(" x", " of ") + factor(speed);
 
 /// The name of a snapshot of now.
 export const presentName = (app) => "at " + (app.clock.now() / 1e9).toFixed(3) + " s";

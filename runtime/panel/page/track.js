@@ -1,9 +1,10 @@
 // A track in the line view: a strip to scale, on which parts move.
 import {make, setAttribute, setText} from "./dom.js";
+import {placeNames} from "./layout.js";
 import {linkTo} from "./links_to.js";
 import {SYMBOL} from "./store.js";
 import {fitCanvas} from "./theme.js";
-import {drawBelt, drawMarks, drawParts, kCompact, kFull, measureNames, placeNames, sensorAt, xOf} from "./track_draw.js";
+import {drawBelt, drawMarks, drawParts, kCompact, kFull, measureNames, sensorAt, xOf} from "./track_draw.js";
 import {count} from "./words.js";
 
 /// What a sensor is called on its track: without the levels that it shares with the others.

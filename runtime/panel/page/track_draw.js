@@ -5,7 +5,6 @@ import {length as lengthText} from "./words.js";
 
 const kSide = 14;
 const kBeltHeight = 22;
-const kNameGap = 8;  // between two names of sensors
 
 /// A strip with the names of sensors and a scale, and a low one without: its height, the top of its belt, the line of names.
 export const kFull = {height: 86, belt: 34, names: 11};
@@ -31,18 +30,6 @@ const cut = (context, text, width) => {
   let length = text.length;
   while (length > 0 && context.measureText(text.slice(0, length) + "…").width > width) --length;
   return length === 0 ? "" : text.slice(0, length) + "…";
-};
-
-/// Which names of sensors, { at, text, wide }, are written in a strip: from the left, those that overlap no other one. `x(at)` is
-/// where a position is. Sets `shown`.
-export const placeNames = (sensors, width, x) => {
-  let until = 0;
-  for (const sensor of [...sensors].sort((a, b) => a.at - b.at)) {
-    const left = x(sensor.at) - sensor.wide / 2;
-    const fits = left >= until && left + sensor.wide <= width;
-    sensor.shown = fits ? sensor.text : "";
-    if (fits) until = left + sensor.wide + kNameGap;
-  }
 };
 
 /// Sets how wide the names of sensors are.
