@@ -5,11 +5,15 @@ import {make, select, setAttribute, setText} from "./dom.js";
 import {clockText, count, factor} from "./words.js";
 
 const kSpeeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+const kMeasured = 2500;  // ms until the real speed is measured
 const kNoJump = "A PLC that is connected does not jump: its outputs, timers and counters stay as they are.";
 
-/// The speed that was chosen; with the real one where they differ, since that one is a mean and comes later.
-export const speedText = ({speed, real_speed: real}) =>
-  speed === "max" || Math.abs(real - speed) <= .1 * speed ? factor(speed === "max" ? real : speed) : factor(real).replace(" x", " of ") + factor(speed);
+/// The speed that was chosen, with the real one where they differ. That one is the mean of a second: while the choice `isNew`
+/// it is of the speed before.
+export const speedText = ({speed, real_speed: real}, isNew) => {
+  if (speed === "max") return isNew ? "max" : factor(real);
+  return isNew || Math.abs(real - speed) <= .1 * speed ? factor(speed) : factor(real).replace(" x", " of ") + factor(speed);
+};
 
 /// The name of a snapshot of now.
 export const presentName = (app) => "at " + (app.clock.now() / 1e9).toFixed(3) + " s";
@@ -60,6 +64,13 @@ export class ControlBar {
     if (await ask("Reset the plant?", texts, "Reset")) await perform(this.app, this.result, () => ({reset: true}));
   }
 
+  /// Whether the clock goes on in another way since a moment ago.
+  isNew({state, speed}) {
+    const shown = state + speed;
+    if (shown !== this.clockShown) Object.assign(this, {clockShown: shown, clockSince: performance.now()});
+    return performance.now() - this.clockSince < kMeasured;
+  }
+
   lastBacktrack() { return this.app.store.snapshots.filter(({kind}) => kind === "backtrack").pop(); }
   back() { return restore(this.app, this.result, this.lastBacktrack()); }
 
@@ -67,7 +78,7 @@ export class ControlBar {
     this.tick();
     const {store, lost} = this.app;
     const {clock, forced, malfunctions} = store;
-    setText(this.state, lost ? "no connection" : clock.state + (clock.state === "running" ? ", " + speedText(clock) : ""));
+    setText(this.state, lost ? "no connection" : clock.state + (clock.state === "running" ? ", " + speedText(clock, this.isNew(clock)) : ""));
     setAttribute(this.state, "data-state", lost ? "lost" : clock.state);
     setText(this.forced, forced + " forced");
     this.forced.classList.toggle("alert", forced > 0);

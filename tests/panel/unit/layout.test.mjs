@@ -110,5 +110,6 @@ test("Acts are words", () => {
 test("The speed is the chosen one; the real one is added where it differs", () => {
   assert.equal(speedText({speed: 10, real_speed: 9.7}), "10 x");
   assert.equal(speedText({speed: 100, real_speed: 42.5}), "42.5 of 100 x");
+  assert.equal(speedText({speed: 100, real_speed: 1}, true), "100 x");
   assert.equal(speedText({speed: "max", real_speed: 512}), "512 x");
 });
