@@ -21,7 +21,7 @@ const kWords = {
   run: () => "ran",
   freeze: () => "froze",
   step: (of) => of === "change" ? "ran to the next change" : "ran one cycle",
-  speed: (of) => "set the speed " + factor(of),
+  speed: (of) => "set the speed to " + (of === "max" ? of : factor(of)),
   reset: () => "reset the plant",
   snapshot: (of) => "took the snapshot " + of,
   save: (of) => "saved " + of,

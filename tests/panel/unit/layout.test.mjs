@@ -103,7 +103,7 @@ test("Acts are words", () => {
   assert.deepEqual([{force: {A_I_X: false}}, {release: "all"}, {set: {A: 3, B: true}}, {state: {D: "OPEN"}}, {start: ["a", "b", "c", "d", "e"]}, {step: "cycle"},
     {put: {at: "BELT@300 mm", kind: "raw"}}, {speed: "max"}, {reset: true}, {other: {a: 1}}].map((act) => actText(act)),
   ["forced A_I_X off", "released all", "set A 3, B on", "put D into OPEN", "started a, b, c and 2 more", "ran one cycle", "put raw at BELT@300 mm",
-    "set the speed as fast as possible", "reset the plant", 'other {"a":1}']);
+    "set the speed to max", "reset the plant", 'other {"a":1}']);
   assert.equal(actText([{take: "BELT"}, {put: {at: "BELT", kind: "raw"}}]), "took a part from BELT, put raw at BELT");
 });
 
