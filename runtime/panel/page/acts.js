@@ -1,36 +1,76 @@
 // Controls that act on the plant. Each shows its result, or what the server says against it, next to itself.
+import {actText} from "./act_words.js";
 import {button, make, select, setAttribute, setText} from "./dom.js";
 import {instant, readValue} from "./words.js";
 
+const kShown = 8000;  // ms; a result that is no error goes by itself
+
+/// The place of a result; screen readers say it when it changes. It keeps the height of a line, so that no control moves; a
+/// longer text covers what is below. A click removes it.
+export const resultOutput = () => {
+  const output = make("output", {class: "result", role: "status", onclick: () => output.replaceChildren()});
+  return output;
+};
+
+/// Shows a text in the place of a result; an empty one removes what is there.
+export const showResult = (output, text, isWrong = false) => {
+  clearTimeout(output.timer);
+  output.classList.toggle("wrong", isWrong);
+  output.replaceChildren(...(text === "" ? [] : [make("span", {title: text}, text)]));
+  if (!isWrong) output.timer = setTimeout(() => output.replaceChildren(), kShown);
+};
+
 /// Does `acts()` (one act, or a list) and shows the result in `result`. Returns whether it was done.
-export const perform = async (app, result, acts, done = "done") => {
-  result.className = "result";
-  result.textContent = "...";
+export const perform = async (app, result, acts) => {
   try {
+    if (app.lost) throw new Error("there is no connection to the plant: nothing was done");
     const list = [acts()].flat();
     const {t} = await app.api.acts(...list);
-    result.textContent = done + " at " + instant(t);
+    showResult(result, actText(list) + " at " + instant(t));
     return true;
   } catch (error) {
-    result.classList.add("wrong");
-    result.textContent = error.status === 401 ? app.deniedText : error.message;
+    showResult(result, error.status === 401 ? app.deniedText : error.message, true);
     return false;
   }
 };
 
-/// The place of a result; screen readers say it when it changes.
-export const resultOutput = () => make("output", {class: "result", role: "status"});
+const refreshAct = (app, element) => {
+  const isOff = app.lost || element.isBusy || !element.isPossible();
+  if (element.tagName === "SELECT") element.disabled = isOff;
+  else setAttribute(element, "aria-disabled", String(isOff));
+};
 
-/// A button for an act. It rests while the act is under way, and keeps the focus.
-export const actButton = (app, result, label, acts, attributes = {}) => {
-  const element = button(label, async () => {
-    if (element.getAttribute("aria-disabled") === "true") return;
-    element.setAttribute("aria-disabled", "true");
-    await perform(app, result, acts);
-    element.setAttribute("aria-disabled", "false");
-  }, attributes);
+/// All controls in the document that act: they rest while the connection to the plant is lost.
+export const refreshActs = (app) => { for (const element of document.querySelectorAll(".acts-on-plant")) refreshAct(app, element); };
+
+/// Makes a button or <select> one that acts: it rests while the connection is lost, or `isPossible()` is false. Call `refresh()`
+/// when that may have changed.
+export const acting = (app, element, isPossible = () => true) => {
+  element.classList.add("acts-on-plant");
+  Object.assign(element, {isPossible, isBusy: false, refresh: () => refreshAct(app, element)});
+  element.refresh();
   return element;
 };
+
+/// A button for something that ends in an act. It rests while that is under way, and keeps the focus.
+export const actingButton = (app, label, run, attributes = {}, isPossible = undefined) => {
+  const element = button(label, async () => {
+    if (element.getAttribute("aria-disabled") === "true") return;
+    element.isBusy = true;
+    element.refresh();
+    try {
+      await run();
+    } finally {
+      element.isBusy = false;
+      element.refresh();
+    }
+  }, attributes);
+  return acting(app, element, isPossible);
+};
+
+/// A button for an act.
+export const actButton = (app, result, label, acts, attributes = {}, isPossible = undefined) =>
+  actingButton(app, label, () => perform(app, result, acts), attributes, isPossible);
 
 /// A field for a value, with its buttons: [[label, (value) => act], ...].
 const valueForm = (app, result, symbol, buttons) => {

@@ -1,7 +1,7 @@
 // The line at the bottom with the last finding, and what screen readers say of findings: politely, and not too often.
 import {make, setText} from "./dom.js";
 import {linkTo} from "./links_to.js";
-import {count, instant} from "./words.js";
+import {count, instant, withRoundTimes} from "./words.js";
 
 const kPause = 4000;
 
@@ -21,7 +21,7 @@ export class Announcer {
     if (!change.all && !change.keys.has("findings")) return;
     const last = this.last();
     setText(this.count, last ? count(last.n + 1, "finding") : "no findings");
-    setText(this.text, last ? instant(last.t) + ": " + last.text : "");
+    setText(this.text, last ? instant(last.t) + ": " + withRoundTimes(last.text) : "");
     this.text.title = last?.text ?? "";
     const found = last ? this.app.names.find(last.of) : null;
     this.subject.replaceChildren(...(found ? [linkTo(found.kind, last.of)] : []));
@@ -33,7 +33,7 @@ export class Announcer {
     const last = this.last();
     const fresh = last.n - this.said;
     this.said = last.n;
-    this.live.textContent = (fresh > 1 ? fresh + " findings, the last: " : "Finding: ") + last.text;
+    this.live.textContent = (fresh > 1 ? fresh + " findings, the last: " : "Finding: ") + withRoundTimes(last.text);
     this.timer = setTimeout(() => {
       this.timer = null;
       if (this.last() && this.last().n > this.said) this.say();

@@ -37,7 +37,7 @@ export class ChartView {
   tools() {
     const small = {class: "small"};
     return make("div", {class: "row tools"},
-      makeSearch(this.app, {label: "Add a symbol or device", kinds: ["device", "symbol"],
+      makeSearch(this.app, {label: "Add a symbol or device", accepts: (kind) => kind === "device" || kind === "symbol",
         choose: ({kind, name}) => {
           this.model.add(kind, this.app.names.index(kind, name));
           this.model.changed();

@@ -1,7 +1,7 @@
 // Draws the chart on a canvas: the axis of time, a row for each symbol or device, cursors.
 import {ticks} from "./layout.js";
 import {kFont, theme} from "./theme.js";
-import {duration, instant, value as valueText} from "./words.js";
+import {duration, exactInstant, value as valueText} from "./words.js";
 
 export const kRowHeight = 40;
 export const kAxisHeight = 26;
@@ -153,5 +153,5 @@ export const valueAt = (row, t) => {
 };
 
 /// "A 1.2 s, B 3.4 s, from A to B 2.2 s"
-export const cursorText = ({A, B}) => [A === null ? "" : "A " + instant(A), B === null ? "" : "B " + instant(B),
+export const cursorText = ({A, B}) => [A === null ? "" : "A " + exactInstant(A, 6), B === null ? "" : "B " + exactInstant(B, 6),
   A === null || B === null ? "" : "from A to B " + duration(B - A)].filter((words) => words).join(", ");

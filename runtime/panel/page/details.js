@@ -6,6 +6,7 @@ import {fillLocation} from "./location_details.js";
 import {fillRequirement} from "./requirement_details.js";
 import {fillSymbol} from "./symbol_details.js";
 import {Why} from "./why.js";
+import {exactInstant, instant} from "./words.js";
 
 const kFillers = {device: fillDevice, symbol: fillSymbol, location: fillLocation, requirement: fillRequirement};
 const kWords = {device: "Device", symbol: "Symbol", location: "Track or place", requirement: "Requirement", why: "Explanation"};
@@ -40,6 +41,9 @@ export class Pane {
     return element;
   }
 
+  /// "since 12.3 s", with the exact time as its title.
+  since(time) { return this.attribute(this.live(() => "since " + instant(time())), "title", () => exactInstant(time())); }
+
   section(title, ...content) { this.element.append(make("section", {}, make("h3", {}, title), ...content)); }
   update() { for (const update of this.updates) update(); }
 }
@@ -69,7 +73,7 @@ export class Details {
     const index = kind === "why" ? null : app.names.index(kind, name);
     pane.element.append(make("div", {class: "row pane-head"},
       make("div", {class: "grow"}, make("div", {class: "soft"}, kWords[kind]), make("h2", {class: "name", tabindex: -1}, name)),
-      button("✕", () => app.router.deselect(), {class: "close", "aria-label": "Close the details", title: "Close (Esc)"}), pane.result));
+      button("✕", () => app.router.deselect(), {class: "close", "aria-label": "Close the details", title: "Close (Esc)"}), app.canAct ? pane.result : null));
     if (kind !== "why" && index === null) {
       pane.element.append(make("p", {class: "wrong"}, "The plant has no " + kWords[kind].toLowerCase() + " of this name."));
     } else {
@@ -91,5 +95,8 @@ export class Details {
   }
 
   /// Texts that depend on plant time.
-  tick() { this.pane?.update(); }
+  tick() {
+    this.pane?.update();
+    this.why?.tick();
+  }
 }

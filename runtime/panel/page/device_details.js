@@ -5,7 +5,7 @@ import {stationAddress, symbolLink} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
 import {DEVICE, SYMBOL} from "./store.js";
 import {operationLabel, stateText} from "./tile.js";
-import {duration, instant, value} from "./words.js";
+import {duration, value} from "./words.js";
 
 const kActuations = {latched: "latched: a short command is enough", bistable: "bistable: moves to the end while no other command is on",
   held: "held: moves only while commanded", spring: "spring: returns to its rest state without a command"};
@@ -62,8 +62,8 @@ export const fillDevice = (pane, index) => {
   const isMove = () => store.target[index] !== store.state[index] && store.whole[index] > 0;
   pane.section("State",
     make("p", {class: "big"}, pane.live(() => stateText(store, index) || "no states")),
-    make("p", {}, pane.live(() => "since " + instant(store.since[index]) + (isMove()
-      ? ", " + duration(Math.round(store.progress(index, clock.now()).left / 1e6) * 1e6) + " of " + duration(store.whole[index]) + " left" : ""))),
+    make("p", {}, pane.since(() => store.since[index]), pane.live(() => isMove()
+      ? ", " + duration(Math.round(store.progress(index, clock.now()).left / 1e6) * 1e6) + " of " + duration(store.whole[index]) + " left" : "")),
     pane.live(() => conditionTexts(store, index), "p", {class: "condition"}),
     make("p", {class: "soft"}, device.states.length > 0 ? ["States: ", device.states.join(", ")] : null),
     make("p", {class: "soft"}, kActuations[device.actuation] ?? device.actuation, device.rest !== null && device.rest !== undefined

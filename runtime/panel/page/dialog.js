@@ -16,6 +16,20 @@ export const ask = (title, texts, yes) => new Promise((done) => {
   dialog.showModal();
 });
 
+/// Shows what has no room on the page. A link in it closes it.
+export const tell = (title, content) => {
+  const dialog = make("dialog", {"aria-labelledby": "dialog-title"});
+  const close = () => {
+    dialog.close();
+    dialog.remove();
+  };
+  dialog.append(make("h2", {id: "dialog-title"}, title), ...content, make("div", {class: "row end"}, button("Close", close, {class: "primary"})));
+  dialog.addEventListener("click", ({target}) => { if (target.closest("a")) close(); });
+  dialog.addEventListener("cancel", () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+};
+
 /// Asks for the token of the link. Resolves to its text, or null.
 export const askToken = (text) => new Promise((done) => {
   const input = make("input", {type: "text", "aria-label": "Token, or the whole link", size: 40, autocomplete: "off", spellcheck: "false"});

@@ -1,4 +1,5 @@
 // Makes elements without strings of HTML: a text of the user becomes a text node or the value of an attribute, nothing else.
+import {exactInstant, instant} from "./words.js";
 
 const fill = (element, attributes, children) => {
   for (const [name, value] of Object.entries(attributes)) {
@@ -30,6 +31,12 @@ export const setAttribute = (element, name, value) => {
   if (value === null) element.removeAttribute(name);
   else element.setAttribute(name, value);
 };
+
+/// A name that may break after its levels.
+export const breakable = (name) => name.split(/(?<=_)/).flatMap((level, i) => i > 0 ? [make("wbr"), level] : [level]);
+
+/// A plant time to the millisecond; the exact one is its title.
+export const timeOf = (ns) => make("span", {title: exactInstant(ns)}, instant(ns));
 
 /// Text for screen readers only.
 export const hidden = (text) => make("span", {class: "hidden-text"}, text);

@@ -1,7 +1,7 @@
 // Findings as elements: rows of the findings view, and short lists in details.
 import {button, make} from "./dom.js";
 import {nameLink} from "./links_to.js";
-import {instant} from "./words.js";
+import {exactInstant, instant, withRoundTimes} from "./words.js";
 
 const kShort = 5;
 
@@ -23,7 +23,8 @@ export const lastFindings = (pane, matches) => {
     shown = store.findings;
     const found = store.findings.filter(({of}) => matches(of)).slice(-kShort).reverse();
     element.replaceChildren(...(found.length === 0 ? [make("li", {class: "soft"}, "none")] : found.map((finding) =>
-      make("li", {}, button(instant(finding.t), () => showFinding(pane.app, finding), {class: "small", title: "Show in chart"}), " ", finding.text))));
+      make("li", {}, button(instant(finding.t), () => showFinding(pane.app, finding), {class: "small", title: exactInstant(finding.t) + ": show in chart"}), " ",
+        make("span", {title: finding.text}, withRoundTimes(finding.text))))));
   });
   return element;
 };

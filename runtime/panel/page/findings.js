@@ -1,10 +1,11 @@
 // The findings view: what the plant reports, the newest first, and the requirements.
+import {tell} from "./dialog.js";
 import {button, make, setText} from "./dom.js";
 import {showFinding, findingSubject} from "./finding_list.js";
 import {linkTo} from "./links_to.js";
 import {requirementState} from "./requirement_details.js";
 import {VirtualList} from "./virtual_list.js";
-import {count, instant} from "./words.js";
+import {count, exactInstant, instant, withRoundTimes} from "./words.js";
 
 const kFindingHeight = 80;
 const kRequirementHeight = 30;
@@ -17,6 +18,7 @@ export class FindingsView {
     this.count = make("span", {class: "soft"});
     this.list = new VirtualList({height: kFindingHeight, label: "Findings, the newest first", role: "list", makeRow: () => this.makeRow(),
       fillRow: (row, at) => this.fillRow(row, at)});
+    new ResizeObserver(() => { for (const row of this.list.rows.values()) this.offerMore(row); }).observe(this.list.element);
     this.requirementCount = make("span", {class: "soft"});
     this.requirements = new VirtualList({height: kRequirementHeight, label: "Requirements", role: "list",
       makeRow: () => this.makeRequirement(), fillRow: (row, at) => this.fillRequirement(row, at)});
@@ -39,9 +41,10 @@ export class FindingsView {
 
   makeRow() {
     const row = {time: make("span", {class: "time"}), kind: make("strong", {}), subject: make("span", {}), text: make("div", {class: "clamp"})};
+    row.more = button("More", () => this.tell(row.finding), {class: "small", hidden: true});
     row.first = button("Show in chart", () => showFinding(this.app, row.finding), {class: "small"});
     row.element = make("div", {class: "finding", role: "listitem"},
-      make("div", {class: "row"}, row.time, row.kind, row.subject, make("span", {class: "grow"}), row.first), row.text);
+      make("div", {class: "row"}, row.time, row.kind, row.subject, make("span", {class: "grow"}), row.more, row.first), row.text);
     return row;
   }
 
@@ -51,11 +54,21 @@ export class FindingsView {
     if (row.finding === finding) return;
     row.finding = finding;
     setText(row.time, instant(finding.t));
+    row.time.title = exactInstant(finding.t);
     setText(row.kind, finding.finding);
     row.kind.className = "severity-" + (["error", "warning"].includes(finding.severity) ? finding.severity : "note");
     row.subject.replaceChildren(findingSubject(this.app, finding));
-    setText(row.text, finding.text);
+    setText(row.text, withRoundTimes(finding.text));
     row.text.title = finding.text;
+    row.more.setAttribute("aria-label", "More of the finding at " + instant(finding.t));
+    this.offerMore(row);
+  }
+
+  /// A button for the whole text, if a row does not show it.
+  offerMore({text, more}) { more.hidden = text.scrollHeight <= text.clientHeight; }
+
+  tell({t, finding, of, text}) {
+    tell(finding + " at " + instant(t), [make("p", {}, findingSubject(this.app, {of})), make("p", {}, withRoundTimes(text))]);
   }
 
   showRequirements() {

@@ -1,16 +1,18 @@
 // The I/O view: every symbol with its address, its value as the PLC sees it, what drives it, and force.
 import {actButton, resultOutput} from "./acts.js";
-import {make, select, setText} from "./dom.js";
+import {breakable, make, select, setText} from "./dom.js";
 import {selecting} from "./router.js";
 import {filterSymbols} from "./io_filter.js";
 import {SYMBOL} from "./store.js";
 import {driverText, typeText} from "./symbol_details.js";
 import {VirtualList} from "./virtual_list.js";
-import {count, instant, value} from "./words.js";
+import {count, cutMiddle, exactInstant, instant, value} from "./words.js";
 
-const kHeight = 32;
+const kHeight = 34;
+const kMostLetters = 44;  // of a name: they fit into two lines
 const kPause = 300;  // ms between two applications of a filter that depends on the state
 const kColumns = ["Symbol", "Address", "Type", "Direction", "Value", "Since", "Driven by", "Link"];
+const columnClass = (column) => "io-" + column.toLowerCase().replace(" ", "-");  // narrow lists hide some
 const kChecks = [["lately", "changed in the last 10 s"], ["forced", "forced"], ["unlinked", "on no link"], ["malfunction", "malfunction"],
   ["undriven", "no device drives it"]];
 
@@ -29,11 +31,12 @@ export class IoView {
     this.result = resultOutput();
     const heads = app.canAct ? [...kColumns, "Force"] : kColumns;
     this.list = new VirtualList({height: kHeight, label: "Symbols",
-      head: make("div", {class: "io-row io-head", role: "row"}, heads.map((head) => make("span", {role: "columnheader"}, head))),
+      head: make("div", {class: "io-row io-head", role: "row"}, heads.map((head) => make("span", {role: "columnheader", class: columnClass(head)}, head))),
       makeRow: () => this.makeRow(), fillRow: (row, at) => this.fillRow(row, at)});
     this.list.element.classList.toggle("io-acts", app.canAct);
     this.element = make("div", {class: "view io-view fills"},
-      make("div", {class: "row tools"}, this.search, this.direction, this.checks.map(({element}) => element), this.found, this.result), this.list.element);
+      make("div", {class: "row tools"}, this.search, this.direction, this.checks.map(({element}) => element)),
+      make("div", {class: "row result-line"}, this.found, this.result), this.list.element);
   }
 
   /// `filter` of a route sets one of the checks: "forced", for example.
@@ -67,16 +70,16 @@ export class IoView {
 
   makeRow() {
     const {app} = this;
-    const cells = kColumns.slice(1).map(() => make("span", {role: "cell"}));
+    const cells = kColumns.slice(1).map((column) => make("span", {role: "cell", class: columnClass(column)}));
     const link = make("a", {class: "name"});
-    const row = {first: link, cells};
+    const row = {first: link, cells, forced: false};
     const symbol = () => app.plant.symbols[this.indexes[row.index]];
     const force = (label, to) => actButton(app, this.result, label, () => ({force: {[symbol().name]: to}}), {class: "small", tabindex: -1});
     row.buttons = !app.canAct ? [] : [force("on", true), force("off", false),
-      actButton(app, this.result, "release", () => ({release: [symbol().name]}), {class: "small", tabindex: -1})];
+      actButton(app, this.result, "release", () => ({release: [symbol().name]}), {class: "small", tabindex: -1}, () => row.forced)];
     row.more = make("a", {tabindex: -1}, "force ...");
-    row.acts = app.canAct ? make("span", {role: "cell", class: "row"}, row.buttons.slice(0, 2), row.more, row.buttons[2]) : null;
-    row.element = make("div", {class: "io-row", role: "row"}, make("span", {role: "cell"}, link), cells, row.acts);
+    row.acts = app.canAct ? make("span", {role: "cell", class: "row io-force"}, row.buttons.slice(0, 2), row.more, row.buttons[2]) : null;
+    row.element = make("div", {class: "io-row", role: "row"}, make("span", {role: "cell", class: "io-symbol"}, link), cells, row.acts);
     return row;
   }
 
@@ -90,15 +93,17 @@ export class IoView {
     const flags = store.symbolFlags[index];
     const isForced = (flags & SYMBOL.forced) !== 0;
     setText(shown, value(store.values[index]) + (isForced ? ", forced" : "") + (flags & SYMBOL.malfunction ? ", malfunction" : ""));
-    shown.className = store.values[index] === true ? "is-on" : "";
+    shown.classList.toggle("is-on", store.values[index] === true);
     setText(since, instant(store.symbolSince[index]));
+    since.title = exactInstant(store.symbolSince[index]);
     row.element.classList.toggle("forced", isForced);
-    if (row.buttons.length > 0) row.buttons[2].disabled = !isForced;
+    row.forced = isForced;
+    row.buttons[2]?.refresh();
   }
 
   fillFixed(row, symbol) {
     const [address, type, direction, , , driver, link] = row.cells;
-    setText(row.first, symbol.name);
+    row.first.replaceChildren(make("span", {}, breakable(cutMiddle(symbol.name, kMostLetters))));
     row.first.href = selecting("symbol", symbol.name);
     row.element.title = symbol.name;
     setText(address, symbol.address ?? "-");

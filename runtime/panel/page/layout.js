@@ -1,5 +1,7 @@
 // Where things are in the line view. Pure functions, without elements.
 
+const kNameGap = 8;  // between two names of sensors
+
 /// Cells for tiles, in units of a tile. `views` has { x, y } or undefined for each tile; tiles without fill the free cells,
 /// row by row. Returns { cells: [[x, y]], columns, rows }; `columns` may be more than asked if a view needs it.
 export const placeTiles = (views, columns) => {
@@ -60,6 +62,18 @@ export const groupDevices = (plant) => {
   const loose = {station: null, devices: []};
   plant.devices.forEach(({station}, index) => (station === null ? loose : groups[station]).devices.push(index));
   return [...groups, loose].filter(({devices}) => devices.length > 0);
+};
+
+/// Which names of sensors, { at, text, wide }, are written in a strip: from the left, those that overlap no other one. `x(at)` is
+/// where a position is. Sets `shown`.
+export const placeNames = (sensors, width, x) => {
+  let until = 0;
+  for (const sensor of [...sensors].sort((a, b) => a.at - b.at)) {
+    const left = x(sensor.at) - sensor.wide / 2;
+    const fits = left >= until && left + sensor.wide <= width;
+    sensor.shown = fits ? sensor.text : "";
+    if (fits) until = left + sensor.wide + kNameGap;
+  }
 };
 
 /// Round numbers between `from` and `to`, about `most` of them: for the ticks of an axis.

@@ -68,7 +68,7 @@ const handOn = (app, location, result) => {
   const change = (from) => [{take: from}, put(from)];
   const button = (label, acts, attributes) => actButton(app, result, label, acts, attributes);
   const controls = make("div", {class: "row controls"}, kinds, isTrack ? at : null, button("Put", () => put(where())),
-    button("Take", () => ({take: where()})), isTrack ? null : button("Change", () => change(where()), {"aria-label": "Change the kind"}));
+    button(isTrack ? "Take at" : "Take", () => ({take: where()})), isTrack ? null : button("Change", () => change(where()), {"aria-label": "Change the kind"}));
   return {controls, change, button};
 };
 

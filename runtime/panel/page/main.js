@@ -1,4 +1,5 @@
 // Starts the page: reads the description of the plant, makes the views, and keeps them up to date.
+import {refreshActs} from "./acts.js";
 import {Announcer} from "./announce.js";
 import {Api, keepToken, takeToken} from "./api.js";
 import {ChartModel} from "./chart_model.js";
@@ -69,7 +70,7 @@ const mayAct = async (api, plant) => {
 };
 
 const makeApp = (api, plant, canAct) => {
-  const app = {api, plant, canAct, store: new Store(plant), names: new Names(plant), clock: new PlantClock(), frames: new Frames(),
+  const app = {api, plant, canAct, lost: false, store: new Store(plant), names: new Names(plant), clock: new PlantClock(), frames: new Frames(),
     main: byId("main"), deniedText: kDenied, deniedNote: () => "Only shows: there is no valid token."};
   app.statuses = new Statuses(app.store, app.names);
   app.router = new Router((route) => app.routed(route));
@@ -125,12 +126,17 @@ const animate = (app, bar, details, views) => {
   });
 };
 
-const connect = (app, plant) => {
+const connect = (app, plant, bar) => {
   if (app.player) return app.player.seek(plant.begin);
   app.api.stale = () => Notice.reload(kRestarted);
   keepStream(app.api, app.receive, (state, text) => {
     document.body.dataset.connection = state;
     if (state === "restarted") return Notice.reload(kRestarted);
+    if (app.lost !== (state === "lost")) {
+      app.lost = state === "lost";
+      bar.update();
+      refreshActs(app);
+    }
     notice.show("lost", state === "open" ? "" : text + "; the page shows the state of then and tries again");
   });
 };
@@ -162,7 +168,7 @@ const start = async () => {
   byId("skip").addEventListener("click", () => app.main.focus());
   app.router.read();
   animate(app, bar, details, views);
-  connect(app, plant);
+  connect(app, plant, bar);
   globalThis.symplant = app;  // for tests and the console
 };
 

@@ -1,9 +1,8 @@
 // The malfunctions view: the active ones, those of the plant's description, and the ordinary ones of devices and symbols.
 import {actButton, malfunctionButton, resultOutput} from "./acts.js";
-import {make, table} from "./dom.js";
+import {make, table, timeOf} from "./dom.js";
 import {deviceLink, symbolLink} from "./links_to.js";
 import {makeSearch} from "./search.js";
-import {instant} from "./words.js";
 
 export class MalfunctionsView {
   constructor(app) {
@@ -11,11 +10,12 @@ export class MalfunctionsView {
     this.result = resultOutput();
     this.active = make("div", {});
     this.chosen = make("div", {});
-    this.element = make("div", {class: "view columns"},
-      make("section", {"aria-label": "Active malfunctions"}, make("h2", {}, "Active"), this.active, this.result),
+    // What is chosen comes before the active ones: their list grows and shrinks, and must not move a control.
+    this.element = make("div", {class: "view columns malfunctions"}, this.result,
       make("section", {"aria-label": "Malfunctions of the plant"}, make("h2", {}, "Of this plant"), this.described()),
-      app.canAct ? make("section", {"aria-label": "Ordinary malfunctions"}, make("h2", {}, "Of any device or event"),
-        make("p", {class: "soft"}, "A device can be stuck or slow, a BOOL event stuck on or off."), this.search(), this.chosen) : null);
+      app.canAct ? make("section", {"aria-label": "Ordinary malfunctions", class: "opens"}, make("h2", {}, "Of any device or event"),
+        make("p", {class: "soft"}, "A device can be stuck or slow, a BOOL event stuck on or off."), this.search(), this.chosen) : null,
+      make("section", {"aria-label": "Active malfunctions", class: "active"}, make("h2", {}, "Active"), this.active));
   }
 
   described() {
@@ -33,24 +33,29 @@ export class MalfunctionsView {
   }
 
   search() {
-    return makeSearch(this.app, {label: "Find a device or an event", kinds: ["device", "symbol"], choose: ({kind, name}) => this.offer(kind, name)});
+    return makeSearch(this.app, {label: "Find a device or an event", accepts: (kind, index) => this.kindsOf(kind, index).length > 0,
+      choose: ({kind, name}) => this.offer(kind, name)});
+  }
+
+  /// The ordinary malfunctions of a thing: none of an operation or a number.
+  kindsOf(kind, index) {
+    const {ordinary = {}, symbols} = this.app.plant;
+    if (kind === "device") return ordinary.device ?? [];
+    return kind === "symbol" && symbols[index].direction === "event" && symbols[index].type === "BOOL" ? ordinary.event ?? [] : [];
   }
 
   offer(kind, name) {
-    const {plant} = this.app;
-    const isEvent = kind === "symbol" && plant.symbols[this.app.names.index("symbol", name)].direction === "event";
-    const kinds = kind === "device" ? plant.ordinary?.device ?? [] : isEvent ? plant.ordinary?.event ?? [] : [];
+    const kinds = this.kindsOf(kind, this.app.names.index(kind, name));
     this.ordinary = kinds.map((of) => malfunctionButton(this.app, this.result, name + " " + of, of));
     this.chosen.replaceChildren(make("p", {}, make("span", {class: "name"}, name)),
-      kinds.length > 0 ? make("div", {class: "row controls"}, this.ordinary.map(({element}) => element))
-        : make("p", {class: "soft"}, "There are no ordinary malfunctions of an operation."));
+      make("div", {class: "row controls"}, this.ordinary.map(({element}) => element)));
   }
 
   show() { this.update(); }
 
   update() {
     const {app, result} = this;
-    const rows = app.store.malfunctions.map(([name, since, by]) => [make("span", {class: "name"}, name), instant(since), by,
+    const rows = app.store.malfunctions.map(([name, since, by]) => [make("span", {class: "name"}, name), timeOf(since), by,
       ...(app.canAct ? [actButton(app, result, "Stop", () => ({stop: name}), {class: "small", "aria-label": "Stop " + name})] : [])]);
     this.active.replaceChildren(rows.length > 0
       ? table("Active malfunctions", ["Name", "Since", "Started by", ...(app.canAct ? ["Act"] : [])], rows) : make("p", {class: "soft"}, "none"));

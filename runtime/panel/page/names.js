@@ -25,20 +25,23 @@ export class Names {
     return null;
   }
 
-  /// At most `most` of what contains all words of the text, whole levels of names first, as { kind, name, more }.
-  search(text, most) {
+  /// At most `most` of what contains all words of the text and `accepts(kind, index)`, whole levels of names first, as
+  /// { kind, name, more }.
+  search(text, most, accepts = () => true) {
     const words = text.toLowerCase().split(/\s+/).filter((word) => word !== "");
     if (words.length === 0) return [];
     const found = [];
-    const add = (kind, name, more) => {
+    const add = (kind, list, moreOf = () => "") => list.forEach((thing, index) => {
+      const {name} = thing;
+      const more = moreOf(thing);
       const all = (name + " " + more).toLowerCase();
-      if (words.every((word) => all.includes(word))) found.push({kind, name, more});
-    };
-    for (const {name} of this.plant.stations) add("station", name, "");
-    for (const {name} of this.plant.devices) add("device", name, "");
-    for (const {name, kind} of this.plant.locations) add("location", name, kind);
-    for (const {name, address} of this.plant.symbols) add("symbol", name, address ?? "");
-    for (const {name} of this.plant.requirements) add("requirement", name, "");
+      if (words.every((word) => all.includes(word)) && accepts(kind, index)) found.push({kind, name, more});
+    });
+    add("station", this.plant.stations);
+    add("device", this.plant.devices);
+    add("location", this.plant.locations, ({kind}) => kind);
+    add("symbol", this.plant.symbols, ({address}) => address ?? "");
+    add("requirement", this.plant.requirements);
     const begins = ({name}) => name.toLowerCase().split(/[_. ]/).includes(words[0]) ? 0 : 1;
     return found.sort((a, b) => begins(a) - begins(b)).slice(0, most);
   }

@@ -6,8 +6,8 @@ const kWords = {station: "station", device: "device", symbol: "symbol", location
 
 let fields = 0;
 
-/// `choose(found)` gets { kind, name }. `kinds`: what may be found, all without it. The element has `input`.
-export const makeSearch = (app, {label, kinds = Object.keys(kWords), choose}) => {
+/// `choose(found)` gets { kind, name }. `accepts(kind, index)`: what may be found, all without it. The element has `input`.
+export const makeSearch = (app, {label, accepts = () => true, choose}) => {
   const id = "search" + ++fields;
   let found = [];
   let active = -1;
@@ -33,12 +33,13 @@ export const makeSearch = (app, {label, kinds = Object.keys(kWords), choose}) =>
     choose(found[index]);
   };
   const show = () => {
-    found = app.names.search(input.value, kMost * 3).filter(({kind}) => kinds.includes(kind)).slice(0, kMost);
+    found = app.names.search(input.value, kMost, accepts);
     list.replaceChildren(...found.map(({kind, name, more}, i) => make("li", {id: id + "-" + i, role: "option", "aria-selected": "false",
       onpointerdown: (event) => event.preventDefault(), onclick: () => take(i)}, make("span", {class: "name"}, name), " ",
       make("span", {class: "soft"}, kWords[kind] + (kind === "symbol" && more ? ", " + more : "")))));
     if (found.length === 0 && input.value.trim() !== "") list.replaceChildren(make("li", {class: "soft", role: "option", "aria-disabled": "true"}, "nothing found"));
     list.hidden = input.value.trim() === "";
+    if (!list.hidden) list.scrollIntoView({block: "nearest"});
     setAttribute(input, "aria-expanded", String(!list.hidden));
     active = -1;
   };

@@ -1,8 +1,8 @@
 // The session view: snapshots and backtracks, files of the session, and what was done.
-import {actButton, resultOutput} from "./acts.js";
-import {restore} from "./control.js";
-import {button, download, make, table} from "./dom.js";
-import {instant} from "./words.js";
+import {actText} from "./act_words.js";
+import {actButton, actingButton, resultOutput, showResult} from "./acts.js";
+import {presentName, restore} from "./control.js";
+import {button, download, make, table, timeOf} from "./dom.js";
 
 const kMostActs = 200;
 const kFiles = [["scenario", "Scenario", ".scenario.json"], ["session", "Session as JSON", ".session.json"], ["junit", "JUnit", ".junit.xml"]];
@@ -26,19 +26,17 @@ export class SessionView {
     if (!app.canAct) return null;
     const name = make("input", {type: "text", "aria-label": "Name of the snapshot", placeholder: "Name", maxlength: 64, size: 20});
     return make("div", {class: "row controls"}, name, actButton(app, result, "Take snapshot",
-      () => ({snapshot: name.value.trim() || "at " + (app.store.t / 1e9).toFixed(3) + " s"})));
+      () => ({snapshot: name.value.trim() || presentName(app)})));
   }
 
   files() {
     const {app, fileResult: result} = this;
     const fetchFile = async (kind, ending) => {
-      result.className = "result";
       try {
         download(await app.api.session(kind), app.plant.plant.replace(/[^\p{L}\p{N}_-]+/gu, "-") + ending);
-        result.textContent = "";
+        showResult(result, "");
       } catch (error) {
-        result.className = "result wrong";
-        result.textContent = error.message;
+        showResult(result, error.message, true);
       }
     };
     const name = make("input", {type: "text", "aria-label": "Name of the session", placeholder: "Name", maxlength: 64, size: 20});
@@ -57,22 +55,20 @@ export class SessionView {
   showSnapshots() {
     const {app, result} = this;
     const buttons = (snapshot) => make("span", {class: "row"},
-      button("Restore", () => restore(app, result, snapshot), {class: "small", "aria-label": "Restore " + snapshot.name}),
+      actingButton(app, "Restore", () => restore(app, result, snapshot), {class: "small", "aria-label": "Restore " + snapshot.name}),
       app.plant.files && !snapshot.file ? actButton(app, result, "Save", () => ({save: snapshot.name}), {class: "small", "aria-label": "Save " + snapshot.name}) : null,
       actButton(app, result, "Forget", () => ({forget: snapshot.name}), {class: "small", "aria-label": "Forget " + snapshot.name}));
     const heads = ["Name", "Plant time", "Kind", ...(app.canAct ? ["Acts"] : [])];
-    const rows = [...app.store.snapshots].reverse().map((snapshot) => [make("span", {class: "name"}, snapshot.name), snapshot.t === null ? "-" : instant(snapshot.t),
+    const rows = [...app.store.snapshots].reverse().map((snapshot) => [make("span", {class: "name"}, snapshot.name), snapshot.t === null ? "-" : timeOf(snapshot.t),
       snapshot.kind + (snapshot.file ? ", in a file" : ""), ...(app.canAct ? [buttons(snapshot)] : [])]);
     this.snapshots.replaceChildren(rows.length > 0 ? table("Snapshots and backtracks", heads, rows) : make("p", {class: "soft"}, "none yet"));
   }
 
   showActs() {
     const {acts} = this.app.store;
-    const rows = acts.slice(-kMostActs).reverse().map(({t, by, act}) => {
-      const [[name, of] = ["", ""]] = Object.entries(act);
-      return [instant(t), by, name, make("span", {class: "name"}, typeof of === "string" ? of : JSON.stringify(of))];
-    });
-    this.acts.replaceChildren(rows.length > 0 ? table("Acts, the newest first", ["Plant time", "By", "Act", "What"], rows)
+    const rows = acts.slice(-kMostActs).reverse().map(({t, by, act}) =>
+      [timeOf(t), by, make("span", {class: "name", title: JSON.stringify(act)}, actText(act))]);
+    this.acts.replaceChildren(rows.length > 0 ? table("Acts, the newest first", ["Plant time", "By", "What"], rows)
       : make("p", {class: "soft"}, "nothing yet"));
   }
 

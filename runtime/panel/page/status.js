@@ -6,7 +6,8 @@ const kFindingTime = 60e9;  // a finding marks its device for a minute of plant 
 /// In the order of urgency, the least first.
 export const STATUSES = [
   {key: "rest", letter: "–", text: "at rest", short: "at rest"},
-  {key: "contact", letter: "N", text: "no device drives it", short: "no device"},
+  {key: "contact", letter: "N", text: "no operation moves it: a person sets it", short: "set by hand"},
+  {key: "commanded", letter: "=", text: "in its commanded state", short: "as commanded"},
   {key: "waits", letter: "W", text: "waits for a command", short: "waits"},
   {key: "moving", letter: "▶", text: "moving", short: "moving"},
   {key: "stopped", letter: "S", text: "stopped midway", short: "stopped midway"},
@@ -25,6 +26,10 @@ export class Statuses {
     const {devices, stations, symbols} = store.plant;
     this.settled = devices.map(({operations, events}) => operations.length > 0 ? rank.waits
       : events.every((symbol) => symbols[symbol].driver === "none") ? rank.contact : rank.rest);
+    this.commands = new Map();  // the devices that an operation commands, for each of its symbols
+    devices.forEach(({operations}, index) => operations.forEach(({symbol}) => {
+      this.commands.set(symbol, [...this.commands.get(symbol) ?? [], index]);
+    }));
     this.of = new Uint8Array(devices.length);
     this.foundAt = new Float64Array(devices.length).fill(-Infinity);
     this.stations = stations.map(() => new Uint32Array(STATUSES.length));
@@ -49,7 +54,13 @@ export class Statuses {
     if (bits & DEVICE.disabled) return rank.disabled;
     if (bits & DEVICE.stopped) return rank.stopped;
     if (bits & DEVICE.moving) return rank.moving;
-    return this.settled[device];
+    return this.isCommanded(device) ? rank.commanded : this.settled[device];
+  }
+
+  /// Whether an operation that is on commands the state in which the device is.
+  isCommanded(device) {
+    const {plant, state, values} = this.store;
+    return plant.devices[device].operations.some(({symbol, to}) => to === state[device] && values[symbol] !== false && values[symbol] !== 0);
   }
 
   refresh(device, changed) {
@@ -85,6 +96,7 @@ export class Statuses {
   update(change) {
     const changed = new Set();
     const touched = new Set(change.devices);
+    for (const symbol of change.symbols) for (const device of this.commands.get(symbol) ?? []) touched.add(device);
     if (change.all || change.jumped) {
       for (const device of this.marked) touched.add(device);
       this.foundAt.fill(-Infinity);

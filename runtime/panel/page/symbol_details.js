@@ -5,7 +5,7 @@ import {fillMalfunctions} from "./device_details.js";
 import {deviceLink, locationLink} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
 import {SYMBOL} from "./store.js";
-import {instant, length, value} from "./words.js";
+import {length, value} from "./words.js";
 
 /// What sets the value of a symbol, in words.
 export const driverText = ({direction, driver}) => direction === "operation" ? "the PLC"
@@ -23,7 +23,7 @@ export const fillSymbol = (pane, index) => {
   const {result} = pane;
   pane.section("Value",
     make("p", {class: "big"}, pane.live(() => value(store.values[index]))),
-    make("p", {}, pane.live(() => "since " + instant(store.symbolSince[index]))),
+    make("p", {}, pane.since(() => store.symbolSince[index])),
     pane.live(() => marks(store, index), "p", {class: "condition"}),
     symbolControls(app, index, result),
     make("p", {}, button("Show in chart", () => app.chart.addSymbol(index), {class: "small"})));

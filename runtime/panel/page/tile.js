@@ -1,10 +1,11 @@
 // A device as a tile: its state, the progress of its move, its commands and events, and what hinders it.
 import {make, setText, setAttribute} from "./dom.js";
 import {selecting} from "./router.js";
-import {STATUSES} from "./status.js";
-import {SYMBOL} from "./store.js";
+import {rank, STATUSES} from "./status.js";
+import {DEVICE, SYMBOL} from "./store.js";
 
 const kMostEvents = 10;
+const kMalfunction = STATUSES[rank.malfunction];
 
 /// "CLOSE" for an operation that commands the state CLOSE, else the last level of its symbol.
 export const operationLabel = (plant, device, {symbol, to}) =>
@@ -46,6 +47,7 @@ export class Tile {
   constructor(app, index) {
     Object.assign(this, {app, index, device: app.plant.devices[index], status: -1});
     this.letter = make("span", {class: "letter", "aria-hidden": "true"});
+    this.broken = make("span", {class: "letter s-malfunction", "aria-hidden": "true", title: kMalfunction.text, hidden: true}, kMalfunction.letter);
     this.word = make("span", {class: "hidden-text"});
     this.state = make("span", {class: "state"});
     this.forced = make("span", {class: "forced-mark", hidden: true, title: "a symbol is forced"}, "F");
@@ -55,7 +57,7 @@ export class Tile {
     this.events = make("span", {class: "events", "aria-hidden": "true"});
     this.element = make("a", {class: "tile", href: selecting("device", this.device.name), title: this.device.name, tabindex: -1,
       "data-device": this.device.name},
-      make("span", {class: "top"}, make("span", {class: "label"}, this.device.label), this.forced, this.letter, this.word),
+      make("span", {class: "top"}, make("span", {class: "label"}, this.device.label), this.forced, this.broken, this.letter, this.word),
       this.state, this.bar, make("span", {class: "low"}, this.commands, this.events));
     this.update();
   }
@@ -64,14 +66,17 @@ export class Tile {
   update() {
     const {store, statuses} = this.app;
     const status = statuses.of[this.index];
+    const {key, letter, text} = STATUSES[status];
+    // A finding is the more urgent status, and often the effect of a malfunction: both are shown.
+    const isBroken = status !== rank.malfunction && (store.flags[this.index] & DEVICE.malfunction) !== 0;
     if (status !== this.status) {
       this.status = status;
-      const {key, letter, text} = STATUSES[status];
       this.element.className = "tile s-" + key;
       setText(this.letter, letter);
-      setText(this.word, ", " + text + ", ");
       this.letter.title = text;
     }
+    this.broken.hidden = !isBroken;
+    setText(this.word, ", " + text + ", " + (isBroken ? kMalfunction.text + ", " : ""));
     setText(this.state, stateText(store, this.index));
     setText(this.commands, commandsText(store, this.device));
     setText(this.events, eventsText(store, this.device));

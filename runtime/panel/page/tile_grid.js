@@ -5,6 +5,7 @@ import {Tile} from "./tile.js";
 
 const kWidth = 184;   // of a cell, with the gap; as in panel.css
 const kHeight = 92;
+const kGap = 8;
 const kMargin = 200;  // pixels around what can be seen
 
 export class TileGrid {
@@ -30,11 +31,14 @@ export class TileGrid {
     const width = this.element.clientWidth;
     if (width === this.width) return this.mount();
     this.width = width;
-    this.layout = placeTiles(this.views, Math.max(1, Math.floor((width + 8) / kWidth)));
+    const fits = Math.max(1, Math.floor((width + kGap) / kWidth));
+    this.layout = placeTiles(this.views, fits);
     this.element.style.height = this.layout.rows * kHeight + "px";
-    this.element.style.minWidth = this.layout.columns * kWidth - 8 + "px";
+    // Only places of plant.json may need more than there is: otherwise the grid shrinks with its frame.
+    this.element.style.minWidth = this.layout.columns > fits ? this.layout.columns * kWidth - kGap + "px" : "";
     for (const [rank, tile] of this.tiles) this.move(rank, tile);
     this.mount();
+    this.element.querySelector(".tile[aria-current]")?.scrollIntoView({block: "nearest", inline: "nearest"});
   }
 
   move(rank, tile) {

@@ -3,6 +3,9 @@
 const kMostAhead = 1500;  // ms without an event until plant time stops on the page: the stream sends one each second
 const kSettling = 400;    // ms in which a small difference is corrected without a jump
 
+/// The real speed is the mean of the last second: after a slower one was chosen it is still high, and time would run ahead.
+const rateOf = ({speed, real_speed: real}) => speed === "max" ? real : Math.min(speed, real);
+
 export class PlantClock {
   /// `wall` gives milliseconds of a clock that does not jump.
   constructor(wall = () => performance.now()) {
@@ -15,7 +18,7 @@ export class PlantClock {
 
   /// From the stream: the plant time of an event, and the `clock` of the plant. `jump`: the plant was set back or on.
   set(t, clock, jump = false) {
-    const rate = clock.state === "running" ? clock.real_speed : 0;
+    const rate = clock.state === "running" ? rateOf(clock) : 0;
     const shown = this.now();
     const ahead = shown - t;
     const smooth = !jump && rate > 0 && this.rate > 0 && Math.abs(ahead) < 2.5e8 * rate;

@@ -1,9 +1,10 @@
 // A track in the line view: a strip to scale, on which parts move.
-import {make, setText} from "./dom.js";
+import {make, setAttribute, setText} from "./dom.js";
+import {placeNames} from "./layout.js";
 import {linkTo} from "./links_to.js";
 import {SYMBOL} from "./store.js";
 import {fitCanvas} from "./theme.js";
-import {drawBelt, drawMarks, drawParts, kCompact, kFull, placeNames, sensorAt} from "./track_draw.js";
+import {drawBelt, drawMarks, drawParts, kCompact, kFull, measureNames, sensorAt, xOf} from "./track_draw.js";
 import {count} from "./words.js";
 
 /// What a sensor is called on its track: without the levels that it shares with the others.
@@ -25,7 +26,8 @@ export class Track {
     this.transfers = plant.transfers.flatMap(({from, to}) => [
       ...(from.location === index ? [{at: from.at ?? this.location.length, into: false}] : []),
       ...(to.location === index ? [{at: to.at ?? 0, into: true}] : [])]);
-    this.canvas = make("canvas", {"aria-hidden": "true", onclick: (event) => this.clicked(event)});
+    this.canvas = make("canvas", {"aria-hidden": "true", onclick: (event) => this.clicked(event),
+      onpointermove: (event) => this.pointed(event)});
     this.strip = make("div", {class: "strip"}, this.canvas);
     this.still = document.createElement("canvas");
     this.parts = make("span", {class: "soft"});
@@ -57,7 +59,8 @@ export class Track {
     drawBelt(fitCanvas(this.still, this.width, height), this.location, this.width, this.form, this.transfers);
     this.context.clearRect(0, 0, this.width, height);
     this.context.drawImage(this.still, 0, 0, this.still.width, this.still.height, 0, 0, this.width, height);
-    placeNames(this.context, this.location, this.width, this.sensors);
+    measureNames(this.context, this.sensors);
+    placeNames(this.sensors, this.width, (at) => xOf(this.location, this.width, at));
     this.touchAll();
     this.app.frames.request();
   }
@@ -72,6 +75,12 @@ export class Track {
     const sensor = sensorAt(this.location, this.width, this.form, this.sensors, offsetX, offsetY);
     if (sensor) router.select("symbol", names.name("symbol", sensor.symbol));
     else router.select("location", this.location.name);
+  }
+
+  /// The name of a sensor that has no room for it is shown when the pointer is on it; the details of the track list all.
+  pointed({offsetX, offsetY}) {
+    const sensor = sensorAt(this.location, this.width, this.form, this.sensors, offsetX, offsetY);
+    setAttribute(this.canvas, "title", sensor ? this.app.names.name("symbol", sensor.symbol) : null);
   }
 
   sensorState({symbol}) {

@@ -32,17 +32,10 @@ const cut = (context, text, width) => {
   return length === 0 ? "" : text.slice(0, length) + "…";
 };
 
-/// Cuts the names of sensors, { at, text }, so that they do not overlap: sets `shown`.
-export const placeNames = (context, track, width, sensors) => {
+/// Sets how wide the names of sensors are.
+export const measureNames = (context, sensors) => {
   context.font = "11px " + kFont;
-  const sorted = [...sensors].sort((a, b) => a.at - b.at);
-  const x = (rank) => xOf(track, width, sorted[rank].at);
-  sorted.forEach((sensor, rank) => {
-    const left = rank > 0 ? (x(rank - 1) + x(rank)) / 2 : 0;
-    const right = rank + 1 < sorted.length ? (x(rank) + x(rank + 1)) / 2 : width;
-    const shown = cut(context, sensor.text, 2 * Math.min(x(rank) - left, right - x(rank)) - 6);
-    sensor.shown = shown.length < 4 && shown !== sensor.text ? "" : shown;
-  });
+  for (const sensor of sensors) sensor.wide = context.measureText(sensor.text).width;
 };
 
 /// The sensor at a point of the strip, or undefined.

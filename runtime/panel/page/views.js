@@ -1,4 +1,5 @@
 // The views of the page and the list of them; only the one that is shown follows the plant.
+import {refreshActs} from "./acts.js";
 import {ChartView} from "./chart.js";
 import {make, setAttribute} from "./dom.js";
 import {ExerciseView} from "./exercise.js";
@@ -37,6 +38,7 @@ export class Views {
       this.shownKey = key;
       this.shown = view;
       this.app.main.replaceChildren(view.element);
+      refreshActs(this.app);
       this.app.main.setAttribute("aria-label", this.title(key));
       for (const [of, link] of this.links) setAttribute(link, "aria-current", of === key ? "page" : null);
     }

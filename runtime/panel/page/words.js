@@ -23,8 +23,14 @@ export const clockText = (ns) => {
     + "." + tenths % 10;
 };
 
-/// A plant time, exact to the microsecond: "12.34 s".
-export const instant = (ns) => trimmed(ns / 1e9, 6) + " s";
+/// A plant time, rounded to the millisecond: "12.34 s".
+export const instant = (ns) => trimmed(ns / 1e9, 3) + " s";
+
+/// A plant time as exact as it is known, to the nanosecond.
+export const exactInstant = (ns, digits = 9) => trimmed(ns / 1e9, digits) + " s";
+
+/// A sentence of the plant with its times rounded to the millisecond.
+export const withRoundTimes = (text) => text.replace(/\d+\.\d{4,}(?= s\b)/g, (number) => trimmed(Number(number), 3));
 
 /// A length in micrometers: "300 mm", "1.5 m".
 export const length = (um) => um === 0 ? "0" : Math.abs(um) < 1e6 ? trimmed(um / 1e3, 1) + " mm" : trimmed(um / 1e6, 3) + " m";
@@ -55,4 +61,12 @@ export const readValue = (text, type) => {
   if (/^16#[0-9a-f_]+$/i.test(trimmedText) || /^(nan|-?inf)$/i.test(trimmedText)) return {value: trimmedText};
   if (trimmedText !== "" && Number.isFinite(Number(trimmedText))) return {value: Number(trimmedText)};
   return {error: "`" + trimmedText + "` is not a number"};
+};
+
+/// A text of at most `most` characters: its middle is left out, since names differ most at their ends.
+export const cutMiddle = (text, most) => {
+  const letters = [...text];
+  if (letters.length <= most) return text;
+  const end = Math.ceil((most - 1) / 2);
+  return letters.slice(0, most - 1 - end).join("") + "…" + letters.slice(letters.length - end).join("");
 };

@@ -1,11 +1,13 @@
 // Where things are in the line view, the ticks of axes, and words.
 import assert from "node:assert/strict";
 import {test} from "node:test";
+import {actText} from "../../../runtime/panel/page/act_words.js";
+import {speedText} from "../../../runtime/panel/page/control.js";
 import {filterSymbols} from "../../../runtime/panel/page/io_filter.js";
-import {groupDevices, neighbor, placeTiles, stationsOf, ticks} from "../../../runtime/panel/page/layout.js";
+import {groupDevices, neighbor, placeNames, placeTiles, stationsOf, ticks} from "../../../runtime/panel/page/layout.js";
 import {Names} from "../../../runtime/panel/page/names.js";
 import {Store} from "../../../runtime/panel/page/store.js";
-import {clockText, count, duration, instant, length, readValue} from "../../../runtime/panel/page/words.js";
+import {clockText, count, cutMiddle, duration, exactInstant, instant, length, readValue, withRoundTimes} from "../../../runtime/panel/page/words.js";
 import {smallPicture, smallPlant} from "./plant.mjs";
 
 test("Tiles fill rows; those with a view are at their place, and no other is there", () => {
@@ -80,4 +82,34 @@ test("Names are found by parts, and their kinds are known", () => {
   assert.deepEqual(names.search("x2", 9).map(({name}) => name), ["LINE_S1_PE_I_PART"]);
   assert.deepEqual(names.search("clamp door", 9), []);
   assert.deepEqual(names.search("  ", 9), []);
+  assert.deepEqual(names.search("clamp", 1, (kind, index) => kind === "symbol" && index === 1).map(({name}) => name), ["LINE_S1_CLAMP_I_CLOSE"]);
+});
+
+test("Names of sensors are written where they overlap no other and do not leave the strip", () => {
+  const sensors = [10, 50, 55, 120, 190].map((at) => ({at, text: String(at), wide: 40}));
+  placeNames(sensors, 200, (at) => at);
+  assert.deepEqual(sensors.map(({shown}) => shown), ["", "50", "", "120", ""]);
+});
+
+test("Times of the plant are rounded in texts, and names keep their ends", () => {
+  assert.equal(instant(10740225793), "10.74 s");
+  assert.equal(exactInstant(10740225793), "10.740225793 s");
+  assert.equal(withRoundTimes("on since 10.740225793 s, 1.2345 mm, 2.00049 s."), "on since 10.74 s, 1.2345 mm, 2 s.");
+  assert.equal(cutMiddle("BODY_UNDER10_CLAMP1_I_CLOSE", 40), "BODY_UNDER10_CLAMP1_I_CLOSE");
+  assert.equal(cutMiddle("BODY_UNDER10_CLAMP1_I_CLOSE", 11), "BODY_…CLOSE");
+});
+
+test("Acts are words", () => {
+  assert.deepEqual([{force: {A_I_X: false}}, {release: "all"}, {set: {A: 3, B: true}}, {state: {D: "OPEN"}}, {start: ["a", "b", "c", "d", "e"]}, {step: "cycle"},
+    {put: {at: "BELT@300 mm", kind: "raw"}}, {speed: "max"}, {reset: true}, {other: {a: 1}}].map((act) => actText(act)),
+  ["forced A_I_X off", "released all", "set A 3, B on", "put D into OPEN", "started a, b, c and 2 more", "ran one cycle", "put raw at BELT@300 mm",
+    "set the speed to max", "reset the plant", 'other {"a":1}']);
+  assert.equal(actText([{take: "BELT"}, {put: {at: "BELT", kind: "raw"}}]), "took a part from BELT, put raw at BELT");
+});
+
+test("The speed is the chosen one; the real one is added where it differs", () => {
+  assert.equal(speedText({speed: 10, real_speed: 9.7}), "10 x");
+  assert.equal(speedText({speed: 100, real_speed: 42.5}), "42.5 of 100 x");
+  assert.equal(speedText({speed: 100, real_speed: 1}, true), "100 x");
+  assert.equal(speedText({speed: "max", real_speed: 512}), "512 x");
 });

@@ -108,12 +108,16 @@ test("A device shows its most urgent status, and its station counts them", () =>
     end();
     return [...found];
   };
-  statuses.update({all: true, devices: [], keys: new Set()});
+  statuses.update({all: true, devices: [], symbols: [], keys: new Set()});
   assert.deepEqual([...statuses.of], [rank.waits, rank.contact]);
   assert.deepEqual(changed({rev: 2, t: 1, devices: [[0, 0, 1, 1, 0, 1, 5, 5]]}), [0]);
   assert.equal(statuses.of[0], rank.moving);
   assert.equal(statuses.stations[0][rank.moving], 1);
   assert.equal(statuses.worst(statuses.stations[0]), rank.moving);
+  changed({rev: 3, t: 2, devices: [[0, 1, 1, 0, 0, 2, 0, 0]]});
+  assert.equal(statuses.of[0], rank.waits);
+  assert.deepEqual(changed({rev: 3, t: 2, symbols: [[0, true, 0, 2]]}), [0]);
+  assert.equal(statuses.of[0], rank.commanded);
   changed({rev: 3, t: 2, devices: [[0, 0, 0, 4, 1, 1, 0, 0]]});
   assert.equal(statuses.of[0], rank.blocked);
   changed({rev: 4, t: 3, findings: [{n: 0, t: 3, finding: "x", of: "LINE_S1_DOOR_I_SHUT", severity: "warning", text: "x"}]});

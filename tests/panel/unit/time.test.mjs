@@ -20,6 +20,13 @@ test("A running plant's time goes on at its real speed, a frozen one's does not"
   assert.equal(clock.runs, false);
 });
 
+test("A slower speed counts at once, although the measured one is still that of before", () => {
+  const [clock, wall] = clockAt();
+  clock.set(1e9, {state: "running", speed: 0.5, real_speed: 100});
+  wall.ms = 100;
+  assert.equal(clock.now(), 1.05e9);
+});
+
 test("Without events plant time stops after a while", () => {
   const [clock, wall] = clockAt();
   clock.set(0, running());

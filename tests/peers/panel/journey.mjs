@@ -28,7 +28,7 @@ const setState = async (page, device, state) => {
 const setSymbol = async (page, name, label) => {
   const item = details(page).getByRole("listitem").filter({hasText: name});
   await item.getByRole("button", {name: label}).click();
-  await until("the result", async () => /done at/.test(await textOf(details(page))));
+  await until("the result", async () => / at [\d.]+ s/.test(await textOf(details(page).getByRole("status").first())));
 };
 
 /// [what, step] in order; each gets { page, link, plant, folder, symplant }.
@@ -70,7 +70,7 @@ export const kSteps = [
     await page.waitForTimeout(400);
     assert.equal(await textOf(time), before);
     await page.getByRole("button", {name: "Step cycle"}).click();
-    await until("the result of the step", async () => /done at/.test(await textOf(page.getByRole("banner"))));
+    await until("the result of the step", async () => /ran one cycle at/.test(await textOf(page.getByRole("banner"))));
     await open(page, "Session");
     await page.getByRole("textbox", {name: "Name of the snapshot"}).fill("clamp forced");
     await page.getByRole("button", {name: "Take snapshot"}).click();

@@ -1,11 +1,12 @@
 // The page against the mock server of tests/panel, for what a real plant does not do on demand: a lost connection, a restart, hostile and
 // long names, a panel that only shows, a missing token, a recording; keys; overlaps in narrow and wide windows.
 //
-// usage: node page_test.mjs PLAYWRIGHT_FOLDER AXE_FOLDER
+// usage: node page_test.mjs PLAYWRIGHT_FOLDER AXE_FOLDER [WORDS]   only the tests whose names contain WORDS
 // Exit code: 0 passed, 1 failed, 77 there is no chromium
 import assert from "node:assert/strict";
 import {startServer} from "../../panel/mock/server.mjs";
 import {Browser, until} from "./browser.mjs";
+import {kCases} from "./page_cases.mjs";
 
 const [playwright, axe] = process.argv.slice(2);
 const browser = await Browser.open({playwright, axe});
@@ -219,6 +220,15 @@ const kTests = [
     }
   }],
 ];
+
+for (const [what, name, check] of kCases) kTests.push([what, () => withServer({name}, async (page, server) => {
+  const setWidth = (width) => page.setViewportSize({width, height: 700});
+  await page.emulateMedia({colorScheme: "light", reducedMotion: "reduce"});
+  await setWidth(1280);
+  await page.goto(server.link);
+  await ready(page);
+  await check({page, server, setWidth, view: (hash) => view(page, hash)});
+})]);
 
 let failed = 0;
 for (const [what, test] of kTests) {

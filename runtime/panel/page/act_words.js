@@ -1,0 +1,37 @@
+// Acts in words: "forced X off", for results and for the list of what was done.
+import {factor, value} from "./words.js";
+
+const kMostNames = 3;
+
+const listed = (of, text = String) => {
+  const texts = [of].flat().map(text);
+  return texts.slice(0, kMostNames).join(", ") + (texts.length > kMostNames ? " and " + (texts.length - kMostNames) + " more" : "");
+};
+const pairs = (of, text) => listed(Object.entries(of), text);
+
+const kWords = {
+  set: (of) => "set " + pairs(of, ([name, to]) => name + " " + value(to)),
+  state: (of) => "put " + pairs(of, ([name, to]) => name + " into " + to),
+  put: (of) => "put " + listed(of, ({at, kind}) => kind + " at " + at),
+  take: (of) => "took a part from " + listed(of),
+  force: (of) => "forced " + pairs(of, ([name, to]) => name + " " + value(to)),
+  release: (of) => "released " + (of === "all" ? "all" : listed(of)),
+  stop: (of) => "stopped " + listed(of),
+  start: (of) => "started " + listed(of),
+  run: () => "ran",
+  freeze: () => "froze",
+  step: (of) => of === "change" ? "ran to the next change" : "ran one cycle",
+  speed: (of) => "set the speed to " + (of === "max" ? of : factor(of)),
+  reset: () => "reset the plant",
+  snapshot: (of) => "took the snapshot " + of,
+  save: (of) => "saved " + of,
+  restore: (of) => "restored " + of,
+  forget: (of) => "forgot " + of,
+  exercise: (of) => "started the exercise " + of,
+  end: () => "ended the exercise",
+  session: (of) => "saved the session " + of,
+};
+
+/// What an act, or a list of acts in one instant, did. Keys without words stay JSON.
+export const actText = (acts) => [acts].flat().flatMap((act) => Object.entries(act)).map(([key, of]) =>
+  Object.hasOwn(kWords, key) ? kWords[key](of) : key + " " + JSON.stringify(of)).join(", ");
