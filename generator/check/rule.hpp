@@ -57,7 +57,7 @@ struct Finding {
   /// Another location that belongs to it.
   Finding& see(diag::Location location, std::string text);
   Finding& see(const read::ListRow& row, std::string_view cell, std::string text);
-  Finding& see(const Symbol& symbol, std::string text) { return see(*symbol.row, symbol.name(), text); }
+  Finding& see(const Symbol& symbol, std::string text) { return see(*symbol.row, symbol.name(), std::move(text)); }
   // It is also about a subject, explains it, or follows from what explains it.
   Finding& also(Kind kind, std::string_view name);
   Finding& explains(Kind kind, std::string_view name);

@@ -114,8 +114,8 @@ std::vector<std::uint32_t> NearWords::near(const std::u32string& text) const {
       if (place != kNothing && differ_by_slip(text, words_[order_[place]].text)) places.insert(place);
     }
   }
-  std::vector<std::uint32_t> near;
-  for (const std::uint32_t place : places) near.push_back(order_[place]);
+  std::vector<std::uint32_t> near(places.begin(), places.end());
+  for (std::uint32_t& place : near) place = order_[place];
   return near;
 }
 

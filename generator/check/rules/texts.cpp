@@ -106,16 +106,17 @@ void two_spellings(const Find& find) {
   std::map<std::u32string, const Word*> sorted;
   for (const auto& [word, of] : words) sorted.emplace(capitals(word), &of);
   std::vector<CountedWord> counted;
+  counted.reserve(sorted.size());
   for (const auto& [word, of] : sorted) counted.push_back({word, of->count});
   const NearWords near(counted);
   std::map<std::string, std::pair<std::string_view, Finding>> found;  // by the rarer spelling, in capitals
   for (const auto& [word, count] : counted) {
     const Word& rare = *sorted[word];
+    if (rare.used_by == nullptr) continue;
     for (const std::uint32_t other : near.near(word)) {
       const Word& common = *sorted[counted[other].text];
       const bool is_rarer = std::tuple(count, counted[other].text) < std::tuple(common.count, word);
-      if (rare.used_by == nullptr || common.count < 2 || !is_rarer || !are_one_word(word, counted[other].text))
-        continue;
+      if (common.count < 2 || !is_rarer || !are_one_word(word, counted[other].text)) continue;
       Finding finding = find.at(location_of(find.plant, *rare.row, rare.as_written));
       finding.also(Kind::symbol, rare.as_written).also(Kind::symbol, rare.used_by->name());
       finding.see(*common.row, common.as_written, "the other spelling");
