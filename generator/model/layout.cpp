@@ -15,7 +15,7 @@ namespace {
 Station station_of(const PlantModel& plant, const Unit& unit) {
   const std::uint32_t first = unit.operations.empty() ? unit.events.front() : unit.operations.front();
   const name::NameReading& reading = plant.symbols[first].reading;
-  return {std::string(reading.line), std::string(reading.process)};
+  return {std::string(reading.line()), std::string(reading.process())};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class NameReading {
  public:
   NameReading() = default;
   /// The name must outlive the reading.
-  explicit NameReading(std::string_view name) : name_(name.data()) {}
+  explicit NameReading(std::string_view name) : name_(name.data()) {}  // NOLINT: texts_ is the union's other member
   /// The texts must outlive the reading.
   static NameReading of(const LevelTexts& texts, NameFault fault, Direction direction) {
     NameReading reading;

@@ -20,7 +20,7 @@ class Stays {
   /// O(records + changes of sensors * parts on their track).
   Stays(const std::vector<trace::Record>& records, const trace::PlantNames& names);
 
-  /// The track of a sensor; tables::kNone: the symbol is none of a track.
+  /// The track of a sensor; tables::kNone: the symbol is not one of a track.
   std::uint32_t track_of(std::uint32_t symbol) const;
   /// Appends the records of a track's parts at a time, from the front. The times of calls do not fall. O(parts there).
   void append(std::uint32_t track, tables::Time time, std::vector<trace::Record>& records);

@@ -93,7 +93,7 @@ TEST_CASE("A part is where a sensor begins or ends to see it") {
     return Json::parse(recording.picture_at(seconds * 1'000'000'000)).at("tracks").at(0).at(1);
   };
   CHECK(parts(0) == Json::parse("[[1,0,100000,500000]]"));
-  CHECK(parts(1) == Json::parse("[[1,0,600000,12500]]"));  // it stood at a stop
+  CHECK(parts(1) == Json::parse("[[1,0,600000,12500]]"));  // a stop held it
   CHECK(parts(9) == Json::parse("[[1,0,700000,300000],[2,0,100000,0]]"));
   CHECK(parts(10) == Json::parse("[[2,0,100000,0]]"));
 }
