@@ -93,18 +93,22 @@ void set_times(std::vector<Record>& records) {
 
 std::vector<Record> reconstruct(std::vector<Record> records, const trace::PlantNames& names) {
   Stays stays(records, names);
+  const auto turns = stays.turns();
+  auto turn = turns.begin();
   States states(names);
   std::vector<Record> all;
   all.reserve(records.size() * 2);
   std::set<std::uint32_t> tracks;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Record& record = records[i];
+    for (; turn != turns.end() && turn->first < record.time; ++turn) {
+      stays.append(turn->second, turn->first, all);
+      all.back().last = true;
+    }
+    for (; turn != turns.end() && turn->first == record.time; ++turn) tracks.insert(turn->second);
     all.push_back(record);
     all.back().last = false;
-    if (record.kind == Record::Kind::change) {
-      states.change(record.of, record.value != 0);
-      if (const std::uint32_t track = stays.track_of(record.of); track != tables::kNone) tracks.insert(track);
-    }
+    if (record.kind == Record::Kind::change) states.change(record.of, record.value != 0);
     if (record.kind == Record::Kind::part_move) {
       for (const auto location :
            {static_cast<std::uint32_t>(record.value >> 32), static_cast<std::uint32_t>(record.value)}) {

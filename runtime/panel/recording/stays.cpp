@@ -23,9 +23,15 @@ Stays::Stays(const std::vector<Record>& records, const trace::PlantNames& names)
   for (auto& [number, track] : tracks_) track.first = 0;
 }
 
-std::uint32_t Stays::track_of(std::uint32_t symbol) const {
-  const auto found = sensors_.find(symbol);
-  return found == sensors_.end() ? tables::kNone : names_.tables().material.sensors[found->second].location;
+std::vector<std::pair<tables::Time, std::uint32_t>> Stays::turns() const {
+  std::vector<std::pair<tables::Time, std::uint32_t>> turns;
+  for (const auto& [number, track] : tracks_) {
+    for (const Stay& stay : track.stays) {
+      for (const Pin& pin : stay.pins) turns.emplace_back(pin.time, number);
+    }
+  }
+  std::sort(turns.begin(), turns.end());
+  return turns;
 }
 
 std::span<Stays::Stay> Stays::since(Track& track, tables::Time time) {
@@ -33,8 +39,38 @@ std::span<Stays::Stay> Stays::since(Track& track, tables::Time time) {
   return std::span(track.stays).subspan(track.first);
 }
 
-void Stays::pin(Stay& stay, Pin pin) {
-  if (pin.time > stay.pins.back().time && pin.x >= stay.pins.back().x) stay.pins.push_back(pin);
+/// The constant speed of the drive at a position, in um/s; 0: a symbol gives it.
+std::int64_t Stays::speed_at(std::uint32_t track, std::int64_t x) const {
+  const tables::MaterialTables& material = names_.tables().material;
+  const tables::Rows& rows = material.tracks[track].drives;
+  const auto drives = material.drives.subspan(rows.first, rows.count);
+  const auto drive = std::find_if(drives.begin(), drives.end(), [x](const auto& row) { return x <= row.until; });
+  return drive == drives.end() || drive->symbol != tables::kNone ? 0 : drive->speed;
+}
+
+/// A part that took longer than its drive needs was held by the first stop on its way.
+void Stays::hold_at_stop(std::uint32_t track, Stay& stay, Pin next) const {
+  const tables::MaterialTables& material = names_.tables().material;
+  const Pin last = stay.pins.back();
+  const tables::Rows& rows = material.tracks[track].stops;
+  for (const tables::StopRow& stop : material.stops.subspan(rows.first, rows.count)) {
+    if (stop.at <= last.x || stop.at > next.x) continue;
+    const std::int64_t speed = speed_at(track, stop.at);
+    if (speed == 0) return;
+    const auto duration = [speed](std::int64_t way) { return way * tables::kSecond / speed; };
+    const tables::Time from = last.time + duration(stop.at - last.x);
+    const tables::Time until = next.time - duration(next.x - stop.at);
+    if (until <= from) return;
+    stay.pins.push_back({from, stop.at});
+    stay.pins.push_back({until, stop.at});
+    return;
+  }
+}
+
+void Stays::pin(std::uint32_t track, Stay& stay, Pin next) const {
+  if (next.time <= stay.pins.back().time || next.x < stay.pins.back().x) return;
+  hold_at_stop(track, stay, next);
+  if (next.time > stay.pins.back().time) stay.pins.push_back(next);
 }
 
 void Stays::moved(const trace::PartRecord& part) {
@@ -44,7 +80,7 @@ void Stays::moved(const trace::PartRecord& part) {
     const auto& [track, index] = open->second;
     Stay& stay = tracks_[track].stays[index];
     stay.to = part.time;
-    pin(stay, {part.time, material.tracks[track].length});
+    pin(track, stay, {part.time, material.tracks[track].length});
     open_.erase(open);
   }
   if (part.to == tables::kOut || part.to == tables::kNone || !material.is_track(part.to)) return;
@@ -69,7 +105,7 @@ void Stays::seen(const Record& change) {
     if (foremost == nullptr || x > foremost->pins.back().x) foremost = &stay;
   }
   if (foremost == nullptr || passes(*foremost) > material.tracks[sensor.location].length) return;
-  pin(*foremost, {change.time, passes(*foremost)});
+  pin(sensor.location, *foremost, {change.time, passes(*foremost)});
 }
 
 /// The position of a front and its speed in um/s.

@@ -13,15 +13,16 @@
 namespace symplant::panel {
 
 /// The fronts of parts on tracks, estimated: a part is known to be where it came, at the position of a sensor when that
-/// begins or ends to see it, and at the end of its track when it leaves. In between it moves evenly. Parts do not
-/// overtake each other, so the next part that a sensor sees is the foremost that has not passed it.
+/// begins or ends to see it, and at the end of its track when it leaves. In between it moves evenly, or waits at a stop
+/// if it took longer than its drive needs. Parts do not overtake each other, so the next part that a sensor sees is the
+/// foremost that has not passed it.
 class Stays {
  public:
   /// O(records + changes of sensors * parts on their track).
   Stays(const std::vector<trace::Record>& records, const trace::PlantNames& names);
 
-  /// The track of a sensor; tables::kNone: the symbol is not one of a track.
-  std::uint32_t track_of(std::uint32_t symbol) const;
+  /// When parts change their speed, and on which track: rising times. O(pins * log(pins)).
+  std::vector<std::pair<tables::Time, std::uint32_t>> turns() const;
   /// Appends the records of a track's parts at a time, from the front. The times of calls do not fall. O(parts there).
   void append(std::uint32_t track, tables::Time time, std::vector<trace::Record>& records);
 
@@ -45,7 +46,9 @@ class Stays {
 
   void moved(const trace::PartRecord& part);
   void seen(const trace::Record& change);
-  static void pin(Stay& stay, Pin pin);
+  std::int64_t speed_at(std::uint32_t track, std::int64_t x) const;
+  void hold_at_stop(std::uint32_t track, Stay& stay, Pin next) const;
+  void pin(std::uint32_t track, Stay& stay, Pin next) const;
   /// The stays from the first one that has not ended at a time.
   static std::span<Stay> since(Track& track, tables::Time time);
   static std::pair<std::int64_t, std::int32_t> front(const Stay& stay, tables::Time time);

@@ -9,11 +9,11 @@
 #include "support/strings.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/vcd.hpp"
-#include "symplant/trace/junit_xml.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/junit.hpp"
 #include "symplant/host/run.hpp"
+#include "symplant/trace/junit_xml.hpp"
 
 namespace symplant::test {
 namespace {

@@ -98,6 +98,29 @@ TEST_CASE("A part is where a sensor begins or ends to see it") {
   CHECK(parts(10) == Json::parse("[[2,0,100000,0]]"));
 }
 
+TEST_CASE("A part that took longer than its drive needs waited at the stop on its way") {
+  Reported reported = Belt::reported();
+  description::GivenStop stop;
+  stop.at = 600'000;
+  stop.when = "L_P_AGV.P1";
+  reported.description.material.tracks.front().stops.push_back(stop);
+  const Belt belt(reported, {});
+  panel::Recording recording = belt.recording(kHead + R"({"t":0,"part":1,"kind":"raw","to":"BELT","x":100000}
+{"t":10000000000,"part":1,"kind":"raw","from":"BELT","to":"BOX"}
+)");
+  const auto front = [&](double seconds) {
+    const Json track = Json::parse(recording.picture_at(static_cast<tables::Time>(seconds * 1e9))).at("tracks").at(0);
+    const auto t = track.at(0).get<tables::Time>();
+    const Json part = track.at(1).at(0);
+    const double passed = seconds - static_cast<double>(t) / 1e9;
+    return part.at(2).get<double>() + part.at(3).get<double>() * passed;
+  };
+  CHECK(front(0.5) == Approx(350'000));  // the drive moves 0.5 m/s
+  CHECK(front(1.5) == Approx(600'000));
+  CHECK(front(9) == Approx(600'000));
+  CHECK(front(9.6) == Approx(800'000));
+}
+
 TEST_CASE("Of a plant that was set back, the trace after the last time is shown") {
   const Belt belt;
   const trace::ReadTrace read = belt.read(kHead + R"({"t":5000,"symbol":"L_P_AGV_I_P1","value":true}

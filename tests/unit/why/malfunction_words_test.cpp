@@ -50,7 +50,8 @@ TEST_CASE("A symbol that a malfunction overrides says so, and ordinary malfuncti
   start(asked, numbers.stuck(plant.symbol("L_P_AGV_I_P1"), true));
   start(asked, numbers.slow(plant.unit("L_P_MC")));
   asked.to(200);
-  CHECK(contains(asked.why("AGV_I_P1"), "has been on since 0.15 s, forced by malfunction `L_P_AGV_I_P1 stuck on`, PLC"));
+  CHECK(
+      contains(asked.why("AGV_I_P1"), "has been on since 0.15 s, forced by malfunction `L_P_AGV_I_P1 stuck on`, PLC"));
   CHECK(contains(asked.why("MC"), ", slowed by malfunction `L_P_MC slow`"));
 }
 
