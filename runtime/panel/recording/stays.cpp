@@ -48,7 +48,7 @@ std::int64_t Stays::speed_at(std::uint32_t track, std::int64_t x) const {
   return drive == drives.end() || drive->symbol != tables::kNone ? 0 : drive->speed;
 }
 
-/// A part that took longer than its drive needs was held by the first stop on its way.
+/// A part that took longer than its drive needs was held by the first stop on its path.
 void Stays::hold_at_stop(std::uint32_t track, Stay& stay, Pin next) const {
   const tables::MaterialTables& material = names_.tables().material;
   const Pin last = stay.pins.back();
@@ -57,7 +57,7 @@ void Stays::hold_at_stop(std::uint32_t track, Stay& stay, Pin next) const {
     if (stop.at <= last.x || stop.at > next.x) continue;
     const std::int64_t speed = speed_at(track, stop.at);
     if (speed == 0) return;
-    const auto duration = [speed](std::int64_t way) { return way * tables::kSecond / speed; };
+    const auto duration = [speed](std::int64_t distance) { return distance * tables::kSecond / speed; };
     const tables::Time from = last.time + duration(stop.at - last.x);
     const tables::Time until = next.time - duration(next.x - stop.at);
     if (until <= from) return;
@@ -115,8 +115,8 @@ std::pair<std::int64_t, std::int32_t> Stays::front(const Stay& stay, tables::Tim
   if (next == stay.pins.end()) return {last.x, 0};
   const double seconds = static_cast<double>(next->time - last.time) / 1e9;
   const double speed = static_cast<double>(next->x - last.x) / seconds;
-  const double way = speed * static_cast<double>(time - last.time) / 1e9;
-  return {last.x + static_cast<std::int64_t>(way), static_cast<std::int32_t>(speed)};
+  const double moved = speed * static_cast<double>(time - last.time) / 1e9;
+  return {last.x + static_cast<std::int64_t>(moved), static_cast<std::int32_t>(speed)};
 }
 
 void Stays::append(std::uint32_t track, tables::Time time, std::vector<Record>& records) {

@@ -98,7 +98,7 @@ TEST_CASE("A part is where a sensor begins or ends to see it") {
   CHECK(parts(10) == Json::parse("[[2,0,100000,0]]"));
 }
 
-TEST_CASE("A part that took longer than its drive needs waited at the stop on its way") {
+TEST_CASE("A part that took longer than its drive needs waited at the stop on its path") {
   Reported reported = Belt::reported();
   description::GivenStop stop;
   stop.at = 600'000;
