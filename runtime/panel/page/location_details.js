@@ -13,7 +13,8 @@ const partsAt = (app, location, rank) => location.kind === "track" ? app.store.p
 /// A row of the table of parts; it stays while the part is there, so that its button can be pressed while the part moves.
 const partRow = (app, location, rank, hand, number) => {
   const isTrack = location.kind === "track";
-  const cells = Array.from({length: isTrack ? 3 : 1}, () => make("td", {}));
+  const isExact = app.plant.mode !== "recording";
+  const cells = Array.from({length: !isTrack ? 1 : isExact ? 3 : 2}, () => make("td", {}));
   // A track gives the part that covers a position: the middle of this one when the button is pressed.
   const where = () => {
     const [, kind, x] = partsAt(app, location, rank).find((part) => part[0] === number) ?? [];
@@ -28,13 +29,14 @@ const partRow = (app, location, rank, hand, number) => {
     setText(cells[0], app.plant.part_kinds[kind].name);
     if (!isTrack) return;
     setText(cells[1], length(x));
-    setText(cells[2], speed(v));
+    if (isExact) setText(cells[2], speed(v));
   }};
 };
 
 const partTable = (pane, location, rank, hand) => {
   const {app} = pane;
-  const heads = location.kind === "track" ? ["Part", "Kind", "Front at", "Speed", ...(hand ? ["Act"] : [])] : ["Part", "Kind"];
+  const places = app.plant.mode === "recording" ? ["Front, estimated"] : ["Front at", "Speed"];
+  const heads = location.kind === "track" ? ["Part", "Kind", ...places, ...(hand ? ["Act"] : [])] : ["Part", "Kind"];
   const element = table("Parts", heads, []);
   const body = element.tBodies[0];
   const none = make("p", {class: "soft"}, "no parts");

@@ -5,6 +5,7 @@ import {presentName, restore} from "./control.js";
 import {button, download, make, table, timeOf} from "./dom.js";
 
 const kMostActs = 200;
+const kStart = "session.start.snapshot";  // with which the scenario of a session after a restore begins
 const kFiles = [["scenario", "Scenario", ".scenario.json"], ["session", "Session as JSON", ".session.json"], ["junit", "JUnit", ".junit.xml"]];
 
 export class SessionView {
@@ -33,7 +34,9 @@ export class SessionView {
     const {app, fileResult: result} = this;
     const fetchFile = async (kind, ending) => {
       try {
-        download(await app.api.session(kind), app.plant.plant.replace(/[^\p{L}\p{N}_-]+/gu, "-") + ending);
+        const file = await app.api.session(kind);
+        download(file, app.plant.plant.replace(/[^\p{L}\p{N}_-]+/gu, "-") + ending);
+        if (kind === "scenario" && (await file.text()).includes('"restore": "' + kStart + '"')) download(await app.api.session("start"), kStart);
         showResult(result, "");
       } catch (error) {
         showResult(result, error.message, true);
