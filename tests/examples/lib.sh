@@ -63,3 +63,14 @@ last_change() { sed -n 's/^{"t":\([0-9]*\),.*/\1/p' "$work/trace.jsonl" | tail -
 count() { # the number of trace lines with the pattern
   grep -c -- "$1" "$work/trace.jsonl" || true
 }
+
+# Waits for the link of the panel, then prints the body of GET /api/v1/PATH.
+ask_panel() { # PATH
+  local host
+  wait_until "the plant prints the link of the panel" grep -q '^panel: http' "$work/plant.log"
+  host=$(sed -n 's,^panel: http://\([^/]*\)/.*,\1,p' "$work/plant.log")
+  exec 3<>"/dev/tcp/${host%:*}/${host##*:}"
+  printf 'GET /api/v1/%s HTTP/1.1\r\nHost: %s\r\nConnection: close\r\n\r\n' "$1" "$host" >&3
+  sed '1,/^\r$/d' <&3
+  exec 3>&-
+}

@@ -7,20 +7,13 @@ shift 3
 
 # Reads GET /api/v1/plant of a plant into a file, without the number of the run and the ports of links.
 describe() { # FILE PLANT...
-  local file=$1 link host
+  local file=$1
   shift
   : >"$work/plant.log"
   "$@" --panel 127.0.0.1:0 >"$work/plant.log" 2>&1 &
   plant=$!
-  wait_until "the plant prints the link of the panel" grep -q '^panel: http' "$work/plant.log"
-  link=$(sed -n 's,^panel: http://,,p' "$work/plant.log")
-  host=${link%%/*}
-  exec 3<>"/dev/tcp/${host%:*}/${host##*:}"
-  printf 'GET /api/v1/plant HTTP/1.1\r\nHost: %s\r\nConnection: close\r\n\r\n' "$host" >&3
-  sed '1,/^\r$/d' <&3 >"$work/answer"
-  exec 3>&-
+  ask_panel plant | sed -E 's/"run":"[0-9a-f]*"/"run":""/; s/127\.0\.0\.1:[0-9]+/PORT/g' >"$work/$file"
   stop_plant
-  sed -E 's/"run":"[0-9a-f]*"/"run":""/; s/127\.0\.0\.1:[0-9]+/PORT/g' "$work/answer" >"$work/$file"
   grep -q '"symplant-panel":1' "$work/$file" || fail "$file is not a description of a plant"
 }
 

@@ -8,20 +8,11 @@ symplant=$1 list=$2 other=$3
 "$symplant" run "$list" --until 2s --trace "$work/trace.jsonl" >"$work/run.log" 2>&1
 
 shows() { # ARGUMENT...
-  local link host
   : >"$work/plant.log"
   "$symplant" show "$@" --panel 127.0.0.1:0 >"$work/plant.log" 2>&1 &
   plant=$!
-  wait_until "symplant show prints the link of the panel" grep -q '^panel: http' "$work/plant.log"
-  link=$(sed -n 's,^panel: http://,,p' "$work/plant.log")
-  host=${link%%/*}
-  exec 3<>"/dev/tcp/${host%:*}/${host##*:}"
-  printf 'GET /api/v1/plant HTTP/1.1\r\nHost: %s\r\nConnection: close\r\n\r\n' "$host" >&3
-  cat <&3 >"$work/answer"
-  exec 3>&-
-  kill -INT "$plant"
-  wait "$plant" || fail "symplant show ended with exit code $?"
-  plant=""
+  ask_panel plant >"$work/answer"
+  stop_plant
   grep -q '"mode":"recording"' "$work/answer" || fail "the panel does not show a recording"
 }
 
