@@ -113,13 +113,19 @@ export const stateControl = (app, index, result) => {
     actButton(app, result, "Set state", () => ({state: {[name]: choice.value}})));
 };
 
+/// What the ordinary malfunctions do.
+const kOrdinary = {
+  stuck: "the device stays as it is, whatever is commanded", slow: "its moves take three times as long",
+  "stuck on": "the PLC always sees it on", "stuck off": "the PLC always sees it off",
+};
+
 /// A button that starts or ends a malfunction; `update()` after each change. With a label it is a toggle, without one it
 /// says what it does.
 export const malfunctionButton = (app, result, name, label = null) => {
   const isActive = () => app.store.malfunctions.some(([active]) => active === name);
   const text = make("span", {}, label);
   const element = actButton(app, result, text, () => isActive() ? {stop: name} : {start: name},
-    {class: label === null ? null : "toggle", "data-malfunction": name});
+    {class: label === null ? null : "toggle", title: kOrdinary[label], "data-malfunction": name});
   const update = () => {
     if (label !== null) return setAttribute(element, "aria-pressed", String(isActive()));
     setText(text, isActive() ? "Stop" : "Start");
