@@ -138,8 +138,11 @@ TEST_CASE("After a reset nothing has a time of the run before, and its findings 
   const PanelBench bench(plan);
   bench.act(R"({"set":{"L_P_AGV_O_P2":true}})");
   bench.wait_for([&] { return bench.value("AGV_I_P2") == true; });
+  bench.act(R"({"set":{"L_P_EYE_I_ON":true}})");
+  bench.act(R"({"set":{"L_P_EYE_I_ON":false,"L_P_AGV_O_P2":false}})");  // as they are after a reset
   bench.act(R"({"freeze":true})");
   const Json before = bench.picture();
+  CHECK(before.at("symbols").at(bench.tables.symbol("EYE_I_ON")).at(2) > 0);
   CHECK(before.at("findings").size() == 1);
   CHECK(before.at("requirements").at(0).at(0) == "violated");
   bench.act(R"({"reset":true})");
