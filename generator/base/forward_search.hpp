@@ -44,7 +44,7 @@ class ForwardSearch {
       for (std::size_t i = 0; i < end_ - begin_; ++i) found_ |= std::uint64_t{is_searched(bytes[i])} << i;
       return;
     }
-    std::array<char, kBlock> flags;  // 0 or 1: the compiler makes them 16 at a time
+    std::array<char, kBlock> flags{};  // 0 or 1: the compiler makes them 16 at a time
     for (std::size_t i = 0; i < kBlock; ++i) flags[i] = is_searched(bytes[i]) ? 1 : 0;
     constexpr std::uint64_t kGather = 0x0102'0408'1020'4080;  // byte i of a word to bit 56 + i
     for (std::size_t i = 0; i < kBlock; i += 8) found_ |= (load_word(flags.data() + i) * kGather >> 56U) << i;

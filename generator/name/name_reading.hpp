@@ -34,11 +34,11 @@ class NameReading {
  public:
   NameReading() = default;
   /// The name must outlive the reading.
-  explicit NameReading(std::string_view name) : name_(name.data()) {}  // NOLINT: texts_ is the union's other member
+  explicit NameReading(std::string_view name) : of_(name.data()) {}
   /// The texts must outlive the reading.
   static NameReading of(const LevelTexts& texts, NameFault fault, Direction direction) {
     NameReading reading;
-    reading.texts_ = &texts;
+    reading.of_ = &texts;
     reading.has_texts_ = true;
     reading.fault = fault;
     reading.direction = direction;
@@ -55,14 +55,14 @@ class NameReading {
   }
 
   // Empty if the fault is in front of them; with `not_linked`, as the custom rule reads them:
-  std::string_view line() const { return has_texts_ ? texts_->line : text_of(line_); }
-  std::string_view process() const { return has_texts_ ? texts_->process : text_of(process_); }
-  std::string_view device() const { return has_texts_ ? texts_->device : text_of(device_); }
+  std::string_view line() const { return has_texts_ ? texts().line : text_of(line_); }
+  std::string_view process() const { return has_texts_ ? texts().process : text_of(process_); }
+  std::string_view device() const { return has_texts_ ? texts().device : text_of(device_); }
   // Empty with any fault:
-  std::string_view task() const { return has_texts_ ? texts_->task : has_levels() ? text_of(task_) : ""; }
+  std::string_view task() const { return has_texts_ ? texts().task : has_levels() ? text_of(task_) : ""; }
   /// Line, process and device with separators: identifies the device.
   std::string_view device_path() const {
-    if (has_texts_) return texts_->device_path;
+    if (has_texts_) return texts().device_path;
     return has_levels() ? text_of({0, device_.begin + device_.size}) : "";
   }
   /// The bytes of the name that the fault is about.
@@ -80,6 +80,8 @@ class NameReading {
     std::uint32_t size = 0;
   };
 
+  const char* name() const { return static_cast<const char*>(of_); }
+  const LevelTexts& texts() const { return *static_cast<const LevelTexts*>(of_); }
   bool has_levels() const { return fault == NameFault::none; }
   Part* part_of(Level level) {
     switch (level) {
@@ -97,15 +99,12 @@ class NameReading {
     return nullptr;
   }
   Part part_at(std::string_view text) const {
-    return {static_cast<std::uint32_t>(text.data() - name_), static_cast<std::uint32_t>(text.size())};
+    return {static_cast<std::uint32_t>(text.data() - name()), static_cast<std::uint32_t>(text.size())};
   }
-  std::string_view text_of(Part part) const { return {name_ + part.begin, part.size}; }
+  std::string_view text_of(Part part) const { return {name() + part.begin, part.size}; }
 
   bool has_texts_ = false;
-  union {
-    const char* name_ = nullptr;
-    const LevelTexts* texts_;
-  };
+  const void* of_ = nullptr;  ///< the name, or LevelTexts if has_texts_
   Part line_;
   Part process_;
   Part device_;

@@ -1,10 +1,11 @@
-// The cost of near-duplicate names in the worst case: every device name is one letter away from many others.
+// The cost of `check` with near-duplicate names in the worst case: every device name is one letter away from many
+// others.
 #include <benchmark/benchmark.h>
 
 #include <memory>
 #include <string>
 
-#include "check/spelling/slips.hpp"
+#include "check/catalogue.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
 #include "read/readers.hpp"
@@ -35,7 +36,7 @@ std::string list_text(std::int64_t devices, bool halves) {
   return text;
 }
 
-model::PlantModel plant_of(const std::string& text) {
+model::Derived derived_of(const std::string& text) {
   test::MemoryFileSystem files;
   files.files["list.csv"] = text;
   diag::Diagnostics diagnostics;
@@ -43,14 +44,18 @@ model::PlantModel plant_of(const std::string& text) {
       std::make_shared<const read::SymbolTable>(std::move(*read::read_symbol_list("list.csv", {}, files, diagnostics)));
   std::vector<model::ListInput> lists;
   lists.push_back({list, name::read_names(*list, name::built_in_rule())});
-  return model::describe(model::derive(lists, "list"), nullptr).plant;
+  return model::describe(model::derive(lists, "list"), nullptr);
 }
 
 void near_names(benchmark::State& state, bool halves) {
-  const model::PlantModel plant = plant_of(list_text(state.range(0), halves));
+  const model::Derived derived = derived_of(list_text(state.range(0), halves));
   std::size_t found = 0;
-  for (auto _ : state) found = check::find_slips(plant, check::Siblings(plant)).size();
-  state.counters["slips"] = static_cast<double>(found);
+  for (auto _ : state) {
+    diag::Diagnostics diagnostics;
+    check::check_plant(derived.plant, derived.evidence, diagnostics, 1);
+    found = diagnostics.all().size();
+  }
+  state.counters["findings"] = static_cast<double>(found);
   state.SetComplexityN(state.range(0));
 }
 
