@@ -12,6 +12,8 @@ constexpr MalfunctionState kInactive{0, tables::kNever, tables::kNever, tables::
 
 }  // namespace
 
+// place() and place_block() set all other members.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 Malfunctions::Malfunctions(Engine& engine) noexcept
     : engine_(engine), tables_(engine.tables_), numbers_(engine.tables_), written_(tables_.malfunctions.size()) {}
 

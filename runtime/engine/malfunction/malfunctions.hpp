@@ -42,8 +42,6 @@ class Malfunctions {
  public:
   using By = MalfunctionChange::By;
 
-  // place() and place_block() set all other members.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   explicit Malfunctions(Engine& engine) noexcept;
 
   // Memory (malfunction_memory.cpp).
