@@ -45,8 +45,8 @@ void WatchedLink::report(plant::Plant& plant) const noexcept {
 void WatchedLink::read_operations(plant::Plant& plant, tables::Time now) noexcept {
   link_.cut(plant.is_cut(controller_));
   link_.read_operations(plant, now);
-  if (const std::uint32_t event = link_.take_overwritten(); event != tables::kNone) {
-    recorder_.raise(plant.now(), tables::FindingKind::event_overwritten, event);
+  while (const std::optional<link::LinkFinding> found = link_.take_finding()) {
+    recorder_.raise(plant.now(), found->kind, found->symbol == tables::kNone ? place_ : found->symbol, found->value);
   }
   const LinkState state = link_.state();
   if (state == before_) return;

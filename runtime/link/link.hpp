@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,6 +11,7 @@
 
 #include "symplant/exec/exchange.hpp"
 #include "symplant/link/link_settings.hpp"
+#include "symplant/tables/finding.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::link {
@@ -32,6 +34,13 @@ struct LinkStatus {
   bool armed = true;                 ///< a client link: it may write events
 };
 
+/// What a link finds about its PLC.
+struct LinkFinding {
+  tables::FindingKind kind;
+  std::uint32_t symbol = tables::kNone;  ///< tables::kNone: the finding is of the link
+  std::uint64_t value = 0;               ///< as trace::Record::value
+};
+
 /// A running link to a PLC. The cycle uses it as an Exchange; any thread may call the other members.
 class Link : public exec::Exchange {
  public:
@@ -44,9 +53,8 @@ class Link : public exec::Exchange {
   /// For the cycle's thread: wait-free.
   virtual void cut(bool) noexcept {}
 
-  /// A symbol whose event the PLC overwrites after each write, once for each symbol; tables::kNone if there is none
-  /// now. For the cycle's thread: wait-free.
-  virtual std::uint32_t take_overwritten() noexcept { return tables::kNone; }
+  /// The next of the findings of this link; nothing if there is none now. For the cycle's thread: wait-free.
+  virtual std::optional<LinkFinding> take_finding() noexcept { return std::nullopt; }
 
   /// What the link has to report to the user since the last call, in words. Not for the cycle's thread.
   virtual std::vector<std::string> take_messages() { return {}; }

@@ -25,9 +25,15 @@ enum class FindingKind : std::uint8_t {
   event_overwritten,     ///< of an event
   clock_restarted,       ///< of the operation that is the PLC's clock
   standstill,            ///< of the plant: `of` is the time in ms that it lost
+  no_plc,                ///< of a link: no PLC has exchanged anything
+  request_refused,       ///< of a link: an exception answered a request, or the PLC refused one
+  not_read,              ///< of an event: it came and went between two reads of it
+  not_sampled,           ///< of an operation: it came and went between two cycles
+  several_writers,       ///< of an operation: two clients wrote different values within a cycle
+  symbol_left_out,       ///< of a symbol: the PLC refuses its address for good, so its link leaves it out
 };
 inline constexpr int kFindingKinds = 11;     ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 16;  ///< with the kinds that the host reports
+inline constexpr int kAllFindingKinds = 22;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;

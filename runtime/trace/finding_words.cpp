@@ -30,7 +30,13 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
                                                                            "link back",
                                                                            "event overwritten",
                                                                            "clock restarted",
-                                                                           "standstill"};
+                                                                           "standstill",
+                                                                           "no PLC",
+                                                                           "request refused",
+                                                                           "not read",
+                                                                           "not sampled",
+                                                                           "several writers",
+                                                                           "symbol left out"};
 
 constexpr std::size_t kOperationsShown = 4;
 
@@ -167,8 +173,8 @@ std::string of_link(const FoundThing& found, const PlantNames& names) {
 /// The part that cannot move, and the one that leaves it no room.
 std::string of_transfer(const FoundThing& found, const PlantNames& names, const History& history) {
   const tables::TransferRow& row = names.tables().material.transfers[found.of.front()];
-  const std::uint64_t moving = found.parts >> 32;
-  const std::uint64_t there = found.parts & 0xFFFF'FFFF;
+  const std::uint64_t moving = found.value >> 32;
+  const std::uint64_t there = found.value & 0xFFFF'FFFF;
   const History::Part* part = history.part(moving);
   const History::Part* obstacle = history.part(there);
   return fmt::format(
@@ -191,7 +197,10 @@ bool is_of_unit(FindingKind kind) {
          kind == FindingKind::instantaneous_loop;
 }
 
-bool is_of_link(FindingKind kind) { return kind == FindingKind::link_lost || kind == FindingKind::link_back; }
+bool is_of_link(FindingKind kind) {
+  return kind == FindingKind::link_lost || kind == FindingKind::link_back || kind == FindingKind::no_plc ||
+         kind == FindingKind::request_refused;
+}
 
 bool is_of_host(FindingKind kind) { return is_of_link(kind) || kind == FindingKind::standstill; }
 

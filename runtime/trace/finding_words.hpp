@@ -19,7 +19,7 @@ struct FoundThing {
   tables::Time time;
   tables::FindingKind kind;
   std::vector<std::uint32_t> of;  ///< a loop's members; else one unit, symbol, requirement, transfer or link
-  std::uint64_t parts = 0;        ///< of `part blocked`: as Record::value
+  std::uint64_t value = 0;        ///< as Record::value, for the kinds that have one
 };
 
 bool is_of_unit(tables::FindingKind kind);

@@ -212,13 +212,17 @@ void Recorder::finding(const tables::Finding& finding) noexcept {
     const plant::TransferView transfer = plant_->transfer(finding.of);
     value = pack_parts(transfer.part, transfer.obstacle);
   }
+  put_finding(finding, value);
+}
+
+void Recorder::put_finding(const tables::Finding& finding, std::uint64_t value) noexcept {
   if (!put({finding.time, value, finding.of, Record::Kind::finding, finding.kind, finding.more})) {
     lost_findings_.fetch_add(1, std::memory_order_relaxed);
   }
 }
 
-void Recorder::raise(tables::Time time, tables::FindingKind kind, std::uint32_t of) noexcept {
-  finding({time, of, kind, false});
+void Recorder::raise(tables::Time time, tables::FindingKind kind, std::uint32_t of, std::uint64_t value) noexcept {
+  put_finding({time, of, kind, false}, value);
   publish();
 }
 

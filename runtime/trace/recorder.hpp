@@ -39,8 +39,9 @@ class Recorder final : public engine::Observer {
   void instant(const engine::Instant& instant) noexcept override;
   void finding(const tables::Finding& finding) noexcept override;
   void parts_before(tables::Time time, std::span<const engine::PartChange> parts) noexcept override;
-  /// Adds a finding of the host. Only between instants, by the thread that runs the plant.
-  void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of) noexcept;
+  /// Adds a finding of the host; `value` as in Record, for the kinds that have one. Only between instants, by the
+  /// thread that runs the plant.
+  void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of, std::uint64_t value = 0) noexcept;
   /// Whether as many notes would be recorded now. Only for the thread that runs the plant.
   bool has_room(std::size_t notes) noexcept { return end_ - at_ >= notes || has_room_for(notes); }
   /// Takes the states of units as they are now for the last recorded ones: after a reset or a restore of the plant, of
@@ -76,6 +77,7 @@ class Recorder final : public engine::Observer {
   void record_tracks(const engine::Instant& instant) noexcept;
   void record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept;
   void record_malfunctions(const engine::Instant& instant) noexcept;
+  void put_finding(const tables::Finding& finding, std::uint64_t value) noexcept;
   bool put(const Record& record) noexcept;
   bool has_room_for(std::size_t records) noexcept;
   void start_again() noexcept;

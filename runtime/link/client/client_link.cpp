@@ -48,7 +48,11 @@ class ClientLink final : public Link {
   }
   void cut(bool on) noexcept override { poller_.cut(on); }
   exec::LinkState state() const noexcept override { return cycle_.state(); }
-  std::uint32_t take_overwritten() noexcept override { return poller_.take_overwritten(); }
+  std::optional<LinkFinding> take_finding() noexcept override {
+    const std::uint32_t event = poller_.take_overwritten();
+    if (event == tables::kNone) return std::nullopt;
+    return LinkFinding{tables::FindingKind::event_overwritten, event};
+  }
   bool freezes_plant() const noexcept override { return cycle_.freezes_plant(); }
 
   LinkStatus status() const noexcept override { return poller_.status(); }

@@ -78,7 +78,9 @@ class LinkedCell {
   void run() {
     while (!stop_) {
       link_->read_operations(*plant_, plant_->now());
-      if (link_->take_overwritten() != tables::kNone) ++overwritten_;
+      while (const auto found = link_->take_finding()) {
+        if (found->kind == tables::FindingKind::event_overwritten) ++overwritten_;
+      }
       plant_->advance_to(plant_->now() + tables::kMillisecond);
       write();
       state_ = link_->state();
