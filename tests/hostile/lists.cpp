@@ -1,5 +1,6 @@
 // Hostile symbol lists.
 #include <array>
+#include <cstdint>
 
 #include "inputs.hpp"
 #include "text/utf8.hpp"

@@ -180,7 +180,7 @@ TEST_CASE("check: The page for others has the score, stations, repairs and findi
   files.files["<b>.csv"] = list + "VAR_GLOBAL,<script>alert(1)</script>,,%IX7,BOOL,\n";
   const ToolRun run = run_tool({"check", "--format", "html", "<b>.csv", "none.csv"}, files);
   CHECK(run.code == 2);
-  CHECK_THAT(run.out, Catch::StartsWith("<!DOCTYPE html>"));
+  CHECK_THAT(run.out, Catch::Matchers::StartsWith("<!DOCTYPE html>"));
   CHECK(contains(run.out, "<h1>&lt;b&gt;.csv</h1>"));
   CHECK(contains(run.out, "<div class=big>80 %</div>of 5 inputs and outputs accounted for"));
   CHECK(contains(run.out, "title=\"0 of 2 symbols left over\">L_ST1<b>100&nbsp;%</b>"));

@@ -8,7 +8,7 @@
 #include "support/tool.hpp"
 
 using namespace symplant;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using test::slmp::PlcOptions;
 using test::slmp::SlmpPlc;
 
@@ -61,7 +61,7 @@ TEST_CASE("The doctor reads every mapped symbol and writes nothing") {
   CHECK(run.code == 0);
   CHECK(report.at("reached") == true);
   CHECK(report.at("findings") == false);
-  CHECK_THAT(entry(report.at("steps"), "step", "identity").at("text"), Contains("R08CPU"));
+  CHECK_THAT(entry(report.at("steps"), "step", "identity").at("text"), ContainsSubstring("R08CPU"));
   CHECK(entry(report.at("points"), "symbol", "LINE_S1_CYL_O_IN").at("value") == true);
   CHECK(entry(report.at("points"), "symbol", "LINE_S1_CYL_O_OUT").at("value") == false);
   CHECK(entry(report.at("points"), "symbol", "LINE_S1_TANK_O_LEVEL").at("value") == -10);
@@ -76,7 +76,8 @@ TEST_CASE("The doctor's write test restores what was there") {
   const auto run = doctor({"--link", url(plc, "family=iqr&events=direct&map=LINE_S1_TANK_O_LEVEL:D100"), "--format",
                            "json", "--for", "0s", "--write-test"});
   CHECK(run.code == 0);
-  CHECK_THAT(entry(json_of(run).at("steps"), "step", "write test").at("text"), Contains("2 events of 2 written"));
+  CHECK_THAT(entry(json_of(run).at("steps"), "step", "write test").at("text"),
+             ContainsSubstring("2 events of 2 written"));
   CHECK(plc.memory().bit("X", 0x11));
   CHECK_FALSE(plc.memory().bit("X", 0x10));
   CHECK(plc.log().writes_outside({{"X", 0x10, 2}}).empty());
@@ -92,7 +93,8 @@ TEST_CASE("The doctor finds inputs that the PLC overwrites") {
   CHECK(run.code == 1);
   const Json report = json_of(run);
   CHECK(entry(report.at("points"), "symbol", "LINE_S1_CYL_I_OUT").at("result") == "bad");
-  CHECK_THAT(entry(report.at("points"), "symbol", "LINE_S1_CYL_I_OUT").at("text"), Contains("choose another strategy"));
+  CHECK_THAT(entry(report.at("points"), "symbol", "LINE_S1_CYL_I_OUT").at("text"),
+             ContainsSubstring("choose another strategy"));
   CHECK(entry(report.at("points"), "symbol", "LINE_S1_CYL_I_IN").at("result") == "good");
 }
 
@@ -115,8 +117,8 @@ TEST_CASE("The doctor says which symbols are not readable, and why") {
   const auto run =
       doctor({"--link", url(plc, "family=iqr&events=direct&map=LINE_S1_TANK_O_LEVEL:D100"), "--for", "0s"});
   CHECK(run.code == 1);
-  CHECK_THAT(run.out, Contains("4031") || Contains("C056"));
-  CHECK_THAT(run.out, Contains("bad      operation LINE_S1_TANK_O_LEVEL at D100: not readable"));
+  CHECK_THAT(run.out, ContainsSubstring("4031") || ContainsSubstring("C056"));
+  CHECK_THAT(run.out, ContainsSubstring("bad      operation LINE_S1_TANK_O_LEVEL at D100: not readable"));
 }
 
 TEST_CASE("The doctor names a wrong family and a silent port") {
@@ -124,11 +126,11 @@ TEST_CASE("The doctor names a wrong family and a silent port") {
   const auto wrong = doctor({"--link", url(plc, "family=q&events=direct"), "--for", "0s", "--write-test"});
   CHECK(wrong.code == 1);
   CHECK(plc.log().writes().empty());
-  CHECK_THAT(wrong.out, Contains("bad      identity") && Contains("set family=iqr"));
+  CHECK_THAT(wrong.out, ContainsSubstring("bad      identity") && ContainsSubstring("set family=iqr"));
   const auto silent =
       doctor({"--link", url(plc, "family=iqr&events=direct&code=ascii&timer=0s&timeout=200ms"), "--for", "0s"});
   CHECK(silent.code == 3);
-  CHECK_THAT(silent.out, Contains("does not answer") && Contains("code=ascii"));
+  CHECK_THAT(silent.out, ContainsSubstring("does not answer") && ContainsSubstring("code=ascii"));
 }
 
 TEST_CASE("The doctor of a server link reports what the PLC touched") {
@@ -155,8 +157,9 @@ TEST_CASE("The doctor of a server link reports what the PLC touched") {
   tool.join();
   const Json report = json_of(run);
   CHECK(run.code == 1);
-  CHECK_THAT(entry(report.at("steps"), "step", "requests").at("text"), Contains("1 answered with exception 2"));
-  CHECK_THAT(entry(report.at("steps"), "step", "gaps").at("text"), Contains("coils that no symbol uses: 34"));
+  CHECK_THAT(entry(report.at("steps"), "step", "requests").at("text"),
+             ContainsSubstring("1 answered with exception 2"));
+  CHECK_THAT(entry(report.at("steps"), "step", "gaps").at("text"), ContainsSubstring("coils that no symbol uses: 34"));
   CHECK(entry(report.at("points"), "symbol", "LINE_S1_CYL_I_OUT").at("result") == "good");
   CHECK(entry(report.at("points"), "symbol", "LINE_S1_CYL_I_IN").at("text") == "the PLC never read it");
 }
@@ -176,7 +179,7 @@ TEST_CASE("The map of an slmp link names the devices") {
       {"map", "list.csv", "--link", "slmp://127.0.0.1:5000?family=q&map=X10-X1F:M1000&map=LINE_S1_TANK_O_LEVEL:M5"},
       files);
   CHECK(run.code == 0);
-  CHECK_THAT(run.out, Contains("LINE_S1_CYL_I_IN") && Contains("M1001"));
-  CHECK_THAT(run.out, Contains("not linked: LINE_S1_TANK_O_LEVEL is a number at M5"));
-  CHECK_THAT(run.out, Contains("operations: 1 request to read all"));
+  CHECK_THAT(run.out, ContainsSubstring("LINE_S1_CYL_I_IN") && ContainsSubstring("M1001"));
+  CHECK_THAT(run.out, ContainsSubstring("not linked: LINE_S1_TANK_O_LEVEL is a number at M5"));
+  CHECK_THAT(run.out, ContainsSubstring("operations: 1 request to read all"));
 }

@@ -66,7 +66,8 @@ TEST_CASE("A state that several could come before is not reported if the descrip
                                        "L_P_D_I_C2", "L_P_D_O_D2", "L_P_D_I_D2"};
   description::DeviceDescription d = device();
   const std::string found = reported(analyse_described(bits(names), describing({d})), "event-without-operation");
-  CHECK_THAT(found, Catch::Contains("`L_P_D_I_C2` reports `C2` of `L_P_D`, but no operation leads there"));
+  CHECK_THAT(found,
+             Catch::Matchers::ContainsSubstring("`L_P_D_I_C2` reports `C2` of `L_P_D`, but no operation leads there"));
   d.transitions = {by_itself("A1", "C2")};
   CHECK(analyse_described(bits(names), describing({d})).count("event-without-operation") == 0);
 }

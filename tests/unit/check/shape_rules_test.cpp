@@ -104,8 +104,10 @@ TEST_CASE("A missing number is reported like a missing bit, also for devices wit
   }
   const Analysed list = analyse_rows(rows);
   REQUIRE(list.fired() == "shape-lacks-symbol shape-lacks-symbol");
-  CHECK_THAT(list.diagnostics.all()[0].message, Catch::StartsWith("`L_P_DRIVE2` has no event `SPEED`: 4 of 5 devices"));
-  CHECK_THAT(list.diagnostics.all()[1].message, Catch::StartsWith("`L_P_TANK4` has no event `HEAT`: 4 of 5 devices"));
+  CHECK_THAT(list.diagnostics.all()[0].message,
+             Catch::Matchers::StartsWith("`L_P_DRIVE2` has no event `SPEED`: 4 of 5 devices"));
+  CHECK_THAT(list.diagnostics.all()[1].message,
+             Catch::Matchers::StartsWith("`L_P_TANK4` has no event `HEAT`: 4 of 5 devices"));
   CHECK(names_of(list.diagnostics.all()[1]) == std::vector<std::string>{"L_P_TANK4", "L_P_TANK4_I_HEAT"});
 }
 
@@ -187,11 +189,11 @@ TEST_CASE("Alike findings in devices named alike are one finding with their numb
   const Analysed list = clamps_with(4, "BLOW");
   REQUIRE(list.fired(diag::Severity::warning) == "event-without-operation operation-without-event");
   const diag::Diagnostic& events = list.diagnostics.all()[0];
-  CHECK_THAT(events.message, Catch::StartsWith("`L_P_CLAMP1_I_ADVL` reports `ADVL` of `L_P_CLAMP1`"));
+  CHECK_THAT(events.message, Catch::Matchers::StartsWith("`L_P_CLAMP1_I_ADVL` reports `ADVL` of `L_P_CLAMP1`"));
   CHECK_THAT(events.message, Catch::Matchers::EndsWith("; 11 more like `CLAMP#`: `L_P_CLAMP1_I_ADVR`, "
                                                        "`L_P_CLAMP1_I_RETL`, `L_P_CLAMP2_I_ADVL` and 8 more"));
   REQUIRE(events.related.size() == 11);
-  CHECK_THAT(events.related[10].message, Catch::StartsWith("also: `L_P_CLAMP4_I_RETL` reports"));
+  CHECK_THAT(events.related[10].message, Catch::Matchers::StartsWith("also: `L_P_CLAMP4_I_RETL` reports"));
   const diag::Diagnostic& commands = list.diagnostics.all()[1];
   CHECK_THAT(commands.message, Catch::Matchers::EndsWith("; 3 more like `CLAMP#`: `L_P_CLAMP2_O_BLOW`, "
                                                          "`L_P_CLAMP3_O_BLOW`, `L_P_CLAMP4_O_BLOW`"));
@@ -205,7 +207,7 @@ TEST_CASE("Each symbol of alike findings is ignored by itself") {
   const Analysed list = analyse_lists({{"symbols.csv", list_text(bits(names))}}, std::move(description));
   REQUIRE(list.count("operation-without-event") == 1);
   CHECK(list.diagnostics.ignored().size() == 1);
-  CHECK_THAT(list.diagnostics.all()[0].message, Catch::StartsWith("`L_P_C2_O_X` commands"));
+  CHECK_THAT(list.diagnostics.all()[0].message, Catch::Matchers::StartsWith("`L_P_C2_O_X` commands"));
   CHECK(list.diagnostics.all()[0].related.empty());
 }
 

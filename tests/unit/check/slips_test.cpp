@@ -55,8 +55,8 @@ TEST_CASE("A word of two letters is reported if a device lacks this symbol, not 
 TEST_CASE("Without siblings the other direction confirms a slip") {
   const auto slips = slips_of({"L_P_TABLE_O_WORK", "L_P_TABLE_I_WORK", "L_P_TABLE_O_LOAD", "L_P_TABEL_I_LOAD"});
   REQUIRE(slips.size() == 1);
-  CHECK_THAT(slips[0],
-             Catch::StartsWith("`TABEL` looks like a typo of `TABLE`, and `L_P_TABLE` lacks just this symbol"));
+  CHECK_THAT(slips[0], Catch::Matchers::StartsWith(
+                           "`TABEL` looks like a typo of `TABLE`, and `L_P_TABLE` lacks just this symbol"));
 }
 
 TEST_CASE("A device misspelled in all rows is reported once, by its rare word") {
@@ -73,8 +73,8 @@ TEST_CASE("A line and a process are reported by their rare words") {
   names.push_back("BODY_CLEL1_HORN_O_ON");
   const auto slips = slips_of(names);
   REQUIRE(slips.size() == 2);
-  CHECK_THAT(slips[0], Catch::StartsWith("`BDOY` looks like a typo of `BODY`, which 37 symbols have"));
-  CHECK_THAT(slips[1], Catch::StartsWith("`CLEL1` looks like a typo of `CELL1`, which 37 symbols have"));
+  CHECK_THAT(slips[0], Catch::Matchers::StartsWith("`BDOY` looks like a typo of `BODY`, which 37 symbols have"));
+  CHECK_THAT(slips[1], Catch::Matchers::StartsWith("`CLEL1` looks like a typo of `CELL1`, which 37 symbols have"));
 }
 
 TEST_CASE("Two lines, two words of one unit, and near words of different devices are no slips") {

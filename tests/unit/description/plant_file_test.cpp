@@ -177,7 +177,8 @@ TEST_CASE("A place in `view` without `y`, below 0 or too far is rejected") {
   const std::string expected = ": expected a whole number from 0 to 1000, but found the number ";
   CHECK(shape(R"("view": {"D": {"x": -1, "y": 0}})") == "/view/D/x" + expected + "`-1`");
   CHECK(shape(R"("view": {"D": {"x": 0, "y": 1001}})") == "/view/D/y" + expected + "`1001`");
-  CHECK_THAT(shape(R"("view": {"D": {"x": 0.5, "y": 0}})"), Catch::StartsWith("/view/D/x" + expected + "`0.5`"));
+  CHECK_THAT(shape(R"("view": {"D": {"x": 0.5, "y": 0}})"),
+             Catch::Matchers::StartsWith("/view/D/x" + expected + "`0.5`"));
   CHECK(shape(R"("view": {"D": 3})") ==
         "/view/D: expected an object with `x` and `y`, or `group`, but found the number `3`");
 }
@@ -185,7 +186,8 @@ TEST_CASE("A place in `view` without `y`, below 0 or too far is rejected") {
 TEST_CASE("A frame in `view` has a name that can be shown") {
   CHECK(shape(R"("view": {"D": {"group": ""}})") ==
         "/view/D/group: expected the name of a frame, but found an empty text");
-  CHECK_THAT(shape(R"("view": {"D": {"group": "two\nlines"}})"), Catch::Contains("control character"));
+  CHECK_THAT(shape(R"("view": {"D": {"group": "two\nlines"}})"),
+             Catch::Matchers::ContainsSubstring("control character"));
   CHECK(shape(R"("view": {"D": {"grp": "Safety"}})") ==
         "/view/D/grp: the key `grp` is unknown here; the known keys are `group`, `x`, `y`");
 }

@@ -69,7 +69,7 @@ TEST_CASE("A scale shows the weight while it fills, stops near its target and co
   plant.set(Symbol::L1_DOSE_SCALE1_O_FULL2, true);
   plant.to(1000 * kMs);
   plant.to(1450 * kMs);
-  CHECK(plant.number(Symbol::L1_DOSE_SCALE1_I_WEIGHT) == Approx(0.8));  // shown at 1.4 s: fine flow, 2 kg/s
+  CHECK(plant.number(Symbol::L1_DOSE_SCALE1_I_WEIGHT) == Catch::Approx(0.8));  // shown at 1.4 s: fine flow, 2 kg/s
   plant.to(2499 * kMs);
   CHECK_FALSE(plant.event(Symbol::L1_DOSE_SCALE1_I_FULL2));
   plant.to(2500 * kMs);

@@ -72,7 +72,7 @@ TEST_CASE("With a PLC's clock the wall clock paces the cycles, and the PLC plant
     const double real = static_cast<double>(bench.clock.now() - begin) / 1e9;
     CHECK(real * rate > 99.9);
     CHECK(real * rate < 100.0 + 3 * 0.1 * rate);
-    CHECK(static_cast<double>(statistics.cycles) == Approx(real * 100));
+    CHECK(static_cast<double>(statistics.cycles) == Catch::Approx(real * 100));
     CHECK(statistics.lateness.max == 0);
     CHECK(statistics.jitter.max == 0);
     CHECK(statistics.plc_clock->values == static_cast<std::uint64_t>(bench.reads / 10));

@@ -1,10 +1,11 @@
 // Threads that print at the same time print whole lines.
 #include "symplant/host/console.hpp"
 
-#include <catch2/catch.hpp>
 #include <sstream>
 #include <thread>
 #include <vector>
+
+#include "support/catch.hpp"
 
 using namespace symplant;
 

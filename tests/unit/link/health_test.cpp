@@ -1,8 +1,9 @@
 // When a link counts as lost, and when its PLC's writes count again.
 #include "symplant/link/health.hpp"
 
-#include <catch2/catch.hpp>
 #include <vector>
+
+#include "support/catch.hpp"
 
 using namespace symplant;
 using exec::LinkState;

@@ -97,12 +97,12 @@ TEST_CASE("The Modbus client reads and writes a server of libmodbus") {
   test::DialogBench bench(list, server.port(), "events=coils:50&event-values=holding-registers:50&timeout=30s");
   REQUIRE_FALSE(bench.dialog().open());
   link::client::Fault fault;
-  CHECK_THAT(bench.dialog().identify(fault).message, Catch::Matchers::Contains("its operations can be read"));
+  CHECK_THAT(bench.dialog().identify(fault).message, Catch::Matchers::ContainsSubstring("its operations can be read"));
   REQUIRE_FALSE(fault);
   REQUIRE_FALSE(bench.read());
   CHECK(bench.bit(link::Table::coil, 3));
   CHECK(bench.number(link::Table::holding_register, 6) == 0xBEEF);
-  CHECK_THAT(bench.dialog().take_rejections().front(), Catch::Matchers::Contains("coil 100: exception 02"));
+  CHECK_THAT(bench.dialog().take_rejections().front(), Catch::Matchers::ContainsSubstring("coil 100: exception 02"));
   bench.set_bit(4, true);
   bench.set_number(4, 0x1234);
   bench.set_number(5, 0x5678);

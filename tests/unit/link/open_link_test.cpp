@@ -18,7 +18,7 @@ void check_usage(const std::string& url, const std::string& words) {
   CAPTURE(url);
   const auto error = fault(url);
   CHECK(error.kind == ErrorKind::usage);
-  CHECK_THAT(error.message, Catch::Contains(words));
+  CHECK_THAT(error.message, Catch::Matchers::ContainsSubstring(words));
 }
 
 }  // namespace
@@ -39,18 +39,18 @@ TEST_CASE("A server's URL contains its actual port") {
 TEST_CASE("A server without a host is on the loopback") {
   const auto tables = test::cell_tables();
   const auto link = test::open_or_throw("modbus-tcp-server://:0", tables);
-  CHECK_THAT(link->url(), Catch::StartsWith("modbus-tcp-server://127.0.0.1:"));
+  CHECK_THAT(link->url(), Catch::Matchers::StartsWith("modbus-tcp-server://127.0.0.1:"));
 }
 
 TEST_CASE("A server is reachable by the name localhost and by IPv6 in brackets") {
   const auto tables = test::cell_tables();
   const auto named = test::open_or_throw("modbus-tcp-server://localhost:0", tables);
-  CHECK_THAT(named->url(), Catch::Contains("localhost:"));
+  CHECK_THAT(named->url(), Catch::Matchers::ContainsSubstring("localhost:"));
   CHECK(test::RawClient(test::port_of(*named)).connected());  // over IPv4, whatever the name also means
   auto result = link::open_link({"modbus-tcp-server://[::1]:0"}, tables);
   if (!std::holds_alternative<std::unique_ptr<link::Link>>(result)) return;  // a machine without IPv6
   const auto& link = std::get<std::unique_ptr<link::Link>>(result);
-  CHECK_THAT(link->url(), Catch::StartsWith("modbus-tcp-server://[::1]:"));
+  CHECK_THAT(link->url(), Catch::Matchers::StartsWith("modbus-tcp-server://[::1]:"));
   test::RawClient client(test::port_of(*link), AF_INET6);
   CHECK(client.ask({2, 0, 1, 0, 1}).size() == 3);
 }
@@ -83,9 +83,11 @@ TEST_CASE("A port in use is a fault of the environment with a hint") {
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   const auto error = fault(link->url());
   CHECK(error.kind == ErrorKind::environment);
-  CHECK_THAT(error.message, Catch::Contains("port " + std::to_string(test::port_of(*link)) + " is in use"));
-  CHECK_THAT(error.message, Catch::Contains("by this program itself") && Catch::Contains("its own port"));
-  CHECK_THAT(error.message, Catch::Contains(std::to_string(::getpid())));
+  CHECK_THAT(error.message,
+             Catch::Matchers::ContainsSubstring("port " + std::to_string(test::port_of(*link)) + " is in use"));
+  CHECK_THAT(error.message, Catch::Matchers::ContainsSubstring("by this program itself") &&
+                                Catch::Matchers::ContainsSubstring("its own port"));
+  CHECK_THAT(error.message, Catch::Matchers::ContainsSubstring(std::to_string(::getpid())));
 }
 
 TEST_CASE("A port in use at a name's first address is not taken at its next") {
@@ -93,5 +95,5 @@ TEST_CASE("A port in use at a name's first address is not taken at its next") {
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   const auto error = fault("modbus-tcp-server://localhost:" + std::to_string(test::port_of(*link)));
   CHECK(error.kind == ErrorKind::environment);
-  CHECK_THAT(error.message, Catch::Contains("is in use on `localhost`"));
+  CHECK_THAT(error.message, Catch::Matchers::ContainsSubstring("is in use on `localhost`"));
 }

@@ -1,9 +1,10 @@
 // What a PLC has written, and whether it has written all of it again.
 #include "symplant/link/image/rewriting.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <set>
+
+#include "support/catch.hpp"
 
 using symplant::link::image::AddressSet;
 using symplant::link::image::Rewriting;

@@ -253,7 +253,8 @@ TEST_CASE("A server whose clients exceed the limit reports it at its start") {
   rlimit limit{};
   ::getrlimit(RLIMIT_NOFILE, &limit);
   if (limit.rlim_max > 100'000'000) return;
-  CHECK_THROWS_WITH(EchoServer({.connections = limit.rlim_max}), Catch::Contains("give fewer `connections`"));
+  CHECK_THROWS_WITH(EchoServer({.connections = limit.rlim_max}),
+                    Catch::Matchers::ContainsSubstring("give fewer `connections`"));
 }
 
 TEST_CASE("Two thousand clients at once are served, on descriptors above 1024, and leave none open") {

@@ -1,7 +1,7 @@
 // The registers of the status block.
 #include "symplant/link/image/status_block.hpp"
 
-#include <catch2/catch.hpp>
+#include "support/catch.hpp"
 
 using symplant::exec::LinkState;
 using symplant::link::WordOrder;

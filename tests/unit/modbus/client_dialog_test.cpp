@@ -5,7 +5,7 @@
 #include "unit/modbus/dialog_bench.hpp"
 
 using namespace symplant;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using link::Table;
 using link::client::Fault;
 using tables::DataType;
@@ -117,7 +117,8 @@ TEST_CASE(
   CHECK(sent(plc) == Texts{"1:3+999", "1:3+2", "1:999+3"});
   const auto rejections = bench.dialog().take_rejections();
   REQUIRE(rejections.size() == 1);
-  CHECK_THAT(rejections.front(), Contains("rejects reading coils 999-1001") && Contains("exception 02"));
+  CHECK_THAT(rejections.front(),
+             ContainsSubstring("rejects reading coils 999-1001") && ContainsSubstring("exception 02"));
   REQUIRE_FALSE(bench.read());
   CHECK(sent(plc) == Texts{"1:3+2"});
   bench.dialog().retry_rejected();
@@ -133,7 +134,8 @@ TEST_CASE("If the PLC rejects all, so is the reading") {
   DialogBench bench(list, plc.port(), "");
   REQUIRE_FALSE(bench.dialog().open());
   CHECK(bench.read().kind == Fault::Kind::rejected);
-  CHECK_THAT(bench.dialog().take_rejections().front(), Contains("coil 3:") && Contains("does not support function 1"));
+  CHECK_THAT(bench.dialog().take_rejections().front(),
+             ContainsSubstring("coil 3:") && ContainsSubstring("does not support function 1"));
 }
 
 TEST_CASE("A busy PLC is asked again at once") {
@@ -218,7 +220,7 @@ TEST_CASE("A rejected write is explained and counts as written") {
   DialogBench bench(list, plc.port(), "events=coils");
   REQUIRE_FALSE(bench.dialog().open());
   CHECK_FALSE(bench.write());
-  CHECK_THAT(bench.dialog().take_rejections().front(), Contains("rejects writing coil 3: exception 01"));
+  CHECK_THAT(bench.dialog().take_rejections().front(), ContainsSubstring("rejects writing coil 3: exception 01"));
   plc.forget_log();
   CHECK_FALSE(bench.write());
   CHECK(sent(plc).empty());
@@ -235,11 +237,12 @@ TEST_CASE("A PLC is identified by function 43, and always unverifiable") {
   auto identity = bench.dialog().identify(fault);
   CHECK_FALSE(fault);
   CHECK(identity.kind == link::client::Identity::Kind::unverifiable);
-  CHECK_THAT(identity.message, Contains("the PLC is `Test PLC`; its operations can be read"));
+  CHECK_THAT(identity.message, ContainsSubstring("the PLC is `Test PLC`; its operations can be read"));
   plc.with_abilities([](auto& abilities) { abilities.functions = {15}; });
   identity = bench.dialog().identify(fault);
   CHECK_FALSE(fault);
-  CHECK_THAT(identity.message, Contains("does not identify itself") && Contains("its operations cannot be read"));
+  CHECK_THAT(identity.message,
+             ContainsSubstring("does not identify itself") && ContainsSubstring("its operations cannot be read"));
 }
 
 TEST_CASE("A PLC that does not answer function 43 is not asked again") {
@@ -253,7 +256,7 @@ TEST_CASE("A PLC that does not answer function 43 is not asked again") {
   CHECK(fault.kind == Fault::Kind::transport);
   bench.dialog().close();
   REQUIRE_FALSE(bench.dialog().open());
-  CHECK_THAT(bench.dialog().identify(fault).message, Contains("does not identify itself"));
+  CHECK_THAT(bench.dialog().identify(fault).message, ContainsSubstring("does not identify itself"));
   CHECK_FALSE(fault);
 }
 

@@ -5,7 +5,7 @@
 #include "unit/link/plant_server.hpp"
 
 using namespace symplant;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using exec::LinkState;
 using test::LinkedCell;
 using test::modbus::ModbusPlc;
@@ -102,7 +102,8 @@ TEST_CASE("A Modbus client link reads, but writes only when it is armed") {
   CHECK(plc.wait_until([&](PlcMemory&) { return cell.link().status().requests > 50; }));
   CHECK_FALSE(cell.link().status().armed);
   CHECK(plc.written().empty());
-  CHECK_THAT(cell.messages(), Contains("not armed, writes nothing: the PLC is `Test PLC`") && Contains("`--arm`"));
+  CHECK_THAT(cell.messages(),
+             ContainsSubstring("not armed, writes nothing: the PLC is `Test PLC`") && ContainsSubstring("`--arm`"));
 }
 
 TEST_CASE("After a loss of the connection a Modbus client writes everything again") {
@@ -167,7 +168,7 @@ TEST_CASE("A server plant and a client plant exchange their signals") {
   CHECK(client.state() == LinkState::live);
   CHECK(client.link().status().exceptions == 0);
   CHECK(client.link().status().armed);
-  CHECK_THAT(client.messages(), Contains("armed: the PLC is `symplant"));
+  CHECK_THAT(client.messages(), ContainsSubstring("armed: the PLC is `symplant"));
 }
 
 TEST_CASE("A cut Modbus client sends nothing and is lost; afterwards it connects again by itself") {

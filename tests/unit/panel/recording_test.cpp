@@ -115,10 +115,10 @@ TEST_CASE("A part that took longer than its drive needs waited at the stop on it
     const double passed = seconds - static_cast<double>(t) / 1e9;
     return part.at(2).get<double>() + part.at(3).get<double>() * passed;
   };
-  CHECK(front(0.5) == Approx(350'000));  // the drive moves 0.5 m/s
-  CHECK(front(1.5) == Approx(600'000));
-  CHECK(front(9) == Approx(600'000));
-  CHECK(front(9.6) == Approx(800'000));
+  CHECK(front(0.5) == Catch::Approx(350'000));  // the drive moves 0.5 m/s
+  CHECK(front(1.5) == Catch::Approx(600'000));
+  CHECK(front(9) == Catch::Approx(600'000));
+  CHECK(front(9.6) == Catch::Approx(800'000));
 }
 
 TEST_CASE("Of a plant that was set back, the trace after the last time is shown") {

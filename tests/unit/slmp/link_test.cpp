@@ -3,7 +3,7 @@
 #include "unit/slmp/cell_bench.hpp"
 
 using namespace symplant;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using exec::LinkState;
 using test::CellClient;
 using PlcCode = test::slmp::Code;
@@ -96,7 +96,7 @@ TEST_CASE("A link that cannot identify the PLC reads, but writes only when it is
     CHECK(soon(plc, [&] { return client.state() == LinkState::live; }));
     CHECK(soon(plc, [&] { return plc.log().count() > 50; }));
     CHECK_FALSE(client.link().status().armed);
-    CHECK_THAT(client.messages(), Contains("not armed, writes nothing") && Contains("--arm"));
+    CHECK_THAT(client.messages(), ContainsSubstring("not armed, writes nothing") && ContainsSubstring("--arm"));
   }
   CHECK(plc.log().writes().empty());
   link::LinkSettings armed;
@@ -114,7 +114,7 @@ TEST_CASE("A link never writes to a PLC of another family") {
   CellClient client(plc.port(), "family=q&events=direct&poll=1ms", armed);
   CHECK(soon(plc, [&] { return plc.log().count() > 50; }));
   CHECK(plc.log().writes().empty());
-  CHECK_THAT(client.messages(), Contains("its CPU is `R08CPU`") && Contains("set family=iqr"));
+  CHECK_THAT(client.messages(), ContainsSubstring("its CPU is `R08CPU`") && ContainsSubstring("set family=iqr"));
 }
 
 TEST_CASE("Inputs that the PLC's input module overwrites are reported") {

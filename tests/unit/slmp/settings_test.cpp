@@ -5,7 +5,7 @@
 
 using namespace symplant;
 using namespace symplant::link::slmp;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -74,25 +74,25 @@ TEST_CASE("A map moves ranges of devices and symbols, in the numbers of the fami
 }
 
 TEST_CASE("A wrong URL is a usage error in words") {
-  CHECK_THAT(fault("10.0.0.5:5000"), Contains("give //HOST:PORT"));
-  CHECK_THAT(fault("//10.0.0.5:5000"), Contains("no `family`"));
-  CHECK_THAT(fault("//10.0.0.5:0?family=q"), Contains("port 0"));
-  CHECK_THAT(fault("//10.0.0.5?family=q"), Contains("no port"));
-  CHECK_THAT(parameter_fault("family=s7"), Contains("`s7` is not a family: write one of q, l, iqr, fx5"));
-  CHECK_THAT(parameter_fault("family=q&frame=5e"), Contains("`frame=5e`: write one of 3e, 4e"));
-  CHECK_THAT(parameter_fault("family=q&famly=q"), Contains("did you mean `family`?"));
-  CHECK_THAT(parameter_fault("family=q&timer=300ms"), Contains("multiple of 250ms, or 0s"));
-  CHECK_THAT(parameter_fault("family=q&timer=4s"), Contains("`timeout` must be longer"));
-  CHECK_THAT(parameter_fault("family=q&commands=iqr"), Contains("only the family iqr"));
-  CHECK_THAT(parameter_fault("family=fx5&events=dx"), Contains("no DX"));
-  CHECK_THAT(parameter_fault("family=q&poll=0s"), Contains("`poll=0s`"));
-  CHECK_THAT(parameter_fault("family=q&network=240"), Contains("0 to 239"));
-  CHECK_THAT(parameter_fault("family=q&events=direct&events=dx"), Contains("set twice"));
-  CHECK_THAT(parameter_fault("family=q&map=X0-X7F"), Contains("map=X0-X3F:X800"));
-  CHECK_THAT(parameter_fault("family=q&map=X0-Y7F:M0"), Contains("not a range of devices"));
-  CHECK_THAT(parameter_fault("family=q&map=X7-X0:M0"), Contains("not a range of devices"));
-  CHECK_THAT(parameter_fault("family=q&map=D0-D5:M0"), Contains("words cannot be moved to bits"));
-  CHECK_THAT(parameter_fault("family=q&map=X0:Q5"), Contains("`Q5` is not a device"));
-  CHECK_THAT(parameter_fault("family"), Contains("write KEY=VALUE"));
-  CHECK_THAT(parameter_fault("family=q%2"), Contains("%25"));
+  CHECK_THAT(fault("10.0.0.5:5000"), ContainsSubstring("give //HOST:PORT"));
+  CHECK_THAT(fault("//10.0.0.5:5000"), ContainsSubstring("no `family`"));
+  CHECK_THAT(fault("//10.0.0.5:0?family=q"), ContainsSubstring("port 0"));
+  CHECK_THAT(fault("//10.0.0.5?family=q"), ContainsSubstring("no port"));
+  CHECK_THAT(parameter_fault("family=s7"), ContainsSubstring("`s7` is not a family: write one of q, l, iqr, fx5"));
+  CHECK_THAT(parameter_fault("family=q&frame=5e"), ContainsSubstring("`frame=5e`: write one of 3e, 4e"));
+  CHECK_THAT(parameter_fault("family=q&famly=q"), ContainsSubstring("did you mean `family`?"));
+  CHECK_THAT(parameter_fault("family=q&timer=300ms"), ContainsSubstring("multiple of 250ms, or 0s"));
+  CHECK_THAT(parameter_fault("family=q&timer=4s"), ContainsSubstring("`timeout` must be longer"));
+  CHECK_THAT(parameter_fault("family=q&commands=iqr"), ContainsSubstring("only the family iqr"));
+  CHECK_THAT(parameter_fault("family=fx5&events=dx"), ContainsSubstring("no DX"));
+  CHECK_THAT(parameter_fault("family=q&poll=0s"), ContainsSubstring("`poll=0s`"));
+  CHECK_THAT(parameter_fault("family=q&network=240"), ContainsSubstring("0 to 239"));
+  CHECK_THAT(parameter_fault("family=q&events=direct&events=dx"), ContainsSubstring("set twice"));
+  CHECK_THAT(parameter_fault("family=q&map=X0-X7F"), ContainsSubstring("map=X0-X3F:X800"));
+  CHECK_THAT(parameter_fault("family=q&map=X0-Y7F:M0"), ContainsSubstring("not a range of devices"));
+  CHECK_THAT(parameter_fault("family=q&map=X7-X0:M0"), ContainsSubstring("not a range of devices"));
+  CHECK_THAT(parameter_fault("family=q&map=D0-D5:M0"), ContainsSubstring("words cannot be moved to bits"));
+  CHECK_THAT(parameter_fault("family=q&map=X0:Q5"), ContainsSubstring("`Q5` is not a device"));
+  CHECK_THAT(parameter_fault("family"), ContainsSubstring("write KEY=VALUE"));
+  CHECK_THAT(parameter_fault("family=q%2"), ContainsSubstring("%25"));
 }
