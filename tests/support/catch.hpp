@@ -6,10 +6,16 @@
 #else
 #include <catch2/catch.hpp>
 
-namespace Catch::Matchers {
+namespace Catch {
+
+using Detail::Approx;
+
+namespace Matchers {
 
 /// Version 3 calls version 2's `Contains` of texts so.
 inline StdString::ContainsMatcher ContainsSubstring(const std::string& text) { return Contains(text); }
 
-}  // namespace Catch::Matchers
+}  // namespace Matchers
+
+}  // namespace Catch
 #endif
