@@ -1,0 +1,15 @@
+#include "symplant/tables/refusal.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using symplant::tables::Refusal;
+
+TEST_CASE("a refusal keeps each of its fields in the 64 bits of a finding") {
+  const Refusal refusal{Refusal::Side::slmp_client, 0xAB, 0xC059, 0x0001'2345};
+  CHECK(pack(refusal) == 0x02AB'C059'0001'2345);
+  CHECK(symplant::tables::unpack_refusal(pack(refusal)) == refusal);
+}
+
+}  // namespace
