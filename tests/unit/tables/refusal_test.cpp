@@ -1,15 +1,18 @@
+// A refused request in 64 bits.
 #include "symplant/tables/refusal.hpp"
 
-#include <catch2/catch.hpp>
+#include "support/catch.hpp"
 
+namespace symplant::test {
 namespace {
 
-using symplant::tables::Refusal;
+using tables::Refusal;
 
-TEST_CASE("a refusal keeps each of its fields in the 64 bits of a finding") {
+TEST_CASE("A refusal keeps each of its fields in the 64 bits of a finding") {
   const Refusal refusal{Refusal::Side::slmp_client, 0xAB, 0xC059, 0x0001'2345};
   CHECK(pack(refusal) == 0x02AB'C059'0001'2345);
-  CHECK(symplant::tables::unpack_refusal(pack(refusal)) == refusal);
+  CHECK(tables::unpack_refusal(pack(refusal)) == refusal);
 }
 
 }  // namespace
+}  // namespace symplant::test
