@@ -19,6 +19,7 @@
 #include "symplant/engine/mark_range.hpp"
 #include "symplant/engine/material/flow.hpp"
 #include "symplant/engine/planes.hpp"
+#include "symplant/engine/pulses.hpp"
 #include "symplant/engine/short_events.hpp"
 #include "symplant/engine/unit_state.hpp"
 #include "symplant/tables/digest.hpp"
@@ -73,7 +74,9 @@ class Engine {
   bool is_pending(std::uint32_t requirement) const noexcept { return monitors_[requirement].running != 0; }
   const EventChanges& changed_events() const noexcept { return event_changes_; }
   const DirtySet& changed_event_values() const noexcept { return changed_event_slots_; }
+  std::uint64_t pulsed_events(std::uint32_t word) const noexcept { return pulses_.of_word(word); }
   void forget_changed_events() noexcept;
+  void show_on_request(std::span<const std::uint64_t> events) noexcept;
   bool take_finding(tables::Finding& finding) noexcept { return findings_.pop(finding); }
   std::uint64_t lost_findings() const noexcept { return findings_.lost(); }
   std::span<const std::byte> save() const noexcept { return {reinterpret_cast<const std::byte*>(head_), block_size_}; }
@@ -323,6 +326,9 @@ class Engine {
   PlaneWords event_plane_;
   EventChanges event_changes_;
   DirtySet changed_event_slots_;
+  Pulses pulses_;              ///< of events, in real time
+  std::uint64_t* on_request_;  ///< events that a link shows on request
+  tables::Time cycle_end_;     ///< the time of the last forget_changed_events(); -1: none since a reset or restore
   FindingRing findings_;
   const std::uint64_t* name_hashes_;    ///< of each general unit: fnv1a64 of its name in upper case
   const std::uint64_t* memory_begins_;  ///< of each behavior's unit: offset in behaviour_memory; one more at the end

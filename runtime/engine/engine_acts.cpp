@@ -103,6 +103,15 @@ bool Engine::is_forced(std::uint32_t symbol) const noexcept {
 void Engine::forget_changed_events() noexcept {
   event_changes_.forget();
   changed_event_slots_.clear();
+  if (head_->cycle == 0) return;
+  pulses_.forget();
+  // Plant time did not advance in a whole cycle, in which the link has shown what is on.
+  if (head_->now == cycle_end_) recent_rises_.forget();
+  cycle_end_ = head_->now;
+}
+
+void Engine::show_on_request(std::span<const std::uint64_t> events) noexcept {
+  std::copy_n(events.begin(), std::min<std::size_t>(events.size(), tables_.event_bits / 64), on_request_);
 }
 
 void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept {
@@ -205,6 +214,7 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   const tables::Time cycle = head_->cycle;  // of this run, not of the one that was saved
   std::memmove(reinterpret_cast<std::byte*>(head_), block.data(), block.size());
   head_->cycle = cycle;
+  cycle_end_ = -1;
   for (const tables::BehaviourUnit& behaviour : tables_.behaviour_units) {  // custom behaviors are not in the block
     std::uint16_t& flags = units_[behaviour.unit].flags;
     flags &= static_cast<std::uint16_t>(~kBehaves);

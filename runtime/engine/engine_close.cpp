@@ -8,8 +8,10 @@ namespace symplant::engine {
 
 /// Events of a word that fall now and rose less than a cycle ago. Only in real time (`cycle` is not 0).
 std::uint64_t Engine::close_cycle(std::uint32_t word, std::uint64_t changed) noexcept {
-  const std::uint64_t risen = changed & events_.bits[word];
-  const std::uint64_t fallen = changed & ~risen;
+  pulses_.changed(word, changed);
+  const std::uint64_t examined = changed & ~on_request_[word];
+  const std::uint64_t risen = examined & events_.bits[word];
+  const std::uint64_t fallen = examined & ~risen;
   const std::uint64_t found = fallen == 0 ? 0 : recent_rises_.fell(word, fallen, head_->now, head_->cycle);
   if (risen != 0) recent_rises_.rose(word, risen, head_->now);
   return found;

@@ -67,6 +67,8 @@ void Engine::position(Arena& arena) noexcept {
   event_plane_ = {events_.bits, index_.inverted_events, event_words};
   event_changes_.take(arena, event_words);
   changed_event_slots_.take(arena, tables_.event_slots);
+  pulses_.take(arena, event_words);
+  on_request_ = arena.take<std::uint64_t>(event_words);
   findings_.take(arena);
   queue_ = arena.take<std::uint32_t>(tables_.units.size());
   queued_ = 0;
@@ -169,6 +171,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   head_->size = kept.size;
   head_->seed = seed;
   head_->cycle = cycle;
+  cycle_end_ = -1;
   head_->waits = kNotStarted | (malfunctions_.written() ? kMayChange : 0U);
   head_->wheel.clear();
   touched_.size = moved_.size = 0;

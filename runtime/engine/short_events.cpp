@@ -24,7 +24,8 @@ std::uint64_t ShortEvents::fell(std::uint32_t word, std::uint64_t bits, tables::
   for (std::uint32_t number = last_[word]; number != 0 && bits != 0;) {
     const std::uint32_t age = count_[0] - (number - 1);  // 1: the last one
     const Rise& rise = rises_[(number - 1) % capacity_];
-    if (age > capacity_ || rise.word != word || now - rise.time >= cycle) break;
+    const bool forgotten = age > count_[0] - count_[1];
+    if (age > capacity_ || forgotten || rise.word != word || now - rise.time >= cycle) break;
     found |= bits & rise.bits;
     bits &= ~rise.bits;  // an older rise of the same event is not this one
     number = rise.before;

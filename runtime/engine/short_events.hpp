@@ -17,6 +17,8 @@ class ShortEvents {
   void rose(std::uint32_t word, std::uint64_t bits, tables::Time now) noexcept;
   /// `bits` fall now; returns those that rose less than `cycle` ago. O(rises of that word within a cycle).
   std::uint64_t fell(std::uint32_t word, std::uint64_t bits, tables::Time now, tables::Time cycle) noexcept;
+  /// No rise so far counts any more. O(1).
+  void forget() noexcept { count_[1] = count_[0]; }
 
  private:
   struct Rise {
@@ -28,7 +30,7 @@ class ShortEvents {
 
   Rise* rises_;
   std::uint32_t* last_;     ///< of each word: number of its last rise, + 1; 0 if there is no such rise
-  std::uint32_t* count_;    ///< number of rises so far
+  std::uint32_t* count_;    ///< number of rises so far, and of those that are forgotten
   std::uint32_t capacity_;  ///< a power of two
 };
 

@@ -25,7 +25,7 @@ struct LinkError {
 struct LinkStatus {
   std::uint64_t requests = 0;  ///< answered requests, exceptions included
   std::uint64_t exceptions = 0;
-  std::uint64_t writes_to_gaps = 0;  ///< written addresses that no symbol uses
+  std::uint64_t writes_to_gaps = 0;  ///< written addresses that no symbol has, outside of the map's transfer range
   std::uint32_t connections = 0;     ///< open now
   std::uint64_t crowded_out = 0;     ///< clients closed because there was no room for all
   std::uint32_t losses = 0;          ///< how often the link was lost

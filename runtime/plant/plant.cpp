@@ -93,7 +93,11 @@ std::span<const std::uint32_t> Plant::changed_event_values() const noexcept {
   return engine_->changed_event_values().list.view();
 }
 
+std::uint64_t Plant::pulsed_events(std::uint32_t word) const noexcept { return engine_->pulsed_events(word); }
+
 void Plant::forget_changed_events() noexcept { engine_->forget_changed_events(); }
+
+void Plant::show_on_request(std::span<const std::uint64_t> events) noexcept { engine_->show_on_request(events); }
 
 UnitView Plant::unit(std::uint32_t unit) const noexcept {
   const engine::UnitState& state = engine_->unit(unit);

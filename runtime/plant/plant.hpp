@@ -178,7 +178,14 @@ class Plant {
   /// The slots of event_value() that changed since forget_changed_events(), each once, in no order; all after a reset
   /// or a restore.
   std::span<const std::uint32_t> changed_event_values() const noexcept;
+  /// In real time: the bits of a word of events() that changed in more than one instant since forget_changed_events().
+  std::uint64_t pulsed_events(std::uint32_t word) const noexcept;
+  /// To be called at the end of each cycle in real time: if plant time did not advance in a cycle, an event that is on
+  /// at its end is not *too short* any more. O(changes).
   void forget_changed_events() noexcept;
+  /// `events`, as events(), are shown by a link that knows what its PLC has read: in real time none of them is *too
+  /// short* within a cycle. Kept by reset() and restore(). Only between instants.
+  void show_on_request(std::span<const std::uint64_t> events) noexcept;
 
   UnitView unit(std::uint32_t unit) const noexcept;
   /// How long the cause of a transition from the unit's state must still hold before the unit leaves; kNever if the

@@ -20,7 +20,8 @@ constexpr std::uint32_t kRegisters = 40;
 /// Answers from a small memory, and checks that only what the answer reports is written.
 class Memory final : public Responder {
  public:
-  Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+  Answer respond(const ClientId& /*client*/, std::span<const std::uint8_t> request,
+                 std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
     const auto coils = coils_;
     const auto holding = holding_;
     const Answer answer =
@@ -39,7 +40,7 @@ class Memory final : public Responder {
     require(coils_.back() >> (kBits % kBitsPerWord) == 0, "bits behind the last coil changed");
     return answer;
   }
-  void refused() noexcept override {}
+  void refused(std::span<const std::uint8_t> /*request*/) noexcept override {}
 
  private:
   static bool is_reported(const Answer& answer, link::Table table, std::uint32_t index) {

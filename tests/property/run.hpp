@@ -242,7 +242,10 @@ class Run {
     const bool before = action.kind == Kind::advance_before;
     if (before && target == reference_.now()) return {};  // the action takes effect in the pending instant
     tables::Time reached = target;
-    for (reference::Plant* reference : references()) reference->clear_instants();
+    for (reference::Plant* reference : references()) {
+      reference->clear_instants();
+      reference->end_cycle();  // as engine_follows() does
+    }
     const int most = action.kind == Kind::run ? static_cast<int>(action.value) : kMostInstants;
     for (int i = 0;; ++i) {
       const tables::Time due = reference_.next_due();

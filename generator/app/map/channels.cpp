@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "symplant/link/transfer_range.hpp"
+
 namespace symplant::app {
 namespace {
 
@@ -16,7 +18,7 @@ bool has_bits(Table table) { return table == Table::coil || table == Table::disc
 void add_symbols(const link::IoMap& map, Table table, std::vector<Channel>& channels) {
   constexpr std::uint32_t kBitsOfByte = 8;
   bool open = false;
-  for (const link::IoPoint* const point : points_of(map, table)) {
+  for (const link::IoPoint* const point : link::points_of(map, table)) {
     if (!open || point->last() + 1 > channels.back().first + channel_limit(table)) {
       const std::uint32_t first = has_bits(table) ? point->number / kBitsOfByte * kBitsOfByte : point->number;
       channels.push_back({Channel::Part::symbols, table, first, 0});
@@ -54,16 +56,6 @@ std::string_view Channel::part_name() const {
 std::uint32_t channel_limit(Table table) {
   constexpr std::array<std::uint32_t, link::kTables> kLimits{1968, 2000, 123, 125};
   return kLimits[static_cast<std::size_t>(table)];
-}
-
-std::vector<const link::IoPoint*> points_of(const link::IoMap& map, Table table) {
-  std::vector<const link::IoPoint*> points;
-  for (const link::IoPoint& point : map.points) {
-    if (point.table == table) points.push_back(&point);
-  }
-  std::stable_sort(points.begin(), points.end(),
-                   [](const link::IoPoint* a, const link::IoPoint* b) { return a->number < b->number; });
-  return points;
 }
 
 std::vector<Channel> channels_of(const link::IoMap& map) {

@@ -34,7 +34,4 @@ std::uint32_t channel_limit(link::Table table);
 /// O(symbols log symbols).
 std::vector<Channel> channels_of(const link::IoMap& map);
 
-/// The points of a table, sorted by number. O(symbols log symbols).
-std::vector<const link::IoPoint*> points_of(const link::IoMap& map, link::Table table);
-
 }  // namespace symplant::app

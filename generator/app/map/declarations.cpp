@@ -7,6 +7,7 @@
 #include "app/map/placing.hpp"
 #include "app/map/variables.hpp"
 #include "read/types/data_types.hpp"
+#include "symplant/link/transfer_range.hpp"
 
 namespace symplant::app {
 namespace {

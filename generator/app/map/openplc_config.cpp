@@ -12,17 +12,16 @@
 
 #include "app/map/channels.hpp"
 #include "app/map/formats.hpp"
-#include "app/map/placing.hpp"
 #include "app/map/variables.hpp"
 #include "read/types/data_types.hpp"
 #include "symplant/link/net/host_port.hpp"
+#include "symplant/link/transfer_range.hpp"
 
 namespace symplant::app {
 namespace {
 
 using link::Table;
 
-constexpr std::uint32_t kMost = 400;   ///< bits or words of all devices
 constexpr std::uint32_t kFirst = 100;  ///< the byte or word of the first one
 constexpr std::uint32_t kByte = 8;
 constexpr std::string_view kServer = "modbus-tcp-server:";
@@ -36,19 +35,6 @@ struct Block {
 };
 
 bool holds_bits(Table table) { return table == Table::coil || table == Table::discrete_input; }
-
-/// The first number of a table's blocks, so that the symbols have the addresses that the list gives them; else 0, or
-/// the lowest number if 0 is too far below the last.
-std::uint32_t start_of(const LinkView& view, Table table, const std::vector<const link::IoPoint*>& points,
-                       std::uint32_t end, std::uint32_t room) {
-  const std::uint32_t base = kFirst * (holds_bits(table) ? kByte : 1);
-  const std::uint32_t lowest = points.front()->number;
-  const auto offset = listed_offset(view, points);
-  const std::int64_t start = offset ? base - *offset : -1;
-  if (start >= 0 && start <= lowest && end - start <= room) return static_cast<std::uint32_t>(start);
-  if (end <= room) return 0;
-  return holds_bits(table) ? lowest / kByte * kByte : lowest;
-}
 
 class OpenPlcConfig {
  public:
@@ -92,29 +78,20 @@ class OpenPlcConfig {
     return std::nullopt;
   }
 
-  /// The words of the status block or the watchdog, which have a block after the symbols.
-  std::uint32_t extra_of(Table table) const {
-    if (table == Table::input_register) return view_.map.status_block ? link::kStatusRegisters : 0;
-    return table == Table::holding_register && view_.map.watchdog ? 1 : 0;
-  }
-
   FormatFault make_blocks(Table table) {
     std::vector<Block>& blocks = blocks_[static_cast<std::size_t>(table)];
-    const auto points = points_of(view_.map, table);
-    const std::uint32_t extra = extra_of(table);
+    const std::uint32_t extra = link::extra_numbers(view_.map, table);
     std::uint32_t used = 0;
-    if (!points.empty()) {
-      std::uint32_t end = 0;
-      for (const link::IoPoint* const point : points) end = std::max(end, point->last() + 1);
-      const std::uint32_t start = start_of(view_, table, points, end, kMost - extra);
-      used = end - start;
-      if (used > kMost - extra) {
+    if (const auto range = link::openplc_range(view_.of->tables, view_.map, table)) {
+      used = range->count;
+      if (used > link::kMostOfOpenPlc - extra) {
         return fault(fmt::format(
             "OpenPLC has {} {}s of slave devices, and this map needs {}, from {} to {}{}: give the symbols other "
             "numbers in `links`",
-            kMost, link::table_name(table), used + extra, start, end - 1, extra == 0 ? "" : " and the status block"));
+            link::kMostOfOpenPlc, link::table_name(table), used + extra, range->first, range->end() - 1,
+            extra == 0 ? "" : " and the status block"));
       }
-      cut(points, start, end, channel_limit(table), blocks);
+      cut(points_of(view_.map, table), range->first, range->end(), channel_limit(table), blocks);
     }
     if (extra == 0) return std::nullopt;
     const std::uint32_t first = table == Table::input_register ? *view_.map.status_block : *view_.map.watchdog;
@@ -190,7 +167,7 @@ class OpenPlcConfig {
       for (const link::IoPoint* const point : points_of(view_.map, table)) {
         declare_point(out, *point, point->number - blocks.front().first);
       }
-      if (extra_of(table) == 0) continue;
+      if (link::extra_numbers(view_.map, table) == 0) continue;
       const std::uint32_t at = extra_at_[static_cast<std::size_t>(table)];
       if (table == Table::holding_register) {
         declare(out, names_.add("PLANT_WATCHDOG"), "UINT", table, at, "the program changes it in every cycle");

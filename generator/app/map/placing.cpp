@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "symplant/link/transfer_range.hpp"
+
 namespace symplant::app {
 namespace {
 
@@ -17,11 +19,11 @@ bool is_bits(const Channel& channel) {
 
 /// The address that the list gives to the channel's first number; nothing if it gives none, or its symbols disagree.
 std::optional<std::uint32_t> listed_address(const LinkView& view, const Channel& channel) {
-  std::vector<const link::IoPoint*> points = points_of(view.map, channel.table);
+  std::vector<const link::IoPoint*> points = link::points_of(view.map, channel.table);
   std::erase_if(points, [&](const link::IoPoint* point) {
     return point->number < channel.first || point->number >= channel.end();
   });
-  const auto offset = listed_offset(view, points);
+  const auto offset = link::listed_offset(view.of->tables, points);
   if (!offset || *offset + channel.first < 0) return std::nullopt;
   const std::int64_t first = *offset + channel.first;
   if (is_bits(channel) && first % kByteBits != 0) return std::nullopt;
@@ -94,19 +96,6 @@ class Placing {
 };
 
 }  // namespace
-
-std::optional<std::int64_t> listed_offset(const LinkView& view, std::span<const link::IoPoint* const> points) {
-  std::optional<std::int64_t> offset;
-  for (const link::IoPoint* const point : points) {
-    const tables::SymbolRow& symbol = view.of->tables.symbols[point->symbol];
-    const std::uint32_t own = link::is_8_bits(symbol.type()) ? tables::kNone : link::own_number(symbol);
-    if (own == tables::kNone) continue;
-    const std::int64_t this_offset = std::int64_t{own} - point->number;
-    if (offset && *offset != this_offset) return std::nullopt;
-    offset = this_offset;
-  }
-  return offset;
-}
 
 std::vector<PlacedChannel> place(const LinkView& view, IoMemory memory) { return Placing(view, memory).run(); }
 

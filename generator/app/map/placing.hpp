@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "app/map/channels.hpp"
@@ -24,10 +22,6 @@ enum class IoMemory : std::uint8_t {
   separate,  ///< the bits %IX0.0 to %IX1.7 are not the word %IW0
   overlaid,  ///< they are
 };
-
-/// How much the addresses that the list gives to these points, counted as numbers, are above their numbers on the link.
-/// Nothing if it gives none or if they differ. O(points).
-std::optional<std::int64_t> listed_offset(const LinkView& view, std::span<const link::IoPoint* const> points);
 
 /// A channel keeps the addresses that its symbols have in the list, if it can transfer all of them at once. Else its
 /// first number is its address; if that is taken, the channel follows the last one. No two channels overlap.

@@ -12,6 +12,7 @@
 #include "symplant/link/image/images.hpp"
 #include "symplant/link/modbus/server.hpp"
 #include "symplant/link/net/listener.hpp"
+#include "symplant/link/transfer_range.hpp"
 #include "symplant/tables/version.hpp"
 
 namespace symplant::link::doctor {
@@ -29,7 +30,7 @@ class Noting final : public modbus::Responder {
     for (std::size_t t = 0; t < kTables; ++t) touched_[t] = image::AddressSet(map.sizes[t]);
   }
 
-  modbus::Answer respond(std::span<const std::uint8_t> request,
+  modbus::Answer respond(const modbus::ClientId& /*client*/, std::span<const std::uint8_t> request,
                          std::span<std::uint8_t, modbus::kMaxPdu> reply) noexcept override {
     const modbus::Answer answer =
         modbus::answer_request(request, images_.tables(), {"symplant", plant_, tables::version()}, reply);
@@ -40,7 +41,7 @@ class Noting final : public modbus::Responder {
     if (answer.exception != modbus::Exception::none) ++exceptions[static_cast<std::size_t>(answer.exception)];
     return answer;
   }
-  void refused() noexcept override { ++requests; }
+  void refused(std::span<const std::uint8_t> /*request*/) noexcept override { ++requests; }
 
   const image::AddressSet& touched(Table table) const { return touched_[static_cast<std::size_t>(table)]; }
 
@@ -144,6 +145,10 @@ class ServerDoctor {
     if (map_.status_block)
       mapped[static_cast<std::size_t>(Table::input_register)].add(*map_.status_block, kStatusRegisters);
     if (map_.watchdog) mapped[static_cast<std::size_t>(Table::holding_register)].add(*map_.watchdog, 1);
+    for (std::size_t t = 0; t < kTables; ++t) {
+      const auto range = transfer_range(tables_, map_, static_cast<Table>(t));
+      if (range) mapped[t].add(range->first, range->count);
+    }
     step("map", untouched == 0 ? Result::good : Result::warning,
          std::to_string(map_.points.size() - untouched) + " of " + std::to_string(map_.points.size()) +
              " mapped symbols were read or written");

@@ -8,18 +8,31 @@
 
 namespace symplant::link::image {
 
+/// Calls `visit(word, mask)` for each word of a bit plane that has some of `count` bits from bit `first` on.
+template <class Visit>
+void for_words(std::uint32_t first, std::uint32_t count, Visit visit) noexcept {
+  constexpr std::uint32_t kBits = 64;
+  const std::uint32_t end = first + count;
+  while (first < end) {
+    const std::uint32_t low = first % kBits;
+    const std::uint32_t bits = kBits - low < end - first ? kBits - low : end - first;
+    visit(std::size_t{first / kBits}, (~std::uint64_t{0} >> (kBits - bits)) << low);
+    first += bits;
+  }
+}
+
 /// A set of addresses below a size. Only the constructor allocates; a range costs one step for each 64 addresses.
 class AddressSet {
  public:
-  explicit AddressSet(std::uint32_t size = 0) : words_((size + kBits - 1) / kBits) {}
+  explicit AddressSet(std::uint32_t size = 0) : words_((size + 63) / 64) {}
 
   void add(std::uint32_t first, std::uint32_t count) noexcept {
-    over(first, count, [this](std::size_t word, std::uint64_t mask) { words_[word] |= mask; });
+    for_words(first, count, [this](std::size_t word, std::uint64_t mask) { words_[word] |= mask; });
   }
   /// Returns the number of removed addresses.
   std::uint32_t remove(std::uint32_t first, std::uint32_t count) noexcept {
     std::uint32_t removed = 0;
-    over(first, count, [&](std::size_t word, std::uint64_t mask) {
+    for_words(first, count, [&](std::size_t word, std::uint64_t mask) {
       removed += static_cast<std::uint32_t>(std::popcount(words_[word] & mask));
       words_[word] &= ~mask;
     });
@@ -27,14 +40,14 @@ class AddressSet {
   }
   std::uint32_t count(std::uint32_t first, std::uint32_t count) const noexcept {
     std::uint32_t there = 0;
-    over(first, count, [&](std::size_t word, std::uint64_t mask) {
+    for_words(first, count, [&](std::size_t word, std::uint64_t mask) {
       there += static_cast<std::uint32_t>(std::popcount(words_[word] & mask));
     });
     return there;
   }
   bool has_any(std::uint32_t first, std::uint32_t count) const noexcept {
     bool any = false;
-    over(first, count, [&](std::size_t word, std::uint64_t mask) { any = any || (words_[word] & mask) != 0; });
+    for_words(first, count, [&](std::size_t word, std::uint64_t mask) { any = any || (words_[word] & mask) != 0; });
     return any;
   }
   std::uint32_t size() const noexcept {
@@ -48,19 +61,6 @@ class AddressSet {
   }
 
  private:
-  static constexpr std::uint32_t kBits = 64;
-
-  template <class Visit>
-  static void over(std::uint32_t first, std::uint32_t count, Visit visit) noexcept {
-    const std::uint32_t end = first + count;
-    while (first < end) {
-      const std::uint32_t low = first % kBits;
-      const std::uint32_t bits = kBits - low < end - first ? kBits - low : end - first;
-      visit(first / kBits, (~std::uint64_t{0} >> (kBits - bits)) << low);
-      first += bits;
-    }
-  }
-
   std::vector<std::uint64_t> words_;
 };
 

@@ -6,15 +6,16 @@
 namespace symplant::link::image {
 
 CycleSide::CycleSide(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings,
-                     const plant::Plant* plant)
+                     const plant::Plant* plant, RequestWatch* watch)
     : freezes_(settings.plant_on_loss == PlantOnLoss::freeze),
       health_(map.watchdog ? settings.watchdog_within : settings.loss_after, settings.resync),
-      images_(tables, map, settings.word_order) {
+      images_(tables, map, settings.word_order, watch) {
   status_.map_hash = map_hash(tables, map);
   if (plant != nullptr) images_.write_events(*plant, {.map_hash = status_.map_hash});
 }
 
 bool CycleSide::read_operations(plant::Plant& plant, tables::Time now, std::uint64_t signs) noexcept {
+  now_ = now;
   images_.take_operations();
   const bool heard = std::exchange(signs_, signs) != signs;
   const Verdict verdict = health_.look(now, heard, images_.is_complete(health_.losses()));
@@ -29,7 +30,7 @@ void CycleSide::write_events(const plant::Plant& plant, const exec::CycleStatus&
   status_.overruns = status.overruns;
   status_.live = status.live;
   status_.state = plant_state(health_.state(), status.frozen, false);
-  images_.write_events(plant, status_);
+  images_.write_events(plant, status_, now_);
 }
 
 void CycleSide::leave() noexcept {

@@ -17,9 +17,9 @@ namespace symplant::link::image {
 /// other thread may be used by that.
 class CycleSide {
  public:
-  /// If `plant` is given, the images have its events at once.
+  /// If `plant` is given, the images have its events at once. `watch` as for Images.
   CycleSide(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings,
-            const plant::Plant* plant);
+            const plant::Plant* plant, RequestWatch* watch = nullptr);
 
   /// Takes the operations of the other thread and applies them as the link's health allows. `signs` counts the signs of
   /// life of the PLC; it must be read before the call. Returns true if the link is lost from this cycle on.
@@ -37,6 +37,7 @@ class CycleSide {
   bool freezes_;
   LinkHealth health_;
   std::uint64_t signs_ = 0;  ///< at the last call of read_operations()
+  tables::Time now_ = 0;     ///< of that call
   StatusBlock status_;
   Images images_;
 };

@@ -6,20 +6,23 @@
 #include <numeric>
 #include <utility>
 
+#include "symplant/link/transfer_range.hpp"
+
 namespace symplant::link::image {
 
 namespace {
 
 constexpr std::uint32_t kPlaneWordBits = 64;
 
-// Words after the tables of operations: the losses seen, and whether all is written again.
+// Words after the tables of operations: the losses seen, whether all is written again, and the number of the image.
 constexpr std::size_t kLossesSeen = 0;
 constexpr std::size_t kRewritten = 1;
-constexpr std::size_t kControlWords = 2;
+constexpr std::size_t kImage = 2;
+constexpr std::size_t kControlWords = 3;
 
 std::vector<std::uint64_t> with_control_words(std::vector<std::uint64_t> image) {
   image.resize(image.size() + kControlWords);
-  image.back() = 1;  // nothing is awaited
+  image[image.size() - kControlWords + kRewritten] = 1;  // nothing is awaited
   return image;
 }
 
@@ -59,7 +62,7 @@ Images::ByAddress Images::by_address(const IoMap& map, Table table) {
   return result;
 }
 
-Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder word_order)
+Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder word_order, RequestWatch* watch)
     : tables_(tables),
       points_(map.points),
       sizes_(map.sizes),
@@ -78,6 +81,7 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
       events_written_(tables.event_bits / kPlaneWordBits, 0),
       point_of_slot_(tables.event_slots, tables::kNone),
       rewriting_(size_of(map, Table::coil), size_of(map, Table::holding_register)),
+      watch_(watch),
       operations_(with_control_words(applied_)),
       events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
   std::vector<bool> seen(size_of(map, Table::input_register));
@@ -90,6 +94,12 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
   for (std::size_t table = 0; table < kTables; ++table) mapped_[table] = AddressSet(map.sizes[table]);
   for (const IoPoint& point : points_) mapped_[static_cast<std::size_t>(point.table)].add(point.number, point.width);
   if (watchdog_) mapped_[static_cast<std::size_t>(Table::holding_register)].add(*watchdog_, 1);
+  for (const Table table : {Table::coil, Table::holding_register}) {
+    AddressSet& used = used_[static_cast<std::size_t>(table)];
+    used = mapped_[static_cast<std::size_t>(table)];
+    if (const auto range = transfer_range(tables, map, table)) used.add(range->first, range->count);
+  }
+  if (watch_ != nullptr) watch_->writes.changed(written_coils(), written_registers());
 }
 
 /// A word of the image after a loss: operations whose policy is zero are without a command. Numbers go to 0.
@@ -196,7 +206,9 @@ void Images::read_operations(plant::Plant& plant) noexcept {
 }
 
 void Images::take_operations() noexcept {
-  if (operations_.update()) behind_ = true;
+  if (!operations_.update()) return;
+  behind_ = true;
+  if (watch_ != nullptr) watch_->found.took(operations_.latest()[applied_.size() + kImage]);
 }
 
 bool Images::is_complete(std::uint32_t losses) const noexcept {
@@ -222,9 +234,20 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
     const std::uint32_t address = address_of_event_[word * kPlaneWordBits + bit];
-    if (address == tables::kNone) continue;
-    set_bit(events_.words(), address, (bits >> bit & 1) != 0);
+    const bool on = (bits >> bit & 1) != 0;
+    if (address == tables::kNone || get_bit(events_.words(), address) == on) continue;
+    set_bit(events_.words(), address, on);
     events_.touch(address / kBitsPerWord);
+    if (watch_ != nullptr) watch_->missed.changed(address, on);
+  }
+}
+
+/// `pulsed`: bits of the plant's word that changed more than once since the last image.
+void Images::watch_pulses(std::uint32_t word, std::uint64_t pulsed) noexcept {
+  for (; pulsed != 0; pulsed &= pulsed - 1) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(pulsed));
+    const std::uint32_t address = address_of_event_[word * kPlaneWordBits + bit];
+    if (address != tables::kNone) watch_->missed.pulsed(address, get_bit(events_.words(), address));
   }
 }
 
@@ -252,18 +275,23 @@ void Images::write_status(const StatusBlock& status) noexcept {
   events_.publish();
 }
 
-void Images::write_events(const plant::Plant& plant, const StatusBlock& status) noexcept {
+void Images::write_events(const plant::Plant& plant, const StatusBlock& status, tables::Time now) noexcept {
   const auto bits = plant.events();
+  if (watch_ != nullptr) watch_->missed.begin_image(now);
   if (first_write_) {
     for (std::uint32_t word = 0; word < events_written_.size(); ++word) write_event_word(word, bits[word]);
     for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot)
       write_input_register(slot, plant.event_value(slot));
     first_write_ = false;
   } else {
-    for (const std::uint32_t word : plant.changed_events()) write_event_word(word, bits[word]);
+    for (const std::uint32_t word : plant.changed_events()) {
+      write_event_word(word, bits[word]);
+      if (watch_ != nullptr) watch_pulses(word, plant.pulsed_events(word));
+    }
     for (const std::uint32_t slot : plant.changed_event_values()) write_input_register(slot, plant.event_value(slot));
   }
   write_status(status);
+  if (watch_ != nullptr) watch_->missed.end_image();
 }
 
 Tables Images::tables() noexcept {
@@ -278,6 +306,7 @@ Tables Images::tables() noexcept {
 }
 
 void Images::begin_request(std::uint32_t losses) noexcept {
+  if (watch_ != nullptr) watch_->reads.begin();
   if (losses == losses_seen_) return;
   losses_seen_ = losses;
   rewriting_.begin(mapped_[static_cast<std::size_t>(Table::coil)],
@@ -289,6 +318,7 @@ void Images::begin_request(std::uint32_t losses) noexcept {
     words[word] = now;
     operations_.touch(word);
   }
+  if (watch_ != nullptr) watch_->writes.changed(written_coils(), written_registers());
   hand_over();
 }
 
@@ -297,12 +327,12 @@ void Images::hand_over() noexcept {
   const auto control = operations_.words().subspan(applied_.size());
   control[kLossesSeen] = losses_seen_;
   control[kRewritten] = rewriting_.complete() ? 1 : 0;
-  operations_.touch(applied_.size() + kLossesSeen);
-  operations_.touch(applied_.size() + kRewritten);
+  control[kImage] = ++image_;
+  for (std::size_t word = 0; word < kControlWords; ++word) operations_.touch(applied_.size() + word);
   operations_.publish();
 }
 
-std::uint32_t Images::written(Table table, std::uint32_t first, std::uint32_t count) noexcept {
+std::uint32_t Images::written(Table table, std::uint32_t first, std::uint32_t count, const ClientId& client) noexcept {
   if (count == 0) return 0;
   const bool coils = table == Table::coil;
   const std::size_t base = coils ? 0 : coil_words_;
@@ -310,8 +340,21 @@ std::uint32_t Images::written(Table table, std::uint32_t first, std::uint32_t co
   const std::uint32_t last = first + count - 1;
   for (std::uint32_t word = first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
   rewriting_.wrote(coils, first, count);
+  if (watch_ != nullptr) {
+    OperationWrites& writes = watch_->writes;
+    coils ? writes.wrote_coils(client, first, count, written_coils(), image_ + 1)
+          : writes.wrote_registers(client, first, count, written_registers(), image_ + 1);
+  }
   hand_over();
-  return count - mapped_[static_cast<std::size_t>(table)].count(first, count);
+  return count - used_[static_cast<std::size_t>(table)].count(first, count);
+}
+
+void Images::end_request(Table table, std::uint32_t first, std::uint32_t count) noexcept {
+  if (watch_ == nullptr) return;
+  if (count != 0 && table == Table::discrete_input) {
+    watch_->reads.read(events_.latest().first(discrete_words_), first, count);
+  }
+  watch_->reads.end();
 }
 
 void Images::written_all() noexcept {
@@ -325,7 +368,7 @@ bool Images::changed_watchdog(Table table, std::uint32_t first, std::uint32_t co
   const bool written =
       watchdog_ && table == Table::holding_register && first <= *watchdog_ && *watchdog_ < first + count;
   if (!written) return false;
-  const std::uint16_t value = get_register(operations_.words().subspan(coil_words_), *watchdog_);
+  const std::uint16_t value = get_register(written_registers(), *watchdog_);
   return std::exchange(watchdog_value_, value) != value;
 }
 

@@ -9,6 +9,7 @@
 
 #include "symplant/link/image/address_set.hpp"
 #include "symplant/link/image/numbers.hpp"
+#include "symplant/link/image/request_watch.hpp"
 #include "symplant/link/image/rewriting.hpp"
 #include "symplant/link/image/status_block.hpp"
 #include "symplant/link/image/table_view.hpp"
@@ -22,16 +23,17 @@ namespace symplant::link::image {
 /// at a time in each direction. At the start operations are off and numbers have their initial values.
 class Images {
  public:
-  /// `word_order`: of the status block.
-  Images(const tables::PlantTables& tables, const IoMap& map, WordOrder word_order = WordOrder::high_first);
+  /// `word_order`: of the status block. `watch`, if it is not null, gets all reads and writes and must outlive this.
+  Images(const tables::PlantTables& tables, const IoMap& map, WordOrder word_order = WordOrder::high_first,
+         RequestWatch* watch = nullptr);
 
   // --- the cycle's thread
 
   /// Applies the operations that changed since the last call to the plant. O(image) if there is a newer image, else
   /// O(1).
   void read_operations(plant::Plant& plant) noexcept;
-  /// Publishes the plant's changed events (all of them at the first call) and the status.
-  void write_events(const plant::Plant& plant, const StatusBlock& status = {}) noexcept;
+  /// Publishes the plant's changed events (all of them at the first call) and the status. `now`: for the watch.
+  void write_events(const plant::Plant& plant, const StatusBlock& status = {}, tables::Time now = 0) noexcept;
 
   // The parts of read_operations(), for a link that may be lost.
 
@@ -55,8 +57,10 @@ class Images {
   /// PLC writes them again. O(1); O(image) after a loss.
   void begin_request(std::uint32_t losses) noexcept;
   /// To be called after each request was answered: publishes what it wrote. Returns the number of written addresses
-  /// that neither a symbol nor the watchdog uses.
-  std::uint32_t written(Table table, std::uint32_t first, std::uint32_t count) noexcept;
+  /// that are not used: neither a symbol nor the watchdog has them, nor are they in a gap of the transfer range.
+  std::uint32_t written(Table table, std::uint32_t first, std::uint32_t count, const ClientId& client = {}) noexcept;
+  /// To be called last for each request, with what it read.
+  void end_request(Table table, std::uint32_t first, std::uint32_t count) noexcept;
   /// To be called instead of written() when all coils and holding registers were written: publishes them at once.
   /// O(image).
   void written_all() noexcept;
@@ -82,11 +86,17 @@ class Images {
   NumberLayout number_layout(const IoPoint& point) const noexcept;
   std::uint64_t released(std::size_t word, std::uint64_t bits) const noexcept;
   std::vector<std::uint64_t> zero_masks() const;
+  /// The tables as clients have written them.
+  std::span<const std::uint64_t> written_coils() noexcept { return operations_.words().first(coil_words_); }
+  std::span<const std::uint64_t> written_registers() noexcept {
+    return operations_.words().subspan(coil_words_, applied_.size() - coil_words_);
+  }
   void hand_over() noexcept;
   void change_operations(plant::Plant& plant, std::span<const std::uint64_t> image) noexcept;
   void apply_coils(plant::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
   void apply_registers(plant::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept;
   void write_event_word(std::uint32_t word, std::uint64_t bits) noexcept;
+  void watch_pulses(std::uint32_t word, std::uint64_t pulsed) noexcept;
   void write_input_register(std::uint32_t slot, std::uint64_t value) noexcept;
 
   const tables::PlantTables& tables_;
@@ -102,6 +112,7 @@ class Images {
   std::vector<std::uint64_t> zeroed_;            ///< bits that go to zero when the link is lost
   std::vector<std::uint64_t> scratch_;           ///< memory of zero_operations()
   std::array<AddressSet, kTables> mapped_;       ///< addresses of symbols and of the watchdog
+  std::array<AddressSet, kTables> used_;         ///< of coils and holding registers: mapped, or in the transfer range
   std::optional<std::uint32_t> status_block_;
   std::optional<std::uint32_t> watchdog_;
   WordOrder word_order_;
@@ -111,8 +122,10 @@ class Images {
   bool behind_ = false;  ///< the taken image may differ from the operations of the plant
   Rewriting rewriting_;  ///< used by the server's thread
   std::uint32_t losses_seen_ = 0;
+  std::uint64_t image_ = 0;  ///< number of the published image of operations
   std::uint16_t watchdog_value_ = 0;
-  share::SharedWords operations_;  ///< server -> cycle: the tables, the losses seen, whether all is rewritten
+  RequestWatch* watch_;            ///< null: none
+  share::SharedWords operations_;  ///< server -> cycle: the tables, the losses seen, whether all is rewritten, image_
   share::SharedWords events_;      ///< cycle -> server
 };
 

@@ -47,10 +47,10 @@ void Connection::answer(const Frame& frame, Responder& responder) {
   ++requests_;
   Answer result;
   if (queued_.size() < kMaxInFlight) {
-    result = responder.respond(frame.pdu, reply);
+    result = responder.respond(client_, frame.pdu, reply);
   } else {
     result = refuse_request(frame.pdu, Exception::server_device_busy, reply);
-    responder.refused();
+    responder.refused(frame.pdu);
   }
   if (result.size == 0) return;
   write_header(frame, result.size, header);

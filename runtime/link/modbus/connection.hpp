@@ -8,16 +8,22 @@
 #include <span>
 #include <vector>
 
+#include "symplant/link/image/operation_writes.hpp"
 #include "symplant/link/modbus/framing.hpp"
 
 namespace symplant::link::modbus {
 
+using image::ClientId;
+
 /// Answers the PDU of a request from the server's tables.
 class Responder {
  public:
-  virtual Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept = 0;
-  /// A request was rejected without being parsed.
-  virtual void refused() noexcept = 0;
+  virtual Answer respond(const ClientId& client, std::span<const std::uint8_t> request,
+                         std::span<std::uint8_t, kMaxPdu> reply) noexcept = 0;
+  /// A request was rejected with exception 06, without being parsed.
+  virtual void refused(std::span<const std::uint8_t> request) noexcept = 0;
+  /// A client's connection is closed.
+  virtual void left(const ClientId& /*client*/) noexcept {}
 
  protected:
   ~Responder() = default;
@@ -45,6 +51,8 @@ class Connection {
 
   enum class State { open, closed };
 
+  explicit Connection(const ClientId& client = {}) noexcept : client_(client) {}
+
   /// Buffer for received bytes; empty while the connection takes no more.
   std::span<std::uint8_t> room() noexcept;
   /// Takes `count` bytes put into room(), answers complete requests and sends what the peer takes.
@@ -56,6 +64,7 @@ class Connection {
   /// Whether received bytes wait: for the rest of their frame, or until answers have been sent.
   bool holds_part_of_frame() const noexcept { return in_size_ != 0; }
   std::uint64_t requests() const noexcept { return requests_; }
+  const ClientId& client() const noexcept { return client_; }
 
  private:
   State work(Responder& responder, Sink& sink);
@@ -64,6 +73,7 @@ class Connection {
 
   static constexpr std::size_t kRoom = 16 * kMaxFrame;
 
+  ClientId client_;
   std::array<std::uint8_t, kRoom> in_{};
   std::size_t in_size_ = 0;
   std::vector<std::uint8_t> out_;

@@ -66,6 +66,8 @@ void watch(int epoll, int operation, int fd, std::uint32_t events) {
 }  // namespace
 
 struct Server::Client {
+  explicit Client(const ClientId& id) : connection(id) {}
+
   net::Descriptor socket;
   Connection connection;
   std::uint64_t last_use = 0;
@@ -166,7 +168,7 @@ void Server::add_client(net::Descriptor socket) {
   event.events = EPOLLIN;
   event.data.fd = fd;
   if (::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event) != 0) return;
-  auto client = std::make_unique<Client>();
+  auto client = std::make_unique<Client>(ClientId{++accepted_, net::peer_ipv4(fd)});
   client->socket = std::move(socket);
   client->last_use = ++uses_;
   client->last_request = now_;
@@ -230,11 +232,14 @@ bool Server::rearm(Client& client) {
 }
 
 void Server::close_client(int fd) {
-  clients_.erase(fd);
+  const auto client = clients_.find(fd);
+  responder_.left(client->second->connection.client());
+  clients_.erase(client);
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
 }
 
 void Server::close_all() {
+  for (const auto& [fd, client] : clients_) responder_.left(client->connection.client());
   clients_.clear();
   open_.store(0, std::memory_order_relaxed);
 }

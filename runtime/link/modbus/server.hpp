@@ -72,6 +72,7 @@ class Server {
   net::Descriptor epoll_;
   net::Descriptor wake_;                            ///< an eventfd, written once to end the thread
   std::map<int, std::unique_ptr<Client>> clients_;  ///< by descriptor
+  std::uint32_t accepted_ = 0;                      ///< number of clients accepted so far
   std::uint64_t uses_ = 0;                          ///< counts accepts and requests, to find the client used last
   tables::Time now_ = 0;                            ///< steady clock at the latest events
   tables::Time next_sweep_ = 0;                     ///< time of the next search for overdue clients

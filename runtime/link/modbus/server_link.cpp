@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "symplant/link/image/cycle_side.hpp"
+#include "symplant/link/image/request_watch.hpp"
+#include "symplant/link/modbus/refusals.hpp"
 #include "symplant/link/modbus/server.hpp"
 #include "symplant/link/net/listener.hpp"
 #include "symplant/tables/version.hpp"
@@ -20,33 +22,38 @@ constexpr std::string_view kScheme = "modbus-tcp-server";
 class ImageResponder final : public Responder {
  public:
   /// If the map has a watchdog, only a change of its register is a sign of life.
-  ImageResponder(image::Images& images, const Identity& identity, const IoMap& map) noexcept
+  ImageResponder(image::Images& images, image::RequestWatch& watch, const Identity& identity, const IoMap& map) noexcept
       : images_(images),
+        watch_(watch),
         identity_(identity),
         watched_(map.watchdog.has_value()),
         state_register_(map.status_block ? *map.status_block + image::kStateField : kNowhere) {}
 
-  Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+  Answer respond(const ClientId& client, std::span<const std::uint8_t> request,
+                 std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
     const bool left =
         left_.load(std::memory_order_acquire);  // read before the image, which then has the stopping state
     images_.begin_request(losses_.load(std::memory_order_relaxed));
     const Answer answer = answer_request(request, images_.tables(), identity_, reply);
-    const std::uint32_t gaps = images_.written(answer.written, answer.first, answer.count);
+    const std::uint32_t gaps = images_.written(answer.written, answer.first, answer.count, client);
     // After written(), so that a cycle that sees the count also sees the data.
     if (watched_ ? images_.changed_watchdog(answer.written, answer.first, answer.count) : touches_map(answer)) {
       heard_.fetch_add(1, std::memory_order_release);
     }
     if (reads_state(answer)) (left ? end_read_ : state_read_).store(true, std::memory_order_relaxed);
     if (answer.size != 0) add(requests_, 1);
-    if (answer.exception != Exception::none) add(exceptions_, 1);
+    if (answer.exception != Exception::none) refuse(request, answer.exception);
     if (gaps != 0) add(gaps_, gaps);
+    images_.end_request(answer.read, answer.read_first, answer.read_count);
     return answer;
   }
 
-  void refused() noexcept override {
+  void refused(std::span<const std::uint8_t> request) noexcept override {
     add(requests_, 1);
-    add(exceptions_, 1);
+    if (!request.empty()) refuse(request, Exception::server_device_busy);
   }
+
+  void left(const ClientId& client) noexcept override { watch_.writes.left(client); }
 
   /// Number of signs of life: requests that touched the map or changed the watchdog. Any thread.
   std::uint64_t heard() const noexcept { return heard_.load(std::memory_order_acquire); }
@@ -71,6 +78,12 @@ class ImageResponder final : public Responder {
   using Count = std::atomic<std::uint64_t>;
   static void add(Count& count, std::uint64_t more) noexcept { count.fetch_add(more, std::memory_order_relaxed); }
 
+  void refuse(std::span<const std::uint8_t> request, Exception exception) noexcept {
+    add(exceptions_, 1);
+    const auto refusal = refusals_.add(request, exception);
+    if (refusal) watch_.found.add({tables::FindingKind::request_refused, tables::kNone, pack(*refusal)});
+  }
+
   bool touches_map(const Answer& answer) const noexcept {
     return (answer.count != 0 && images_.is_mapped(answer.written, answer.first, answer.count)) ||
            (answer.read_count != 0 && images_.is_mapped(answer.read, answer.read_first, answer.read_count));
@@ -82,6 +95,8 @@ class ImageResponder final : public Responder {
   }
 
   image::Images& images_;
+  image::RequestWatch& watch_;
+  Refusals refusals_;
   Identity identity_;
   bool watched_;
   std::uint32_t state_register_;
@@ -100,8 +115,9 @@ class ServerLink final : public Link {
   ServerLink(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings, net::Listener listener,
              const plant::Plant* plant)
       : bound_(std::move(listener.bound)),
-        cycle_(tables, map, settings, plant),
-        responder_(cycle_.images(), {"symplant", tables.name, tables::version()}, map),
+        watch_(map),
+        cycle_(tables, map, settings, plant, &watch_),
+        responder_(cycle_.images(), watch_, {"symplant", tables.name, tables::version()}, map),
         server_(std::move(listener.socket), responder_, options_of(settings)) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + net::format_host_port(bound_); }
@@ -117,6 +133,16 @@ class ServerLink final : public Link {
   void leave() noexcept override {
     cycle_.leave();
     responder_.left();
+  }
+
+  std::optional<LinkFinding> take_finding() noexcept override {
+    using tables::FindingKind;
+    while (const std::optional<LinkFinding> finding = watch_.take()) {
+      // Without a PLC nothing is missed.
+      const bool missed = finding->kind == FindingKind::not_read || finding->kind == FindingKind::not_sampled;
+      if (!missed || state() == exec::LinkState::live) return finding;
+    }
+    return std::nullopt;
   }
 
   void cut(bool on) noexcept override { server_.cut(on); }
@@ -138,6 +164,7 @@ class ServerLink final : public Link {
   }
 
   net::HostPort bound_;
+  image::RequestWatch watch_;
   image::CycleSide cycle_;
   ImageResponder responder_;
   Server server_;  // last member: its thread ends before what it uses is destroyed

@@ -1,12 +1,15 @@
 // The other end of an accepted TCP connection.
 #include "symplant/link/net/peer.hpp"
 
+#include <arpa/inet.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <string_view>
 
 namespace symplant::link::net {
@@ -45,6 +48,24 @@ std::string peer_address(int socket) {
   constexpr std::string_view kMapped = "::ffff:";
   const std::string_view shown = text.data();
   return std::string(shown.substr(0, kMapped.size()) == kMapped ? shown.substr(kMapped.size()) : shown);
+}
+
+std::uint32_t peer_ipv4(int socket) noexcept {
+  sockaddr_storage storage{};
+  socklen_t size = sizeof storage;
+  if (::getpeername(socket, reinterpret_cast<sockaddr*>(&storage), &size) != 0) return 0;
+  if (storage.ss_family == AF_INET) {
+    sockaddr_in address{};
+    std::memcpy(&address, &storage, sizeof address);
+    return ntohl(address.sin_addr.s_addr);
+  }
+  sockaddr_in6 address{};
+  std::memcpy(&address, &storage, sizeof address);
+  if (storage.ss_family != AF_INET6 || IN6_IS_ADDR_V4MAPPED(&address.sin6_addr) == 0) return 0;
+  constexpr std::size_t kMappedAt = 12;
+  std::uint32_t ipv4 = 0;
+  std::memcpy(&ipv4, &address.sin6_addr.s6_addr[kMappedAt], sizeof ipv4);
+  return ntohl(ipv4);
 }
 
 }  // namespace symplant::link::net

@@ -1,6 +1,7 @@
 // The other end of an accepted TCP connection.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace symplant::link::net {
@@ -11,5 +12,9 @@ void prepare_peer(int socket) noexcept;
 
 /// The numeric address of the peer, an IPv4 address also if it is mapped to IPv6; empty if the peer is gone.
 std::string peer_address(int socket);
+
+/// The same as a number, the first of its four bytes in the highest bits; 0 if it is no IPv4 address, or the peer is
+/// gone.
+std::uint32_t peer_ipv4(int socket) noexcept;
 
 }  // namespace symplant::link::net

@@ -127,6 +127,7 @@ void Plant::reset(std::uint64_t seed, Time cycle) {
   world_ = first_world(*rules_);
   world_.seed = seed;
   world_.cycle = cycle;
+  cycle_ended_ = -1;
   reset_malfunctions(*rules_, world_);
   const World old = as_shown(world_);
   InstantNotes notes = empty_notes(*rules_);
@@ -139,6 +140,13 @@ void Plant::reset(std::uint64_t seed, Time cycle) {
     behaviour->started(view);
   }
   instants_.clear();
+}
+
+void Plant::end_cycle() {
+  if (cycle_ended_ == world_.time) {
+    for (SymbolWorld& symbol : world_.symbols) symbol.rose = SymbolWorld().rose;
+  }
+  cycle_ended_ = world_.time;
 }
 
 void Plant::set_operation(std::uint32_t symbol, std::uint64_t value) {
@@ -285,6 +293,7 @@ void Plant::restore(const World& world) {
   const Time cycle = world_.cycle;  // of this run, not of the one that was saved
   world_ = world;
   world_.cycle = cycle;
+  cycle_ended_ = -1;
   world_.material.by_hand.clear();  // changes that no instant has reported are not part of a save
   world_.malfunctions.by_hand.clear();
   ++counters[Counted::restored];

@@ -62,6 +62,9 @@ class Plant {
   std::string difference_from_model() const;
 
   void reset(std::uint64_t seed = 0, Time cycle = 0);
+  /// In real time: the link shows the PLC what is on. If plant time did not advance since the last call, this is a
+  /// whole cycle in which the PLC sees it.
+  void end_cycle();
 
   void set_operation(std::uint32_t symbol, std::uint64_t value);
   bool set_input(std::uint32_t symbol, std::uint64_t value);
@@ -100,6 +103,7 @@ class Plant {
   const model::PlantModel& model_;
   std::unique_ptr<Rules> rules_;
   World world_;
+  Time cycle_ended_ = -1;  ///< the time of the last end_cycle(); -1: none since a reset or restore
   std::vector<InstantRecord> instants_;
 };
 

@@ -25,6 +25,14 @@ TEST_CASE("An event shorter than a cycle is short, one of a whole cycle is not")
   CHECK(record.events.fell(1, 0b10, 110, 10) == 0);
 }
 
+TEST_CASE("A forgotten rise is not short, one after it is") {
+  Record record(1);
+  record.events.rose(0, 0b01, 100);
+  record.events.forget();
+  record.events.rose(0, 0b10, 101);
+  CHECK(record.events.fell(0, 0b11, 102, 10) == 0b10);
+}
+
 TEST_CASE("Events of other words, and events that never rose, are not short") {
   Record record(2);
   record.events.rose(0, 0b11, 100);

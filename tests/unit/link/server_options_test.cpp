@@ -22,11 +22,12 @@ const Bytes kAsked = {3, 1, 2};
 /// Answers every request with its own bytes.
 class Echo final : public Responder {
  public:
-  Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+  Answer respond(const ClientId& /*client*/, std::span<const std::uint8_t> request,
+                 std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
     std::copy(request.begin(), request.end(), reply.begin());
     return {.size = request.size()};
   }
-  void refused() noexcept override {}
+  void refused(std::span<const std::uint8_t> /*request*/) noexcept override {}
 };
 
 struct EchoServer {

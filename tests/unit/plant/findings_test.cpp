@@ -1,4 +1,7 @@
 // How findings reach the reader, loops, and short events within a cycle.
+#include <cstdint>
+#include <vector>
+
 #include "support/plant_bench.hpp"
 
 namespace symplant::test {
@@ -184,6 +187,54 @@ TEST_CASE("An event shorter than a cycle is reported, one of a whole cycle is no
   plant.plant.reset(0, 10 * kMs + 1);
   plant.to(0).set("MC_O_RUN2", 1).to(100).to(200);
   CHECK(plant.findings() == "110:short MC_I_RUN2");
+}
+
+TEST_CASE("In real time an event that is on while plant time does not advance is not too short") {
+  BenchPlant plant(quick_machine());
+  plant.plant.reset(0, 20 * kMs);
+  const auto cycle = [&](tables::Time milliseconds) {
+    plant.to(milliseconds);
+    plant.plant.forget_changed_events();
+  };
+  cycle(0);
+  plant.set("MC_O_RUN2", 1);
+  cycle(100);
+  cycle(100);  // the link has shown RUN2 for a whole cycle
+  cycle(200);
+  CHECK(plant.findings() == "");
+}
+
+TEST_CASE("In real time an event that a link shows on request is too short only within an instant") {
+  BenchPlant plant(quick_machine());
+  plant.plant.reset(0, 20 * kMs);
+  plant.plant.show_on_request(std::vector<std::uint64_t>(plant.plant.events().size(), ~std::uint64_t{0}));
+  plant.to(0).set("MC_O_RUN2", 1).to(100).to(200);
+  CHECK(plant.findings() == "");
+
+  const BenchTables tables(
+      {"MC_I_IDLE1", "MC_O_RUN2", "MC_I_RUN2"},
+      Reported().on_command("MC", "IDLE1", "RUN2", fixed(0)).by_itself("MC", "RUN2", "IDLE1", fixed(0)));
+  BenchPlant flickering(tables);
+  flickering.plant.reset(0, 20 * kMs);
+  flickering.plant.show_on_request(std::vector<std::uint64_t>(flickering.plant.events().size(), ~std::uint64_t{0}));
+  flickering.to(0).set("MC_O_RUN2", 1).to(100);
+  CHECK(flickering.findings() == "100:short MC_I_IDLE1 100:short MC_I_RUN2");
+}
+
+TEST_CASE("In real time the events that changed in more than one instant of a cycle are known at its end") {
+  const BenchTables& tables = quick_machine();
+  BenchPlant plant(tables);
+  plant.plant.reset(0, 20 * kMs);
+  const std::uint32_t bit = tables.rows.symbols[tables.symbol("MC_I_RUN2")].index;
+  const auto pulsed = [&] { return (plant.plant.pulsed_events(bit / 64) >> (bit % 64) & 1) != 0; };
+  plant.to(0);
+  plant.plant.forget_changed_events();
+  plant.set("MC_O_RUN2", 1).to(100);
+  CHECK_FALSE(pulsed());
+  plant.to(200);
+  CHECK(pulsed());
+  plant.plant.forget_changed_events();
+  CHECK_FALSE(pulsed());
 }
 
 TEST_CASE("In virtual time no event seen between two instants is too short") {
