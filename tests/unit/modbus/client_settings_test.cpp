@@ -63,6 +63,10 @@ TEST_CASE("Every parameter of a modbus-tcp URL sets its value") {
   CHECK(read.timeout == 500 * tables::kMillisecond);
 }
 
+TEST_CASE("By default an answer is late before the link is lost") {
+  CHECK(ClientSettings().timeout < link::LinkSettings().loss_after);
+}
+
 TEST_CASE("Areas that cannot be written or have no registers are rejected with those that fit") {
   CHECK_THAT(client_settings_fault("events=discrete-inputs"),
              Contains("`events=discrete-inputs`") && Contains("here the area may be coils, holding-registers"));
@@ -78,6 +82,7 @@ TEST_CASE("Invalid values of a modbus-tcp URL say what to write") {
   CHECK_THAT(client_settings_fault("poll=0s"), Contains("write a time such as"));
   CHECK_THAT(client_settings_fault("bit-order=first"), Contains("low-first, high-first"));
   CHECK_THAT(client_settings_fault("at-end=off"), Contains("keep, zero"));
+  CHECK_THAT(client_settings_fault("bytes=low-first"), Contains("normal, swapped"));
   CHECK_THAT(client_settings_fault("unit=1&unit=2"), Contains("`unit` is set twice"));
   CHECK_THAT(client_settings_fault("unit"), Contains("write KEY=VALUE"));
 }
