@@ -7,7 +7,15 @@ namespace symplant::emit {
 namespace {
 
 std::string_view word_order(link::WordOrder order) {
-  return order == link::WordOrder::low_first ? "link::WordOrder::low_first" : "link::WordOrder::high_first";
+  switch (order) {
+    case link::WordOrder::low_first:
+      return "link::WordOrder::low_first";
+    case link::WordOrder::high_first:
+      return "link::WordOrder::high_first";
+    case link::WordOrder::as_link:
+      break;
+  }
+  return "link::WordOrder::as_link";
 }
 
 std::string_view on_loss(link::OnLoss what) {
@@ -57,6 +65,7 @@ void settings_row(RowWriter& rows, std::size_t controller, const model::Controll
   Members members(rows);
   if (!link.rows.empty()) members.next("rows").text("links::kLinkRows").number(controller);
   if (set.word_order != none.word_order) members.next("word_order").text(word_order(set.word_order));
+  if (set.word_order_given) members.next("word_order_given").text("true");
   if (set.on_loss != none.on_loss) members.next("on_loss").text(on_loss(set.on_loss));
   if (set.plant_on_loss != none.plant_on_loss) {
     members.next("plant_on_loss").text("link::PlantOnLoss::freeze");

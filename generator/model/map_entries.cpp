@@ -74,10 +74,10 @@ class LinkResolver {
     for (std::size_t i = 0; i < link_.map.size(); ++i) understand(link_.map[i], description::Pointer(pointer_) / i);
     std::stable_sort(meant_.begin(), meant_.end(), [](const Meant& a, const Meant& b) { return a.rank > b.rank; });
     std::vector<link::MapRow> rows;
-    for (const std::uint32_t symbol : symbols_) rows.push_back(row_of(symbol, result.link));
+    for (const std::uint32_t symbol : symbols_) rows.push_back(row_of(symbol));
     join_addresses(rows);
     for (const link::MapRow& row : rows) {
-      const bool differs = row.word_order != result.link.word_order || row.on_loss != link::OnLoss::as_link;
+      const bool differs = row.word_order != link::WordOrder::as_link || row.on_loss != link::OnLoss::as_link;
       if (differs || row.number != link::MapRow::kDefault) result.rows.push_back(row);
     }
     for (const Meant& meant : meant_) warn_of(meant);
@@ -224,10 +224,10 @@ class LinkResolver {
     }
   }
 
-  link::MapRow row_of(std::uint32_t index, const link::LinkSettings& settings) {
+  link::MapRow row_of(std::uint32_t index) {
     const Symbol& symbol = plant_.symbols[index];
     Chosen<std::uint32_t> number{link::MapRow::kDefault};
-    Chosen<link::WordOrder> word_order{settings.word_order};
+    Chosen<link::WordOrder> word_order{link::WordOrder::as_link};
     Chosen<link::OnLoss> on_loss{link::OnLoss::as_link};
     for (Meant& meant : meant_) {
       if (!matches(meant, symbol)) continue;
@@ -311,6 +311,7 @@ void resolve_links(PlantModel& plant, const std::vector<const description::LinkD
     result.link.word_order = low ? link::WordOrder::low_first : link::WordOrder::high_first;
     if (links[c] == nullptr) continue;
     result.link.word_order = links[c]->word_order.value_or(result.link.word_order);
+    result.link.word_order_given = links[c]->word_order.has_value();
     result.link.clock.symbol = resolve_clock(plant, c, *links[c], faults);
     result.keep.assign(links[c]->keep.begin(), links[c]->keep.end());
     if (!links[c]->map.empty()) LinkResolver(plant, c, *links[c], faults).run(result);

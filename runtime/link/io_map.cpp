@@ -63,7 +63,7 @@ class MapMaker {
     const MapRow* const end = next + settings_.rows.size();
     for (std::uint32_t index = 0; index < tables_.symbols.size(); ++index) {
       const bool is_set = next != end && next->symbol == index;
-      const MapRow row = is_set ? *next++ : MapRow{index, MapRow::kDefault, settings_.word_order};
+      const MapRow row = is_set ? *next++ : MapRow{.symbol = index};
       if (tables::controller_of(tables_, index) != controller_) continue;
       const tables::SymbolRow& symbol = tables_.symbols[index];
       const bool given = row.number != MapRow::kDefault;
@@ -75,7 +75,8 @@ class MapMaker {
         const std::uint32_t number = given ? row.number : own_number(symbol);
         if (number == tables::kNone) map_.packed[static_cast<std::size_t>(table_of(symbol))] = true;
         const OnLoss on_loss = row.on_loss == OnLoss::as_link ? settings_.on_loss : row.on_loss;
-        carried_.push_back({index, number, given, row.word_order, on_loss});
+        const WordOrder order = row.word_order == WordOrder::as_link ? settings_.word_order : row.word_order;
+        carried_.push_back({index, number, given, order, on_loss});
       }
     }
     for (Carried& carried : carried_) {

@@ -21,7 +21,11 @@ enum class Table : std::uint8_t {
 inline constexpr std::size_t kTables = 4;
 
 /// Which register of a number with more than 16 bits comes first.
-enum class WordOrder : std::uint8_t { low_first, high_first };
+enum class WordOrder : std::uint8_t {
+  low_first,
+  high_first,
+  as_link,  ///< only for a symbol: the order of its link
+};
 
 /// What operations do while their link is lost.
 enum class OnLoss : std::uint8_t {
@@ -39,7 +43,7 @@ struct MapRow {
 
   std::uint32_t symbol = 0;         ///< in PlantTables::symbols
   std::uint32_t number = kDefault;  ///< protocol address, counted from 0; kDefault: as in the default map
-  WordOrder word_order = WordOrder::low_first;
+  WordOrder word_order = WordOrder::as_link;
   OnLoss on_loss = OnLoss::as_link;
 };
 
@@ -60,6 +64,8 @@ struct ClockSettings {
 struct LinkSettings {
   std::span<const MapRow> rows = {};  ///< symbols whose settings differ from the link's, in ascending order
   WordOrder word_order = WordOrder::high_first;
+  bool word_order_given =
+      false;  ///< by the user; else it is that of the symbol list, and a protocol may have its order
   OnLoss on_loss = OnLoss::hold;
   PlantOnLoss plant_on_loss = PlantOnLoss::run;
   std::array<std::uint32_t, kTables> sizes = {};   ///< addresses of each table; 0: as many as the map needs

@@ -7,7 +7,9 @@
 #include <array>
 #include <iterator>
 
+#include "symplant/link/client_refusal.hpp"
 #include "symplant/tables/malfunction_numbers.hpp"
+#include "symplant/tables/refusal.hpp"
 #include "symplant/trace/requirement_units.hpp"
 
 namespace symplant::trace {
@@ -170,6 +172,23 @@ std::string of_link(const FoundThing& found, const PlantNames& names) {
   return fmt::format("link lost: {}, {}", link.name, link.silence);
 }
 
+/// Whether it is of a request that a link to a PLC sent.
+bool is_of_client(std::uint64_t refusal) {
+  return tables::unpack_refusal(refusal).side != tables::Refusal::Side::modbus_server;
+}
+
+std::string of_client_refusal(const FoundThing& found, const PlantNames& names) {
+  return fmt::format("request refused: {}, the PLC refused {}", names.link(found.of.front()).name,
+                     link::client_refusal_text(tables::unpack_refusal(found.value)));
+}
+
+std::string of_left_out(const FoundThing& found, const PlantNames& names) {
+  return fmt::format(
+      "symbol left out: {}, the PLC refuses it again and again, so that its link goes on without it and "
+      "tries again at most every 30 s; it refused {}",
+      symbol_words(found.of.front(), names), link::client_refusal_text(tables::unpack_refusal(found.value)));
+}
+
 /// The part that cannot move, and the one that leaves it no room.
 std::string of_transfer(const FoundThing& found, const PlantNames& names, const History& history) {
   const tables::TransferRow& row = names.tables().material.transfers[found.of.front()];
@@ -269,6 +288,8 @@ std::string since_words(tables::Time changed) { return changed == 0 ? "since the
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history) {
   if (found.kind == FindingKind::requirement_violated) return requirement_words(found.of.front(), names);
   if (found.kind == FindingKind::part_blocked) return of_transfer(found, names, history);
+  if (found.kind == FindingKind::request_refused && is_of_client(found.value)) return of_client_refusal(found, names);
+  if (found.kind == FindingKind::symbol_left_out) return of_left_out(found, names);
   if (is_of_link(found.kind)) return of_link(found, names);
   if (found.kind == FindingKind::standstill) return of_standstill(found);
   if (found.kind == FindingKind::event_too_short) return of_event(found, names, history);

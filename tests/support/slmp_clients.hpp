@@ -97,7 +97,7 @@ class PlannedClient {
   bool exchange() {
     const auto size = [&](std::size_t table) { return parts_.map.sizes[table]; };
     link::image::Tables tables{{words_[0], size(0)}, {words_[1], size(1)}, {words_[2], size(2)}, {words_[3], size(3)}};
-    return !parts_.dialog->read(tables) && !parts_.dialog->write(changes_) && parts_.dialog->rejected() == 0;
+    return !parts_.dialog->read(tables, 0) && !parts_.dialog->write(changes_, unwritten_) && unwritten_.empty();
   }
 
  private:
@@ -121,6 +121,7 @@ class PlannedClient {
   link::client::ClientParts parts_;
   std::array<std::vector<std::uint64_t>, link::kTables> words_;
   std::vector<link::client::LaneChange> changes_;
+  std::vector<link::client::Unwritten> unwritten_;
 };
 
 /// What a client transfers that has one batch request in units of bits for each span.
@@ -156,9 +157,7 @@ inline BitSpans run_spans(const BitMap& map, const SlmpFamily& family) {
 class SpanClient {
  public:
   SpanClient(BitSpans spans, const SlmpFamily& family, std::uint16_t port)
-      : spans_(std::move(spans)),
-        ones_(kBitDevices, 1),
-        exchange_({"127.0.0.1", port}, link::net::Transport::tcp, {.family = family.client}, 2 * tables::kSecond) {
+      : spans_(std::move(spans)), ones_(kBitDevices, 1), exchange_(settings_of(family, port)) {
     if (auto fault = exchange_.open()) throw std::runtime_error(fault.message);
   }
 
@@ -182,6 +181,12 @@ class SpanClient {
   }
 
  private:
+  static link::slmp::Settings settings_of(const SlmpFamily& family, std::uint16_t port) {
+    link::slmp::Settings settings;
+    settings.address = {"127.0.0.1", port};
+    settings.framing.family = family.client;
+    return settings;
+  }
   link::slmp::RequestWriter& begin(link::slmp::Command command, const link::slmp::Span& span) {
     link::slmp::RequestWriter& request = exchange_.begin(command, true);
     request.put_device(span.kind, span.first);

@@ -48,11 +48,7 @@ class ClientLink final : public Link {
   }
   void cut(bool on) noexcept override { poller_.cut(on); }
   exec::LinkState state() const noexcept override { return cycle_.state(); }
-  std::optional<LinkFinding> take_finding() noexcept override {
-    const std::uint32_t event = poller_.take_overwritten();
-    if (event == tables::kNone) return std::nullopt;
-    return LinkFinding{tables::FindingKind::event_overwritten, event};
-  }
+  std::optional<LinkFinding> take_finding() noexcept override { return poller_.take_finding(); }
   bool freezes_plant() const noexcept override { return cycle_.freezes_plant(); }
 
   LinkStatus status() const noexcept override { return poller_.status(); }

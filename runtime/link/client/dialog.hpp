@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "symplant/link/client/retry.hpp"
 #include "symplant/link/image/table_view.hpp"
 #include "symplant/link/link_settings.hpp"
+#include "symplant/tables/refusal.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::link::client {
 
@@ -40,6 +43,33 @@ struct LaneChange {
   std::uint16_t value = 0;
 };
 
+inline constexpr std::uint32_t kLaneBits = 16;
+
+/// Whether both name a common bit of the same lane.
+inline bool meet(const LaneChange& one, const LaneChange& other) {
+  return one.lane == other.lane && (one.mask & other.mask) != 0;
+}
+
+/// A request that the PLC did not do.
+struct Rejection {
+  Answer answer = Answer::refused;  ///< or busy
+  tables::Refusal refusal;
+  std::string message;  ///< what the PLC refuses, why, and what to do
+};
+
+/// Bits of a lane that the PLC did not take, and why.
+struct Unwritten {
+  LaneChange change;
+  Answer answer = Answer::refused;  ///< or busy
+  tables::Refusal refusal = {};
+};
+
+/// Bits of a lane of operations that are left out, since the PLC refuses for good to read them.
+struct LeftOut {
+  LaneChange lanes;  ///< without a value
+  tables::Refusal refusal;
+};
+
 /// Whether the PLC is the one that the link was configured for.
 struct Identity {
   enum class Kind : std::uint8_t {
@@ -68,18 +98,28 @@ class Dialog {
   virtual Identity identify(Fault& fault) = 0;
 
   /// Reads all mapped operations into the coils and holding registers. A fault of the transport leaves some unread. If
-  /// the PLC rejects a request, the others follow; it is not sent again until retry_rejected(). If it rejects all, so
-  /// is the result.
-  virtual Fault read(image::Tables& tables) = 0;
-  /// Writes the changes, which are in ascending order of lanes and within the map. Rejected ones count as written.
-  virtual Fault write(std::span<const LaneChange> changes) = 0;
-  /// Reads what the PLC holds where events are written, into words laid out as the images.
-  virtual Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) = 0;
+  /// the PLC refuses a request, the others follow, and it is sent again as Retry and RequestList say; `now` is the time
+  /// of the pass, in ns. The result is `rejected` if the PLC refused all, or if it is still to be found out which
+  /// symbols it refuses.
+  virtual Fault read(image::Tables& tables, tables::Time now) = 0;
+  /// Writes the changes, which are in ascending order of lanes and within the map. Adds those that the PLC did not take
+  /// to `unwritten`.
+  virtual Fault write(std::span<const LaneChange> changes, std::vector<Unwritten>& unwritten) = 0;
+  /// Reads what the PLC holds where events are written, into words laid out as the images; otherwise as read().
+  virtual Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
+                          tables::Time now) = 0;
 
-  /// Sends rejected requests again from now on, if the PLC may accept them without a new connection.
+  /// All refused requests to read are due now.
   virtual void retry_rejected() noexcept = 0;
-  /// A message for each rejected request since the last call.
-  virtual std::vector<std::string> take_rejections() = 0;
+  /// Whether the next calls of read() and read_back() still find out which symbols the PLC refuses.
+  virtual bool is_dividing() const noexcept = 0;
+  /// The requests that were refused since the last call; repetitions of refused readings only once.
+  virtual std::vector<Rejection> take_rejections() = 0;
+  /// What has been left out since the last call.
+  virtual std::vector<LeftOut> take_left_out() = 0;
+  /// Which functions of the protocol the link needs, and which of them the PLC has as far as it was asked; empty if all
+  /// PLCs have the same.
+  virtual std::string functions() const { return {}; }
 
   /// Ends the current call and all later ones. Any thread.
   virtual void interrupt() noexcept = 0;

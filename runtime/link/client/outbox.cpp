@@ -33,6 +33,7 @@ Outbox::Outbox(const IoMap& map) {
     side.mapped.resize(bits ? image::bit_words(size) : image::register_words(size));
     side.confirmed.resize(side.mapped.size());
     side.known.resize(side.mapped.size());
+    side.held.resize(side.mapped.size());
     for (const IoPoint& point : map.points) {
       if (point.table != side.table) continue;
       if (bits) image::set_bit(side.mapped, point.number, true);
@@ -48,6 +49,27 @@ Outbox::Outbox(const IoMap& map) {
 
 void Outbox::forget() noexcept {
   for (Side& side : sides_) std::fill(side.known.begin(), side.known.end(), 0);
+}
+
+void Outbox::restart() noexcept {
+  forget();
+  for (Side& side : sides_) std::fill(side.held.begin(), side.held.end(), 0);
+}
+
+void Outbox::hold(std::span<const LaneChange> lanes) noexcept {
+  for (const LaneChange& change : lanes) {
+    Side& side = side_of(change.lane);
+    const std::uint32_t held = image::get_register(side.held, change.lane.number) | change.mask;
+    image::set_register(side.held, change.lane.number, static_cast<std::uint16_t>(held));
+  }
+}
+
+void Outbox::release(std::span<const LaneChange> lanes) noexcept {
+  for (const LaneChange& change : lanes) {
+    Side& side = side_of(change.lane);
+    const std::uint32_t held = image::get_register(side.held, change.lane.number) & ~std::uint32_t{change.mask};
+    image::set_register(side.held, change.lane.number, static_cast<std::uint16_t>(held));
+  }
 }
 
 Outbox::Side& Outbox::side_of(const Lane& lane) noexcept { return sides_[lane.table == Table::discrete_input ? 0 : 1]; }
@@ -66,7 +88,8 @@ std::span<const LaneChange> Outbox::changes(const image::Tables& events) {
     const auto words =
         side.table == Table::discrete_input ? events.discrete_inputs.words : events.input_registers.words;
     for (std::size_t word = 0; word < side.mapped.size(); ++word) {
-      const std::uint64_t differs = side.mapped[word] & ((words[word] ^ side.confirmed[word]) | ~side.known[word]);
+      const std::uint64_t free = side.mapped[word] & ~side.held[word];
+      const std::uint64_t differs = free & ((words[word] ^ side.confirmed[word]) | ~side.known[word]);
       add_lanes(changes_, side.table, word, differs, words[word]);
     }
   }

@@ -20,6 +20,11 @@ class Outbox {
 
   /// From now on everything mapped is a change, until it is confirmed.
   void forget() noexcept;
+  /// These lanes' bits are no changes until release() or restart().
+  void hold(std::span<const LaneChange> lanes) noexcept;
+  void release(std::span<const LaneChange> lanes) noexcept;
+  /// Forgets what was confirmed and held.
+  void restart() noexcept;
   /// These lanes' bits are changes again.
   void forget(std::span<const LaneChange> lanes) noexcept;
   /// All lanes whose mapped bits differ from what was confirmed last, in ascending order. Valid until the next call.
@@ -31,12 +36,13 @@ class Outbox {
                                       std::span<const std::uint64_t> input_registers) const;
 
  private:
-  /// A table: its mapped bits, what was confirmed of them, and which of them were.
+  /// A table: its mapped bits, what was confirmed of them, and which of them were; and those that are held.
   struct Side {
     Table table = Table::discrete_input;
     std::vector<std::uint64_t> mapped;
     std::vector<std::uint64_t> confirmed;
     std::vector<std::uint64_t> known;
+    std::vector<std::uint64_t> held;
   };
 
   Side& side_of(const Lane& lane) noexcept;

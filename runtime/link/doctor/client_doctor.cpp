@@ -41,6 +41,10 @@ std::string count_text(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+tables::Time steady_now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
 std::string milliseconds(steady_clock::duration time) {
   const auto tenths = std::chrono::duration_cast<std::chrono::microseconds>(time).count() / 100;
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " ms";
@@ -58,6 +62,7 @@ class ClientDoctor {
     if (connect() && identify() && read_twice()) {
       watch();
       test_writing();
+      report_functions();
     }
     parts_.dialog->close();
     for (const char* name : {"connection", "identity", "reading", "watching", "write test"}) skip(name);
@@ -135,15 +140,21 @@ class ClientDoctor {
     return true;
   }
 
+  /// Until it is known which symbols the PLC refuses.
   Fault read(Image& operations, Image& events) {
+    constexpr int kMostReadings = 1000;
     image::Tables tables;
     tables.coils.words = operations.bits;
     tables.holding_registers.words = operations.registers;
-    parts_.dialog->retry_rejected();
-    Fault fault = parts_.dialog->read(tables);
-    if (fault && fault.kind != Fault::Kind::rejected) return fault;
-    fault = parts_.dialog->read_back(events.bits, events.registers);
-    return fault.kind == Fault::Kind::rejected ? Fault() : fault;
+    for (int reading = 0; reading < kMostReadings; ++reading) {
+      const tables::Time now = steady_now();
+      Fault fault = parts_.dialog->read(tables, now);
+      if (fault && fault.kind != Fault::Kind::rejected) return fault;
+      fault = parts_.dialog->read_back(events.bits, events.registers, now);
+      if (fault && fault.kind != Fault::Kind::rejected) return fault;
+      if (!parts_.dialog->is_dividing()) break;
+    }
+    return {};
   }
 
   std::uint64_t value_of(std::size_t i, const Image& operations, const Image& events) const {
@@ -184,9 +195,9 @@ class ClientDoctor {
         unread_[i] = unread_[i] && keeps(i, operations, events, ones);
         report_.points[i].value = value_of(i, operations, events);
       }
-      for (std::string& message : parts_.dialog->take_rejections()) {
-        if (std::find(rejections.begin(), rejections.end(), message) == rejections.end()) {
-          rejections.push_back(std::move(message));
+      for (client::Rejection& rejection : parts_.dialog->take_rejections()) {
+        if (std::find(rejections.begin(), rejections.end(), rejection.message) == rejections.end()) {
+          rejections.push_back(std::move(rejection.message));
         }
       }
     }
@@ -288,13 +299,13 @@ class ClientDoctor {
     if (wrong_plc_) return step("write test", Result::skipped, "not run: this is another PLC");
     Image before(parts_.map, Table::discrete_input, Table::input_register, 0);
     Image after(parts_.map, Table::discrete_input, Table::input_register, 0);
-    Fault fault = parts_.dialog->read_back(before.bits, before.registers);
+    Fault fault = parts_.dialog->read_back(before.bits, before.registers, steady_now());
     if (fault || !parts_.dialog->take_rejections().empty()) {
       return step("write test", Result::bad, "not run: the events were not readable any more");
     }
-    fault = parts_.dialog->write(changes_from(before, true));
+    fault = write(changes_from(before, true));
     std::this_thread::sleep_for(kBetweenLooks);  // the PLC refreshes its inputs meanwhile
-    if (!fault) fault = parts_.dialog->read_back(after.bits, after.registers);
+    if (!fault) fault = parts_.dialog->read_back(after.bits, after.registers, steady_now());
     const Fault restored = restore(before);
     if (fault || restored) {
       return step("write test", Result::bad,
@@ -304,13 +315,27 @@ class ClientDoctor {
     report_writing(before, after);
   }
 
+  /// What the PLC refuses is found by reading back; what it was too busy for is written again.
+  Fault write(std::vector<LaneChange> changes) {
+    constexpr int kMostTimes = 5;
+    for (int time = 0; time < kMostTimes && !changes.empty(); ++time) {
+      std::vector<client::Unwritten> unwritten;
+      if (Fault fault = parts_.dialog->write(changes, unwritten)) return fault;
+      changes.clear();
+      for (const client::Unwritten& one : unwritten) {
+        if (one.answer == client::Answer::busy) changes.push_back(one.change);
+      }
+    }
+    return {};
+  }
+
   /// Writes what was there, by a new connection if the old one is lost.
   Fault restore(const Image& before) {
-    Fault fault = parts_.dialog->write(changes_from(before, false));
+    Fault fault = write(changes_from(before, false));
     if (!fault) return fault;
     parts_.dialog->close();
     fault = parts_.dialog->open();
-    return fault ? fault : parts_.dialog->write(changes_from(before, false));
+    return fault ? fault : write(changes_from(before, false));
   }
 
   void report_writing(const Image& before, const Image& after) {
@@ -325,8 +350,14 @@ class ClientDoctor {
           "written, but the PLC keeps its own value: choose another strategy for events");
     }
     std::string text = count_text(all - lost, "event") + " of " + std::to_string(all) + " written and restored";
-    for (const std::string& message : parts_.dialog->take_rejections()) text += "; " + message;
+    for (const client::Rejection& rejection : parts_.dialog->take_rejections()) text += "; " + rejection.message;
     step("write test", lost == 0 ? Result::good : Result::bad, text);
+  }
+
+  /// Last, since what was asked for is known then.
+  void report_functions() {
+    std::string text = parts_.dialog->functions();
+    if (!text.empty()) step("functions", Result::good, std::move(text));
   }
 
   client::ClientParts parts_;

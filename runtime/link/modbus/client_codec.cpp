@@ -16,6 +16,13 @@ constexpr std::uint8_t kDeviceIdentification = 14;
 constexpr std::uint8_t kExceptionBit = 0x80;
 constexpr std::size_t kBitsPerByte = 8;
 
+/// What a request of kind write_one has on the wire instead of a count.
+std::uint16_t wire_value(const ClientRequest& request) noexcept {
+  constexpr std::uint16_t kOn = 0xFF00;
+  if (!has_bits(request.area)) return request.value;
+  return request.value != 0 ? kOn : 0;
+}
+
 std::size_t data_bytes(const ClientRequest& request) noexcept {
   if (!has_bits(request.area)) return std::size_t{2} * request.count;
   return (request.count + kBitsPerByte - 1) / kBitsPerByte;
@@ -30,15 +37,34 @@ std::size_t put_header(const ClientHeader& header, const ClientRequest& request,
   return kMbapHeader + size;
 }
 
+/// What a PLC that answers a request with exception 01 lacks, and what to do.
+std::string without_function(const ClientRequest& request) {
+  const bool bits = has_bits(request.area);
+  switch (request.kind) {
+    case ClientRequest::Kind::write_one:
+      return std::string("supports neither function ") + (bits ? "15 nor 5" : "16 nor 6") +
+             " for this area; choose another area in the URL";
+    case ClientRequest::Kind::write:
+      return "does not support function 16, and function 6 writes one register, so that its program could read a half "
+             "of this number; use a number of 16 bits, or another PLC";
+    default:
+      return "does not support function " + std::to_string(function_of(request)) +
+             " for this area; choose another area in the URL";
+  }
+}
+
 ClientReply broken(const char* reason) noexcept { return {.kind = ClientReply::Kind::broken, .reason = reason}; }
 
 }  // namespace
 
 std::uint8_t function_of(const ClientRequest& request) noexcept {
+  constexpr std::uint8_t kWriteCoil = 5;
+  constexpr std::uint8_t kWriteRegister = 6;
   constexpr std::uint8_t kWriteCoils = 15;
   constexpr std::uint8_t kWriteRegisters = 16;
   if (request.kind == ClientRequest::Kind::identify) return kIdentify;
   if (request.kind == ClientRequest::Kind::write) return has_bits(request.area) ? kWriteCoils : kWriteRegisters;
+  if (request.kind == ClientRequest::Kind::write_one) return has_bits(request.area) ? kWriteCoil : kWriteRegister;
   constexpr std::array<std::uint8_t, kAreas> kReads = {1, 2, 3, 4};
   return kReads[static_cast<std::size_t>(request.area)];
 }
@@ -52,7 +78,7 @@ std::size_t encode_request(const ClientHeader& header, const ClientRequest& requ
     return put_header(header, request, 4, frame);
   }
   put_field(pdu, 1, request.first);
-  put_field(pdu, 3, request.count);
+  put_field(pdu, 3, request.kind == ClientRequest::Kind::write_one ? wire_value(request) : request.count);
   return put_header(header, request, 5, frame);
 }
 
@@ -97,9 +123,10 @@ ClientReply parse_client_reply(std::span<const std::uint8_t> bytes, const Client
     return reply;
   }
   if (pdu[0] != function) return broken("it is to another function");
-  if (request.kind == ClientRequest::Kind::write) {
-    const bool same = pdu.size() == 5 && field(pdu, 1) == request.first && field(pdu, 3) == request.count;
-    return same ? reply : broken("it confirms other addresses than those written");
+  if (request.kind == ClientRequest::Kind::write || request.kind == ClientRequest::Kind::write_one) {
+    const std::uint16_t repeated = request.kind == ClientRequest::Kind::write ? request.count : wire_value(request);
+    const bool same = pdu.size() == 5 && field(pdu, 1) == request.first && field(pdu, 3) == repeated;
+    return same ? reply : broken("it confirms other addresses or another value than those written");
   }
   if (request.kind == ClientRequest::Kind::identify) {
     if (pdu.size() < 7 || pdu[1] != kDeviceIdentification) return broken("it is not a device identification");
@@ -128,8 +155,7 @@ std::string exception_text(std::uint8_t code, const ClientRequest& request) {
   const std::string function = std::to_string(function_of(request));
   switch (code) {
     case 1:
-      return "exception 01 (illegal function): the PLC does not support function " + function +
-             " for this area; choose another area in the URL";
+      return "exception 01 (illegal function): the PLC " + without_function(request);
     case 2:
       return "exception 02 (illegal data address): the PLC does not have all of these addresses; correct the offset in "
              "the URL or the numbers in `links`, or enlarge the area in the PLC";
@@ -154,6 +180,25 @@ std::string exception_text(std::uint8_t code, const ClientRequest& request) {
     default:
       return "exception " + std::to_string(code) + ": not one of the standard, see the manual of the PLC";
   }
+}
+
+std::string refusal_text(const tables::Refusal& refusal) {
+  using Kind = ClientRequest::Kind;
+  constexpr std::array kRequests = {ClientRequest{Kind::read, Area::coils},
+                                    ClientRequest{Kind::read, Area::discrete_inputs},
+                                    ClientRequest{Kind::read, Area::holding_registers},
+                                    ClientRequest{Kind::read, Area::input_registers},
+                                    ClientRequest{Kind::write, Area::coils},
+                                    ClientRequest{Kind::write, Area::holding_registers},
+                                    ClientRequest{Kind::write_one, Area::coils},
+                                    ClientRequest{Kind::write_one, Area::holding_registers}};
+  const auto* const found = std::find_if(kRequests.begin(), kRequests.end(), [&](const ClientRequest& request) {
+    return function_of(request) == refusal.function;
+  });
+  const ClientRequest request = found == kRequests.end() ? ClientRequest{Kind::identify} : *found;
+  return "function " + std::to_string(refusal.function) + (request.kind == Kind::read ? " (read " : " (write ") +
+         area_name(request.area) + "s) from " + std::to_string(refusal.address) +
+         " on: " + exception_text(static_cast<std::uint8_t>(refusal.code), request);
 }
 
 std::string identification_text(std::span<const std::uint8_t> data) {

@@ -8,6 +8,7 @@
 
 #include "symplant/link/modbus/client_settings.hpp"
 #include "symplant/link/modbus/framing.hpp"
+#include "symplant/tables/refusal.hpp"
 
 namespace symplant::link::modbus {
 
@@ -18,10 +19,16 @@ inline constexpr std::uint32_t kMostRegistersWritten = 123;
 
 /// What a request asks for, and what its reply is compared with.
 struct ClientRequest {
-  enum class Kind : std::uint8_t { read, write, identify } kind = Kind::read;
+  enum class Kind : std::uint8_t {
+    read,
+    write,      ///< several values, by function 15 or 16
+    write_one,  ///< by function 5 or 6
+    identify,
+  } kind = Kind::read;
   Area area = Area::coils;
   std::uint16_t first = 0;
-  std::uint16_t count = 0;
+  std::uint16_t count = 0;  ///< 1 of kind write_one
+  std::uint16_t value = 0;  ///< of kind write_one; 0 or 1 for a coil
 };
 
 /// The header's fields that a reply repeats.
@@ -32,10 +39,10 @@ struct ClientHeader {
 
 using FrameBuffer = std::span<std::uint8_t, kMaxFrame>;
 
-/// Function 1 to 4, 15, 16 or 43.
+/// Function 1 to 6, 15, 16 or 43.
 std::uint8_t function_of(const ClientRequest& request) noexcept;
 
-/// Writes the frame of a request of kind read or identify; returns its size.
+/// Writes the frame of a request of another kind than write; returns its size.
 std::size_t encode_request(const ClientHeader& header, const ClientRequest& request, FrameBuffer frame) noexcept;
 /// Writes the frame of a request of kind write; returns its size. `values` are as many as the request's count, and 0 or
 /// 1 for coils. O(values).
@@ -66,6 +73,9 @@ void copy_bits(std::span<const std::uint8_t> data, std::uint32_t count, std::spa
 
 /// "exception 02 (illegal data address): ..." and what to do.
 std::string exception_text(std::uint8_t code, const ClientRequest& request);
+
+/// "function 15 (write coils) from 800 on: exception 02 (...): ..."; the side is modbus_client.
+std::string refusal_text(const tables::Refusal& refusal);
 
 /// Vendor, product and revision of a reply to function 43, in printable ASCII; empty if the reply has none.
 std::string identification_text(std::span<const std::uint8_t> data);

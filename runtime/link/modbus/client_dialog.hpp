@@ -4,12 +4,14 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
+#include "symplant/link/client/request_list.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/modbus/client_exchange.hpp"
 #include "symplant/link/modbus/client_plan.hpp"
@@ -29,31 +31,39 @@ class ModbusDialog final : public client::Dialog {
   void close() noexcept override { exchange_.close(); }
   /// Modbus has nothing to compare: always unverifiable. Reads the operations and what is to be written, once.
   client::Identity identify(client::Fault& fault) override;
-  client::Fault read(image::Tables& tables) override;
-  client::Fault write(std::span<const client::LaneChange> changes) override;
-  client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) override;
+  client::Fault read(image::Tables& tables, tables::Time now) override;
+  client::Fault write(std::span<const client::LaneChange> changes, std::vector<client::Unwritten>& unwritten) override;
+  client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
+                          tables::Time now) override;
   void retry_rejected() noexcept override;
-  std::vector<std::string> take_rejections() override { return std::exchange(rejections_, {}); }
+  bool is_dividing() const noexcept override {
+    return operations_.requests.is_dividing() || events_.requests.is_dividing();
+  }
+  std::vector<client::Rejection> take_rejections() override { return std::exchange(rejections_, {}); }
+  std::vector<client::LeftOut> take_left_out() override { return std::exchange(left_out_, {}); }
+  std::string functions() const override;
   void interrupt() noexcept override { exchange_.interrupt(); }
   std::uint64_t requests() const noexcept override { return requests_.load(std::memory_order_relaxed); }
   std::uint64_t rejected() const noexcept override { return rejected_.load(std::memory_order_relaxed); }
 
  private:
   using Items = std::vector<AddressRange>;
-  struct ReadRequest {
-    ClientRequest request;
-    bool skipped = false;  ///< rejected, and not yet to be sent again
-  };
   /// The two tables of one direction: what is mapped in each area, and the requests that read it.
   struct Direction {
     Table bits;
     Table numbers;
     std::array<Items, kAreas> items = {};
-    std::vector<ReadRequest> requests = {};
+    client::RequestList<ClientRequest> requests = {};
   };
   struct Words {
     std::span<std::uint64_t> bits;
     std::span<std::uint64_t> numbers;
+  };
+  class Reading;
+  /// What a call of write() has, and what becomes of it.
+  struct Writing {
+    std::span<const client::LaneChange> changes;
+    std::vector<client::Unwritten>& unwritten;
   };
   /// What is written at an address: a run of registers, or one coil.
   struct Piece {
@@ -63,18 +73,24 @@ class ModbusDialog final : public client::Dialog {
 
   void add_items(Direction& direction, const IoMap& map) const;
   static void plan_reads(Direction& direction);
-  client::Fault read_all(Direction& direction, const Words& out);
-  bool divide(Direction& direction, std::size_t index);
+  client::Fault read_all(Direction& direction, const Words& out, tables::Time now);
+  static std::span<const AddressRange> items_in(const Direction& direction, const ClientRequest& request);
   void take(const Direction& direction, const ClientReply& reply, const ClientRequest& request, const Words& out) const;
   void take_registers(Table table, const ClientReply& reply, const ClientRequest& request,
                       std::span<std::uint64_t> words) const;
+  void leave_out(const Direction& direction, const ClientRequest& request);
   void add_coils(std::span<const client::LaneChange> changes);
   void add_registers(std::span<const client::LaneChange> changes);
-  client::Fault write_area(Area area, std::uint32_t most);
+  client::Fault write_area(Area area, std::uint32_t most, const Writing& writing);
+  client::Fault write_range(Area area, const PlannedRange& planned, const Writing& writing);
+  client::Fault write_pieces(Area area, const PlannedRange& planned, const Writing& writing);
+  void refuse(const ClientRequest& request, std::uint8_t code, const AddressRange& range, const Writing& writing);
+  std::uint32_t address_in(const client::LaneChange& change, std::uint32_t bit) const;
   client::Fault transact(const ClientRequest& request, std::span<const std::uint16_t> values, ClientReply& reply);
-  void note_rejection(const ClientRequest& request, std::uint8_t code);
+  tables::Refusal note_rejection(const ClientRequest& request, std::uint8_t code);
   const Placement& placement(Table table) const { return *settings_.placements[static_cast<std::size_t>(table)]; }
   std::uint16_t in_order(std::uint16_t bits) const noexcept;
+  std::uint16_t on_wire(std::uint16_t value) const noexcept;
 
   ClientSettings settings_;
   std::array<std::uint32_t, kTables> sizes_;
@@ -86,8 +102,12 @@ class ModbusDialog final : public client::Dialog {
   std::vector<AddressRange> ranges_;  ///< of pieces_
   std::vector<std::uint16_t> values_;
   ClientExchange exchange_;
-  bool mute_ = false;  ///< function 43 got no valid answer; it is not asked again
-  std::vector<std::string> rejections_;
+  bool mute_ = false;                  ///< function 43 got no valid answer; it is not asked again
+  std::array<bool, kAreas> singly_{};  ///< values are written by function 5 or 6, since the PLC lacks 15 or 16
+  std::map<std::uint8_t, bool> has_;   ///< by function that was used: whether the PLC has it
+  tables::Refusal refusal_;            ///< of the latest reading that was refused
+  std::vector<client::Rejection> rejections_;
+  std::vector<client::LeftOut> left_out_;
   std::atomic<std::uint64_t> requests_{0};
   std::atomic<std::uint64_t> rejected_{0};
 };

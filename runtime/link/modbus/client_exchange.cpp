@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "symplant/link/client/bytes_text.hpp"
+
 namespace symplant::link::modbus {
 
 namespace {
@@ -20,6 +22,7 @@ ClientExchange::ClientExchange(const ClientSettings& settings)
     : address_(settings.address),
       timeout_(settings.timeout),
       header_{.transaction = 0, .unit = settings.unit},
+      short_(settings.times.poll),
       frame_(kMaxFrame),
       received_(4 * kMaxFrame) {}
 
@@ -31,19 +34,33 @@ client::Fault ClientExchange::open() {
   size_ = 0;
   used_ = 0;
   const net::Ended ended = socket_.connect(address_, net::Transport::tcp, deadline());
-  if (ended == net::Ended::done) return {};
+  if (ended == net::Ended::done) {
+    short_.opened();
+    return {};
+  }
   if (ended == net::Ended::interrupted) return {client::Fault::Kind::interrupted};
   const std::string reason = ended == net::Ended::timeout ? "no answer" : socket_.fault();
   return broken_off("no connection to " + net::format_host_port(address_) + ": " + reason +
                     "; check the address, the cable, and that the PLC's Modbus server is switched on");
 }
 
-client::Fault ClientExchange::failed(net::Ended ended, const char* doing) const {
+client::Fault ClientExchange::failed(net::Ended ended, const char* doing) {
   if (ended == net::Ended::interrupted) return {client::Fault::Kind::interrupted};
-  if (ended == net::Ended::closed) return broken_off(std::string("connection lost ") + doing + ": " + socket_.fault());
+  if (ended == net::Ended::closed) {
+    closed_ = size_ == 0;
+    return broken_off(std::string("connection lost ") + doing + ": " + socket_.fault());
+  }
+  if (size_ != 0 && !answered_) return unknown("it is cut");
   return broken_off(
       "the PLC is connected but does not answer; connecting again (if this persists, check `unit` and raise "
       "`timeout`)");
+}
+
+client::Fault ClientExchange::unknown(const std::string& reason) const {
+  if (answered_) return broken_off("the PLC's answer is invalid, " + reason + "; connecting again");
+  return broken_off("connected, but something else than a Modbus server answers, " +
+                    client::bytes_text(std::span(received_).first(size_)) + " (" + reason +
+                    "): check the address and the port");
 }
 
 void ClientExchange::drop(std::size_t count) noexcept {
@@ -74,6 +91,16 @@ client::Fault ClientExchange::drop_late() {
 
 client::Fault ClientExchange::transact(const ClientRequest& request, std::span<const std::uint16_t> values,
                                        ClientReply& reply) {
+  client::Fault fault = attempt(request, values, reply);
+  if (!fault || !std::exchange(closed_, false) || !short_.may_reopen()) return fault;
+  if (socket_.wait(short_.next()) == net::Ended::interrupted) return {client::Fault::Kind::interrupted};
+  fault = open();
+  return fault ? fault : attempt(request, values, reply);
+}
+
+client::Fault ClientExchange::attempt(const ClientRequest& request, std::span<const std::uint16_t> values,
+                                      ClientReply& reply) {
+  closed_ = false;
   if (client::Fault fault = drop_late()) return fault;
   ++header_.transaction;
   const FrameBuffer frame(frame_.data(), kMaxFrame);
@@ -88,10 +115,12 @@ client::Fault ClientExchange::receive(const ClientRequest& request, ClientReply&
   for (;;) {
     reply = parse_client_reply(std::span(received_).first(size_), header_, request);
     if (reply.kind == ClientReply::Kind::broken) {
-      return broken_off(std::string("the PLC's answer is invalid, ") + reply.reason + "; connecting again");
+      return unknown(reply.reason);
     }
     if (reply.kind == ClientReply::Kind::complete) {
       used_ = reply.consumed;
+      answered_ = true;
+      short_.answered();
       return {};
     }
     if (reply.kind == ClientReply::Kind::foreign) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
+#include "symplant/link/client/short_connections.hpp"
 #include "symplant/link/modbus/client_codec.hpp"
 #include "symplant/link/modbus/client_settings.hpp"
 #include "symplant/link/net/client_socket.hpp"
@@ -23,13 +24,16 @@ class ClientExchange {
   void interrupt() noexcept { socket_.interrupt(); }
 
   /// Sends the request and waits for its reply, which is valid until the next call. `values`: of a request of kind
-  /// write. Frames with other transaction ids are dropped. An exception is no fault.
+  /// write. Frames with other transaction ids are dropped. An exception is no fault. A server that closes its
+  /// connection after each answer gets the request over a new one.
   client::Fault transact(const ClientRequest& request, std::span<const std::uint16_t> values, ClientReply& reply);
 
  private:
+  client::Fault attempt(const ClientRequest& request, std::span<const std::uint16_t> values, ClientReply& reply);
   client::Fault drop_late();
   client::Fault receive(const ClientRequest& request, ClientReply& reply, net::Deadline end);
-  client::Fault failed(net::Ended ended, const char* doing) const;
+  client::Fault failed(net::Ended ended, const char* doing);
+  client::Fault unknown(const std::string& reason) const;
   net::Deadline deadline() const;
   void drop(std::size_t count) noexcept;
 
@@ -37,6 +41,9 @@ class ClientExchange {
   tables::Time timeout_;
   net::ClientSocket socket_;
   ClientHeader header_;
+  client::ShortConnections short_;
+  bool closed_ = false;    ///< the latest attempt found the connection closed, without a byte of a reply
+  bool answered_ = false;  ///< there was a reply since the first open()
   std::vector<std::uint8_t> frame_;
   std::vector<std::uint8_t> received_;
   std::size_t size_ = 0;  ///< bytes in received_

@@ -57,6 +57,12 @@ Problem read_bit_order(std::string_view text, ClientSettings& settings) {
   return choose(kOrders, text, settings.bit_order);
 }
 
+Problem read_bytes(std::string_view text, ClientSettings& settings) {
+  constexpr std::array kOrders = {std::pair{std::string_view("normal"), ByteOrder::high_first},
+                                  std::pair{std::string_view("swapped"), ByteOrder::low_first}};
+  return choose(kOrders, text, settings.byte_order);
+}
+
 using ClientKey = UrlKey<ClientSettings>;
 constexpr std::array kClientKeys = {
     ClientKey{"unit", read_unit},
@@ -65,6 +71,7 @@ constexpr std::array kClientKeys = {
     ClientKey{"operation-values", read_placement<Table::holding_register>},
     ClientKey{"event-values", read_placement<Table::input_register>},
     ClientKey{"bit-order", read_bit_order},
+    ClientKey{"bytes", read_bytes},
     ClientKey{"poll", [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.poll, false); }},
     ClientKey{"refresh",
               [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.refresh, false); }},

@@ -33,16 +33,21 @@ struct Placement {
 /// Which bit of a register has the lowest number.
 enum class BitOrder : std::uint8_t { low_first, high_first };
 
+/// Which byte of a register comes first on the wire. The protocol has the high one first.
+enum class ByteOrder : std::uint8_t { high_first, low_first };
+
 /// A table of the map by its index in Table; nothing for events without a choice.
 using Placements = std::array<std::optional<Placement>, kTables>;
 
 struct ClientSettings {
   net::HostPort address;
   std::uint8_t unit = 1;
-  tables::Time timeout = 2 * tables::kSecond;  ///< for a connection, and for one answer
+  /// For a connection, and for one answer; by default less than LinkSettings::loss_after.
+  tables::Time timeout = 800 * tables::kMillisecond;
   client::ClientTimes times = {.read_back = tables::kSecond};
   Placements placements = {Placement{Area::coils}, std::nullopt, Placement{Area::holding_registers}, std::nullopt};
   BitOrder bit_order = BitOrder::low_first;
+  ByteOrder byte_order = ByteOrder::high_first;
 };
 
 /// Reads `//HOST:PORT?events=coils&...`, the URL after `modbus-tcp:`. Errors are of kind usage. O(length).

@@ -51,7 +51,7 @@ Identity identity_of(const Reply& reply, const Framing& framing) {
   if (reply.end_code != 0) {
     return {Identity::Kind::unverifiable,
             "the PLC does not report its CPU model, which could be compared with family=" +
-                std::string(family_name(framing.family)) + " (" + end_code_text(reply.end_code) + ")"};
+                std::string(family_name(framing.family)) + " (" + end_code_text(reply.end_code, framing) + ")"};
   }
   const std::string name = name_in(reply.data);
   std::uint16_t code = 0;
@@ -60,7 +60,8 @@ Identity identity_of(const Reply& reply, const Framing& framing) {
   }
   const auto family = family_of(name, code);
   if (!family) {
-    return {Identity::Kind::unverifiable, "its CPU model `" + name + "` is unknown"};
+    return {Identity::Kind::unverifiable, name.empty() ? "it answers the request for its CPU model without a name"
+                                                       : "its CPU model `" + name + "` is unknown"};
   }
   if (*family == framing.family) return {Identity::Kind::verified, "CPU `" + name + "`"};
   return {Identity::Kind::wrong, "its CPU is `" + name +

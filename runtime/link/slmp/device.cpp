@@ -126,6 +126,13 @@ std::optional<Kind> kind_of(std::string_view name) noexcept {
   return static_cast<Kind>(found - kKinds.begin());
 }
 
+std::optional<Kind> kind_with_code(std::uint8_t code) noexcept {
+  const auto* const found =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const KindInfo& info) { return info.code == code; });
+  if (found == kKinds.end()) return std::nullopt;
+  return static_cast<Kind>(found - kKinds.begin());
+}
+
 std::uint32_t base_of(Kind kind, Family family) noexcept {
   const std::uint8_t base = kKinds[kind].base;
   if (base != kInputsOutputs) return base;

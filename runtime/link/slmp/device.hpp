@@ -26,6 +26,8 @@ struct KindInfo {
 const KindInfo& info_of(Kind kind) noexcept;
 /// The kind with this name, in upper case; nothing if there is none.
 std::optional<Kind> kind_of(std::string_view name) noexcept;
+/// The kind with this code on the wire; nothing if there is none.
+std::optional<Kind> kind_with_code(std::uint8_t code) noexcept;
 /// The base of the numbers of a kind in texts: 8, 10 or 16.
 std::uint32_t base_of(Kind kind, Family family) noexcept;
 

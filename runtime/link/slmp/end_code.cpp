@@ -11,10 +11,12 @@ namespace {
 
 constexpr const char* kRange = "compare the address with the device ranges in the PLC's parameters";
 constexpr const char* kFamilyAction = "check `family`, `frame` and `commands` of the link";
+constexpr const char* kSetFrame = "set `frame=3e`";
+constexpr const char* kSetCode = "set `code=binary`, as in the port";
 constexpr const char* kPassword = "unlock the port, or remove its remote password in the PLC's parameters";
 
 constexpr std::array kRows = {
-    EndCode{0x0050, Remedy::configure, "the PLC does not know this frame type", "set `frame=3e`"},
+    EndCode{0x0050, Remedy::configure, "the PLC does not know this frame type", kSetFrame},
     EndCode{0x0055, Remedy::permit, "the PLC is in RUN and its port does not permit writing",
             "set `Enable online change` in the parameters of the port (GX Simulator3: `Enable All (SLMP)`)"},
     EndCode{0x4013, Remedy::permit, "the PLC cannot do this in its operating state", "set the PLC to RUN or STOP"},
@@ -29,8 +31,7 @@ constexpr std::array kRows = {
     EndCode{0x414A, Remedy::configure, "the module does not permit writing", "map the symbol to another device"},
     EndCode{0x7F22, Remedy::configure, "a network or serial module does not know the command", kFamilyAction},
     EndCode{0x7FE7, Remedy::permit, "the module requires a password", kPassword},
-    EndCode{0xC050, Remedy::configure, "the text of the request is not convertible",
-            "set `code=binary`, as in the port"},
+    EndCode{0xC050, Remedy::configure, "the text of the request is not convertible", kSetCode},
     EndCode{0xC051, Remedy::configure, "the number of words is out of range (FX5: of bits)", kFamilyAction},
     EndCode{0xC052, Remedy::configure, "the number of bits is out of range (FX5: of words)", kFamilyAction},
     EndCode{0xC053, Remedy::configure, "the number of listed bits is out of range", kFamilyAction},
@@ -89,11 +90,26 @@ const EndCode& end_code_of(std::uint16_t code) noexcept {
   return code >= 0x4000 && code <= 0x4FFF ? kOfCpu : kOther;
 }
 
-std::string end_code_text(std::uint16_t code) {
+namespace {
+
+/// Without a setting that the link has already.
+const char* action_of(const EndCode& row, const Framing& framing) noexcept {
+  if (row.action == kSetFrame && framing.frame == FrameType::e3) {
+    return "a link with `frame=3e` has no other one: check that this port speaks SLMP (MC protocol)";
+  }
+  if (row.action == kSetCode && framing.code == Code::binary) {
+    return "compare the communication data code of the port with `code=binary` of the link";
+  }
+  return row.action;
+}
+
+}  // namespace
+
+std::string end_code_text(std::uint16_t code, const Framing& framing) {
   const EndCode& row = end_code_of(code);
   std::array<char, 8> digits{};
   std::snprintf(digits.data(), digits.size(), "%04X", code);
-  return std::string("end code ") + digits.data() + " (" + row.meaning + "): " + row.action;
+  return std::string("end code ") + digits.data() + " (" + row.meaning + "): " + action_of(row, framing);
 }
 
 }  // namespace symplant::link::slmp

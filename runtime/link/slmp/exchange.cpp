@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "symplant/link/slmp/other_answer.hpp"
+
 namespace symplant::link::slmp {
 
 using client::Fault;
@@ -16,12 +18,13 @@ Fault lost(std::string message) { return {Fault::Kind::transport, std::move(mess
 
 }  // namespace
 
-Exchange::Exchange(net::HostPort address, net::Transport transport, const Framing& framing, tables::Time timeout)
-    : address_(std::move(address)),
-      transport_(transport),
-      framing_(framing),
-      timeout_(timeout),
-      writer_(framing),
+Exchange::Exchange(const Settings& settings)
+    : address_(settings.address),
+      transport_(settings.transport),
+      framing_(settings.framing),
+      timeout_(settings.timeout),
+      writer_(settings.framing),
+      short_(settings.times.poll),
       received_(2 * kLongestReply) {}
 
 net::Deadline Exchange::deadline() const {
@@ -29,11 +32,11 @@ net::Deadline Exchange::deadline() const {
 }
 
 Fault Exchange::open() {
-  answered_ = false;
   size_ = 0;
   used_ = 0;
   switch (socket_.connect(address_, transport_, deadline())) {
     case Ended::done:
+      short_.opened();
       return {};
     case Ended::interrupted:
       return {Fault::Kind::interrupted};
@@ -57,14 +60,34 @@ RequestWriter& Exchange::begin(Command command, bool bits) {
 
 Fault Exchange::failed(Ended ended, const char* doing) {
   if (ended == Ended::interrupted) return {Fault::Kind::interrupted};
-  if (ended == Ended::closed) return lost(std::string("connection lost ") + doing + ": " + socket_.fault());
+  if (ended == Ended::closed) {
+    closed_ = size_ == 0;
+    return lost(std::string("connection lost ") + doing + ": " + socket_.fault());
+  }
   if (answered_) return lost("the PLC does not answer any more; connecting again");
+  if (size_ != 0) return lost("connected, but " + other_answer(std::span(received_).first(size_), framing_));
+  const bool ascii = framing_.code == Code::ascii;
   return lost(
-      "connected, but the PLC does not answer: its port probably expects other frames; set `code=ascii` or `binary` as "
-      "its communication data code, or `frame=3e`");
+      std::string("connected, but the PLC does not answer: its port probably expects other frames; try `code=") +
+      (ascii ? "binary" : "ascii") + "`" + (framing_.frame == FrameType::e4 ? " or `frame=3e`" : "") +
+      ", or check that this port speaks SLMP");
+}
+
+Fault Exchange::unknown(const std::string& reason) const {
+  if (answered_) return lost("the PLC's answer is invalid: " + reason + "; connecting again");
+  return lost("connected, but " + other_answer(std::span(received_).first(size_), framing_));
 }
 
 Fault Exchange::transact(Reply& reply) {
+  Fault fault = attempt(reply);
+  if (!fault || !std::exchange(closed_, false) || !short_.may_reopen()) return fault;
+  if (socket_.wait(short_.next()) == Ended::interrupted) return {Fault::Kind::interrupted};
+  fault = open();
+  return fault ? fault : attempt(reply);
+}
+
+Fault Exchange::attempt(Reply& reply) {
+  closed_ = false;
   std::copy(received_.begin() + static_cast<std::ptrdiff_t>(used_),
             received_.begin() + static_cast<std::ptrdiff_t>(size_), received_.begin());
   size_ -= std::exchange(used_, 0);
@@ -79,8 +102,10 @@ Fault Exchange::transact(Reply& reply) {
   const net::Deadline end = deadline();
   const Ended sent = socket_.send(writer_.finish(), end);
   Fault fault = sent == Ended::done ? receive(reply, end) : failed(sent, "while sending");
-  if (!fault) answered_ = true;
-  return fault;
+  if (fault) return fault;
+  answered_ = true;
+  short_.answered();
+  return {};
 }
 
 Fault Exchange::receive(Reply& reply, net::Deadline end) {
@@ -89,7 +114,7 @@ Fault Exchange::receive(Reply& reply, net::Deadline end) {
     if (!datagrams || size_ != 0) {
       reply = parse_reply(std::span(received_).first(size_), framing_, serial_, datagrams);
       if (reply.kind == Reply::Kind::broken) {
-        return lost(std::string("the PLC's answer is invalid: ") + reply.reason + "; connecting again");
+        return unknown(reply.reason);
       }
       if (reply.kind == Reply::Kind::complete) {
         used_ = reply.consumed;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
+#include "symplant/link/client/short_connections.hpp"
 #include "symplant/link/net/client_socket.hpp"
 #include "symplant/link/slmp/framing.hpp"
 #include "symplant/link/slmp/settings.hpp"
@@ -16,7 +17,7 @@ namespace symplant::link::slmp {
 /// distinguished from the next one. Used by one thread; interrupt() by any.
 class Exchange {
  public:
-  Exchange(net::HostPort address, net::Transport transport, const Framing& framing, tables::Time timeout);
+  explicit Exchange(const Settings& settings);
 
   client::Fault open();
   void close() noexcept;
@@ -25,12 +26,14 @@ class Exchange {
   /// Starts the next request.
   RequestWriter& begin(Command command, bool bits);
   /// Sends the request and waits for its reply. `reply` is valid until the next call. A reply with an end code is no
-  /// fault.
+  /// fault. A server that closes its connection after each answer gets the request over a new one.
   client::Fault transact(Reply& reply);
 
  private:
+  client::Fault attempt(Reply& reply);
   client::Fault receive(Reply& reply, net::Deadline deadline);
   client::Fault failed(net::Ended ended, const char* doing);
+  client::Fault unknown(const std::string& reason) const;
   net::Deadline deadline() const;
 
   net::HostPort address_;
@@ -40,7 +43,9 @@ class Exchange {
   net::ClientSocket socket_;
   RequestWriter writer_;
   std::uint16_t serial_ = 0;
-  bool answered_ = false;  ///< there was a reply since open()
+  client::ShortConnections short_;
+  bool closed_ = false;    ///< the latest attempt found the connection closed, without a byte of a reply
+  bool answered_ = false;  ///< there was a reply since the first open()
   std::vector<std::uint8_t> received_;
   std::size_t size_ = 0;  ///< bytes in received_
   std::size_t used_ = 0;  ///< bytes of the latest reply, at the begin of received_

@@ -32,7 +32,7 @@ struct Framing {
   Commands commands = Commands::ql;
   Family family = Family::q;  ///< for the text of X and Y numbers
   Route route = {};
-  std::uint16_t timer = 4;  ///< how long the PLC waits for its own answer, in units of 250 ms; 0: no limit
+  std::uint16_t timer = 2;  ///< how long the PLC waits for its own answer, in units of 250 ms; 0: no limit
 };
 
 enum class Command : std::uint16_t {

@@ -237,12 +237,18 @@ class Maker {
       if (!map_.io.points.empty() && map_.io.points.back().symbol == use.symbol) continue;
       while (next != end && next->symbol < use.symbol) ++next;
       const bool is_set = next != end && next->symbol == use.symbol;
-      add_point(use, is_set ? *next : MapRow{use.symbol, MapRow::kDefault, link_.word_order});
+      add_point(use, is_set ? *next : MapRow{.symbol = use.symbol});
     }
     set_size(Table::coil, kCellBits * map_.operations.bits.size());
     set_size(Table::holding_register, map_.operations.numbers.size());
     set_size(Table::discrete_input, kCellBits * map_.events.bits.size());
     set_size(Table::input_register, map_.events.numbers.size());
+  }
+
+  /// A MELSEC has the low word first, whatever the list looks like.
+  WordOrder order_of(const MapRow& row) const {
+    if (row.word_order != WordOrder::as_link) return row.word_order;
+    return link_.word_order_given ? link_.word_order : WordOrder::low_first;
   }
 
   bool is_bit(const Use& use) const { return tables_.symbols[use.symbol].type() == tables::DataType::boolean; }
@@ -257,7 +263,7 @@ class Maker {
     const Table table = is_bit(use) ? (use.operation ? Table::coil : Table::discrete_input)
                                     : (use.operation ? Table::holding_register : Table::input_register);
     map_.io.points.push_back({use.symbol, table, is_bit(use) ? kCellBits * position + shift : position,
-                              width_of(tables_.symbols[use.symbol].type()), row.word_order,
+                              width_of(tables_.symbols[use.symbol].type()), order_of(row),
                               row.on_loss == OnLoss::as_link ? link_.on_loss : row.on_loss});
     map_.devices.push_back(use.device);
   }

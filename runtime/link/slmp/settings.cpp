@@ -20,6 +20,15 @@ Problem read_events(std::string_view text, EventAccess& out) {
   return choose(kNames, text, out);
 }
 
+constexpr const char* kSpeaks1e =
+    "an FX3 (or an A) with an Ethernet adapter speaks 1E frames only, and this link speaks 3E and 4E: use "
+    "`modbus-tcp://` "
+    "with an adapter that is a Modbus server";
+
+bool is_of_1e(std::string_view family) {
+  return family == "a" || family.starts_with("fx1") || family.starts_with("fx2") || family.starts_with("fx3");
+}
+
 constexpr const char* kMapForm =
     "write what is moved and where to: map=X0-X3F:X800, map=X0-X7F:M1000, map=X0-X3F:D100 or map=SYMBOL:M5";
 
@@ -48,6 +57,7 @@ class Reader {
         std::pair{std::string_view("iqr"), Family::iqr}, std::pair{std::string_view("fx5"), Family::fx5}};
     for (const UrlParameter& parameter : parameters_) {
       if (parameter.key != "family") continue;
+      if (is_of_1e(parameter.value)) return kSpeaks1e;
       Problem problem = choose(kFamilies, parameter.value, settings_.framing.family);
       return problem.empty() ? problem : ticked_text(parameter.value) + " is not a family: " + problem;
     }

@@ -40,7 +40,8 @@ struct Settings {
   net::HostPort address;
   net::Transport transport = net::Transport::tcp;
   Framing framing;
-  tables::Time timeout = 2 * tables::kSecond;  ///< for a connection, and for one answer
+  /// For a connection, and for one answer; by default less than LinkSettings::loss_after.
+  tables::Time timeout = 800 * tables::kMillisecond;
   client::ClientTimes times = {.read_back = tables::kSecond};
   EventAccess events = EventAccess::unset;
   std::vector<Move> moves;

@@ -9,9 +9,11 @@
 #include "symplant/link/client/parts.hpp"
 #include "symplant/link/image/table_view.hpp"
 #include "symplant/link/slmp/cpu_model.hpp"
+#include "symplant/link/slmp/refusal.hpp"
 
 namespace symplant::link::slmp {
 
+using client::Answer;
 using client::Fault;
 using client::Identity;
 using client::LaneChange;
@@ -41,25 +43,22 @@ SlmpDialog::SlmpDialog(const Settings& settings, DeviceMap map)
     : settings_(settings),
       map_(std::move(map)),
       limits_(limits_of(settings.framing)),
-      operations_(plan_of(map_.operations)),
-      events_(plan_of(map_.events)),
+      operations_(operations_plan()),
+      events_(events_plan()),
       owned_(owned_bits(map_)),
-      exchange_(settings.address, settings.transport, settings.framing, settings.timeout),
+      exchange_(settings),
       words_(std::max(limits_.words, limits_.block_points)) {}
 
 std::string SlmpDialog::url() const { return "slmp://" + net::format_host_port(settings_.address); }
 
-Fault SlmpDialog::open() {
-  skipped_.clear();
-  return exchange_.open();
-}
+Fault SlmpDialog::open() { return exchange_.open(); }
 
-/// Not those that cannot succeed before the map or the PLC's parameters change: then there is a new connection.
 void SlmpDialog::retry_rejected() noexcept {
-  std::erase_if(skipped_, [](const auto& entry) { return entry.second != Remedy::configure; });
+  operations_.requests.retry();
+  events_.requests.retry();
 }
 
-SlmpDialog::ReadPlan SlmpDialog::plan_of(const Cells& cells) const {
+SlmpDialog::ReadPlan SlmpDialog::plan_of(const Cells& cells, Table numbers) const {
   ReadPlan plan;
   std::set_union(cells.bits.begin(), cells.bits.end(), cells.numbers.begin(), cells.numbers.end(),
                  std::back_inserter(plan.cells));
@@ -73,7 +72,13 @@ SlmpDialog::ReadPlan SlmpDialog::plan_of(const Cells& cells) const {
   for (std::uint32_t i = 0; i < cells.numbers.size(); ++i) {
     plan.targets[static_cast<std::size_t>(position(cells.numbers[i]))].numbers = i;
   }
-  plan.transfers = plan_reads(plan.cells, limits_);
+  plan.continues.resize(plan.cells.size());
+  for (const IoPoint& point : map_.io.points) {
+    for (std::uint32_t lane = point.number + 1; point.table == numbers && lane <= point.last(); ++lane) {
+      plan.continues[static_cast<std::size_t>(position(cells.numbers[lane]))] = true;
+    }
+  }
+  plan.requests = client::RequestList<Transfer>(plan_reads(plan.cells, limits_));
   return plan;
 }
 
@@ -83,9 +88,15 @@ Fault SlmpDialog::transact(Reply& reply) {
   return fault;
 }
 
-void SlmpDialog::note_rejection(const char* doing, const Transfer& transfer, bool of_bits, std::uint16_t end_code) {
-  rejected_.fetch_add(1, std::memory_order_relaxed);
-  adapt_to(transfer.access, of_bits, end_code);
+tables::Refusal SlmpDialog::refusal_to(bool writing, const Transfer& transfer, bool of_bits,
+                                       std::uint16_t end_code) const {
+  const Span& first = transfer.spans.front();
+  const Device device{first.kind, of_bits ? first.first : head_of(first)};
+  return refusal_of({writing, transfer.access, device}, settings_.framing.family, end_code);
+}
+
+tables::Refusal SlmpDialog::note_rejection(bool writing, const Transfer& transfer, bool of_bits,
+                                           std::uint16_t end_code) {
   const Span& first = transfer.spans.front();
   const Span& last = transfer.spans.back();
   const auto text = [&](Kind kind, std::uint32_t number) {
@@ -98,7 +109,11 @@ void SlmpDialog::note_rejection(const char* doing, const Transfer& transfer, boo
   const std::string rest = transfer.spans.size() == 1
                                ? (from == to ? "" : " to " + to)
                                : " to " + to + " (" + std::to_string(transfer.spans.size()) + " areas in one request)";
-  rejections_.push_back(std::string("the PLC rejects ") + doing + " " + from + rest + ": " + end_code_text(end_code));
+  const tables::Refusal refusal = refusal_to(writing, transfer, of_bits, end_code);
+  rejections_.push_back({answer_of(end_code), refusal,
+                         std::string("the PLC rejects ") + (writing ? "writing " : "reading ") + from + rest + ": " +
+                             end_code_text(end_code, settings_.framing)});
+  return refusal;
 }
 
 Identity SlmpDialog::identify(Fault& fault) {
@@ -109,7 +124,7 @@ Identity SlmpDialog::identify(Fault& fault) {
   Identity identity = identity_of(reply, settings_.framing);
   std::vector<std::uint64_t> bits(image::register_words(static_cast<std::uint32_t>(map_.events.bits.size())));
   std::vector<std::uint64_t> numbers(image::register_words(static_cast<std::uint32_t>(map_.events.numbers.size())));
-  fault = read_back(bits, numbers);  // whether the PLC has what is to be written
+  fault = read_back(bits, numbers, 0);  // whether the PLC has what is to be written
   if (fault.kind == Fault::Kind::rejected) fault = {};
   return identity;
 }
@@ -165,58 +180,125 @@ void SlmpDialog::scatter(const Transfer& transfer, const ReadPlan& plan, const W
   }
 }
 
-Fault SlmpDialog::read_one(const Transfer& transfer, const ReadPlan& plan, const Words& out) {
-  constexpr std::array kCommands = {Command::read, Command::read_random, Command::read_blocks};
-  RequestWriter& request = exchange_.begin(kCommands[static_cast<std::size_t>(transfer.access)], false);
-  put_counts(request, transfer);
-  for (const Span& span : transfer.spans) put_span(request, transfer, span);
-  Reply reply;
-  if (Fault fault = transact(reply)) return fault;
-  if (reply.end_code != 0) {
-    note_rejection("reading", transfer, false, reply.end_code);
-    skipped_[&transfer] = end_code_of(reply.end_code).remedy;
-    return {Fault::Kind::rejected};
+/// Sends the requests of one direction.
+class SlmpDialog::Reading {
+ public:
+  Reading(SlmpDialog& dialog, const ReadPlan& plan, const Words& out) : dialog_(dialog), plan_(plan), out_(out) {}
+
+  Fault send(const Transfer& transfer, bool first, Answer& answer) {
+    constexpr std::array kCommands = {Command::read, Command::read_random, Command::read_blocks};
+    RequestWriter& request = dialog_.exchange_.begin(kCommands[static_cast<std::size_t>(transfer.access)], false);
+    put_counts(request, transfer);
+    for (const Span& span : transfer.spans) put_span(request, transfer, span);
+    Reply reply;
+    if (Fault fault = dialog_.transact(reply)) return fault;
+    if (reply.end_code != 0) {
+      answer = refused(transfer, first, reply.end_code);
+      return {};
+    }
+    if (!dialog_.take_words(transfer, reply)) {
+      return {Fault::Kind::transport, "the PLC's answer has another number of words than requested; connecting again"};
+    }
+    dialog_.scatter(transfer, plan_, out_);
+    return {};
   }
-  if (!take_words(transfer, reply)) {
-    return {Fault::Kind::transport, "the PLC's answer has another number of words than requested; connecting again"};
+
+  /// Every device of a transfer is in the PLC's memory if its first and last ones are.
+  static std::vector<Transfer> exact(const Transfer& /*transfer*/) { return {}; }
+
+  /// A number stays in one part.
+  std::vector<Transfer> halves(const Transfer& transfer) const {
+    const std::vector<std::uint32_t> cells = cells_in(transfer);
+    std::size_t middle = cells.size() / 2;
+    while (middle < cells.size() && plan_.continues[cells[middle]]) ++middle;
+    if (middle == cells.size()) {
+      for (middle = cells.size() / 2; middle > 0 && plan_.continues[cells[middle]];) --middle;
+    }
+    if (middle == 0) return {};
+    std::vector<Transfer> parts = parts_of(std::span(cells).first(middle));
+    for (Transfer& part : parts_of(std::span(cells).subspan(middle))) parts.push_back(std::move(part));
+    return parts;
   }
-  scatter(transfer, plan, out);
-  return {};
+
+  /// Events are not left out because they cannot be read back.
+  void leave_out(const Transfer& transfer) {
+    if (&plan_ != &dialog_.operations_) return;
+    const auto add = [&](Table table, std::uint32_t lane) {
+      if (lane != kNowhere) dialog_.left_out_.push_back({{{table, lane}, kWholeCell, 0}, dialog_.refusal_});
+    };
+    for (const std::uint32_t cell : cells_in(transfer)) {
+      add(Table::coil, plan_.targets[cell].bits);
+      add(Table::holding_register, plan_.targets[cell].numbers);
+    }
+  }
+
+ private:
+  Answer refused(const Transfer& transfer, bool first, std::uint16_t end_code) {
+    dialog_.rejected_.fetch_add(1, std::memory_order_relaxed);
+    if (dialog_.adapt_to(transfer.access, false, end_code)) return Answer::busy;
+    dialog_.refusal_ = dialog_.refusal_to(false, transfer, false, end_code);
+    if (first) dialog_.note_rejection(false, transfer, false, end_code);
+    return answer_of(end_code);
+  }
+
+  /// Indexes of the cells that a transfer reads, in ascending order.
+  std::vector<std::uint32_t> cells_in(const Transfer& transfer) const {
+    std::vector<std::uint32_t> cells;
+    for (const Span& span : transfer.spans) {
+      for (std::uint32_t i = span.item; i < plan_.cells.size(); ++i) {
+        const Cell& cell = plan_.cells[i];
+        if (cell.kind != span.kind || cell.word - span.first >= span.count) break;
+        cells.push_back(i);
+      }
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
+
+  std::vector<Transfer> parts_of(std::span<const std::uint32_t> indexes) const {
+    std::vector<Cell> cells;
+    for (const std::uint32_t index : indexes) cells.push_back(plan_.cells[index]);
+    std::vector<Transfer> transfers = plan_reads(cells, dialog_.limits_);
+    for (Transfer& transfer : transfers) {
+      for (Span& span : transfer.spans) span.item = indexes[span.item];
+    }
+    return transfers;
+  }
+
+  SlmpDialog& dialog_;
+  const ReadPlan& plan_;
+  const Words& out_;
+};
+
+Fault SlmpDialog::read_all(ReadPlan& plan, const Words& out, tables::Time now) {
+  Reading reading(*this, plan, out);
+  return plan.requests.run(now, reading);
 }
 
-Fault SlmpDialog::read_all(const ReadPlan& plan, const Words& out) {
-  bool any = plan.transfers.empty();
-  for (const Transfer& transfer : plan.transfers) {
-    if (skipped_.contains(&transfer)) continue;
-    Fault fault = read_one(transfer, plan, out);
-    if (fault.kind == Fault::Kind::rejected) continue;
-    if (fault) return fault;
-    any = true;
-  }
-  return {any ? Fault::Kind::none : Fault::Kind::rejected};
-}
-
-/// A PLC that rejects a kind of access gets requests of the other kinds from now on.
-void SlmpDialog::adapt_to(Access access, bool of_bits, std::uint16_t end_code) {
-  if (end_code != kUnsupported) return;
+/// A PLC that rejects a kind of access gets requests of the other kinds from now on. True if it does not have this one.
+bool SlmpDialog::adapt_to(Access access, bool of_bits, std::uint16_t end_code) {
+  if (end_code != kUnsupported) return false;
   if (access == Access::blocks && limits_.blocks != 0) {
     limits_.blocks = 0;
     adapted_ = true;
+    return true;
   }
-  if (access == Access::batch && of_bits) limits_.bits = 0;
+  if (access != Access::batch || !of_bits || limits_.bits == 0) return false;
+  limits_.bits = 0;
+  return true;
 }
 
-Fault SlmpDialog::read(image::Tables& tables) {
+Fault SlmpDialog::read(image::Tables& tables, tables::Time now) {
   if (std::exchange(adapted_, false)) {
-    skipped_.clear();
-    operations_ = plan_of(map_.operations);
-    events_ = plan_of(map_.events);
+    operations_ = operations_plan();
+    events_ = events_plan();
   }
-  return read_all(operations_, {tables.coils.words, tables.holding_registers.words});
+  return read_all(operations_, {tables.coils.words, tables.holding_registers.words}, now);
 }
 
-Fault SlmpDialog::read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) {
-  return read_all(events_, {discrete_inputs, input_registers});
+Fault SlmpDialog::read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
+                            tables::Time now) {
+  return read_all(events_, {discrete_inputs, input_registers}, now);
 }
 
 /// `whole`: 16 bit devices that are all mapped are written as a word, otherwise bit by bit.
@@ -261,62 +343,95 @@ std::size_t SlmpDialog::requests_to_write() const {
 }
 
 std::vector<std::string> SlmpDialog::notes() const {
-  return client::request_notes(operations_.transfers.size(), requests_to_write(), events_.transfers.size());
+  return client::request_notes(operations_.requests.size(), requests_to_write(), events_.requests.size());
 }
 
-Fault SlmpDialog::write(std::span<const LaneChange> changes) {
+Fault SlmpDialog::write(std::span<const LaneChange> changes, std::vector<client::Unwritten>& unwritten) {
   const auto size = [](const Writes& writes) { return writes.words_transfers.size() + writes.bit_transfers.size(); };
   Writes writes = writes_of(changes, false);
   if (size(writes) > 1 && writes.splits_words) {
     if (Writes other = writes_of(changes, true); size(other) < size(writes)) writes = std::move(other);
   }
+  const Writing writing{writes, changes, unwritten};
   for (const Transfer& transfer : writes.words_transfers) {
-    if (Fault fault = write_words(transfer, writes)) return fault;
+    if (Fault fault = write_words(transfer, writing)) return fault;
   }
   for (const Transfer& transfer : writes.bit_transfers) {
-    if (Fault fault = write_bits(transfer, writes)) return fault;
+    if (Fault fault = write_bits(transfer, writing)) return fault;
   }
   return {};
 }
 
-Fault SlmpDialog::write_words(const Transfer& transfer, const Writes& writes) {
+Fault SlmpDialog::write_words(const Transfer& transfer, const Writing& writing) {
   constexpr std::array kCommands = {Command::write, Command::write_random, Command::write_blocks};
   RequestWriter& request = exchange_.begin(kCommands[static_cast<std::size_t>(transfer.access)], false);
   put_counts(request, transfer);
   for (const Span& span : transfer.spans) {
     put_span(request, transfer, span);
-    const auto values = std::span(writes.values).subspan(span.item, span.count);
+    const auto values = std::span(writing.writes.values).subspan(span.item, span.count);
     if (transfer.access == Access::random && span.count == 2) {
       request.put_32(std::uint32_t{values[1]} << 16 | values[0]);
     } else {
       for (const std::uint16_t value : values) request.put_16(value);
     }
   }
-  Reply reply;
-  if (Fault fault = transact(reply)) return fault;
-  if (reply.end_code != 0) note_rejection("writing", transfer, false, reply.end_code);
-  return {};
+  return confirm(transfer, false, writing);
 }
 
-Fault SlmpDialog::write_bits(const Transfer& transfer, const Writes& writes) {
+Fault SlmpDialog::write_bits(const Transfer& transfer, const Writing& writing) {
   const bool batch = transfer.access == Access::batch;
   RequestWriter& request = exchange_.begin(batch ? Command::write : Command::write_random, true);
   if (batch) {
     const Span& span = transfer.spans.front();
     request.put_device(span.kind, span.first);
     request.put_16(static_cast<std::uint16_t>(span.count));
-    request.put_bits(std::span(writes.bit_values).subspan(span.item, span.count));
+    request.put_bits(std::span(writing.writes.bit_values).subspan(span.item, span.count));
   } else {
     request.put_8(static_cast<std::uint8_t>(transfer.spans.size()));
     for (const Span& span : transfer.spans) {
       request.put_device(span.kind, span.first);
-      request.put_listed_bit(writes.bit_values[span.item] != 0);
+      request.put_listed_bit(writing.writes.bit_values[span.item] != 0);
     }
   }
+  return confirm(transfer, true, writing);
+}
+
+/// Sends the request that was built. With 3E a late answer to a reading could come instead of the confirmation.
+Fault SlmpDialog::confirm(const Transfer& transfer, bool of_bits, const Writing& writing) {
   Reply reply;
   if (Fault fault = transact(reply)) return fault;
-  if (reply.end_code != 0) note_rejection("writing", transfer, true, reply.end_code);
+  if (reply.end_code == 0) {
+    if (reply.data.empty()) return {};
+    return {Fault::Kind::transport, "the PLC answers a request to write with values; connecting again"};
+  }
+  rejected_.fetch_add(1, std::memory_order_relaxed);
+  if (adapt_to(transfer.access, of_bits, reply.end_code)) {
+    refuse(transfer, of_bits, {{}, Answer::busy, {}}, writing);
+  } else {
+    const tables::Refusal refusal = note_rejection(true, transfer, of_bits, reply.end_code);
+    refuse(transfer, of_bits, {{}, answer_of(reply.end_code), refusal}, writing);
+  }
   return {};
+}
+
+/// Notes the changes in a transfer, which the PLC did not take.
+void SlmpDialog::refuse(const Transfer& transfer, bool of_bits, const client::Unwritten& why, const Writing& writing) {
+  const auto holds = [&](const Cell& cell, std::uint32_t bit) {
+    const std::uint32_t number = of_bits ? kBitsInCell * cell.word + bit : cell.word;
+    return std::any_of(transfer.spans.begin(), transfer.spans.end(),
+                       [&](const Span& span) { return span.kind == cell.kind && number - span.first < span.count; });
+  };
+  for (const LaneChange& change : writing.changes) {
+    const bool bits = change.lane.table == Table::discrete_input;
+    const Cell& cell = (bits ? map_.events.bits : map_.events.numbers)[change.lane.number];
+    if (of_bits && !(bits && info_of(cell.kind).bit)) continue;
+    client::Unwritten part = why;
+    part.change = change;
+    for (std::uint32_t bit = 0; bit < kBitsInCell; ++bit) {
+      if (!holds(cell, bit)) part.change.mask = static_cast<std::uint16_t>(part.change.mask & ~(1U << bit));
+    }
+    if (part.change.mask != 0) writing.unwritten.push_back(part);
+  }
 }
 
 }  // namespace symplant::link::slmp

@@ -3,13 +3,13 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
+#include "symplant/link/client/request_list.hpp"
 #include "symplant/link/slmp/end_code.hpp"
 #include "symplant/link/slmp/exchange.hpp"
 #include "symplant/link/slmp/map.hpp"
@@ -28,11 +28,16 @@ class SlmpDialog final : public client::Dialog {
   client::Fault open() override;
   void close() noexcept override { exchange_.close(); }
   client::Identity identify(client::Fault& fault) override;
-  client::Fault read(image::Tables& tables) override;
-  client::Fault write(std::span<const client::LaneChange> changes) override;
-  client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) override;
+  client::Fault read(image::Tables& tables, tables::Time now) override;
+  client::Fault write(std::span<const client::LaneChange> changes, std::vector<client::Unwritten>& unwritten) override;
+  client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
+                          tables::Time now) override;
   void retry_rejected() noexcept override;
-  std::vector<std::string> take_rejections() override { return std::exchange(rejections_, {}); }
+  bool is_dividing() const noexcept override {
+    return operations_.requests.is_dividing() || events_.requests.is_dividing();
+  }
+  std::vector<client::Rejection> take_rejections() override { return std::exchange(rejections_, {}); }
+  std::vector<client::LeftOut> take_left_out() override { return std::exchange(left_out_, {}); }
   void interrupt() noexcept override { exchange_.interrupt(); }
   std::uint64_t requests() const noexcept override { return requests_.load(std::memory_order_relaxed); }
   std::uint64_t rejected() const noexcept override { return rejected_.load(std::memory_order_relaxed); }
@@ -47,16 +52,19 @@ class SlmpDialog final : public client::Dialog {
   struct ReadPlan {
     std::vector<Cell> cells;
     std::vector<Target> targets;
-    std::vector<Transfer> transfers;
+    std::vector<bool> continues;  ///< by cell: it belongs to the number that begins before it
+    client::RequestList<Transfer> requests;
   };
+  class Reading;
   struct Words {
     std::span<std::uint64_t> bits;
     std::span<std::uint64_t> numbers;
   };
 
-  ReadPlan plan_of(const Cells& cells) const;
-  client::Fault read_all(const ReadPlan& plan, const Words& out);
-  client::Fault read_one(const Transfer& transfer, const ReadPlan& plan, const Words& out);
+  ReadPlan plan_of(const Cells& cells, Table numbers) const;
+  ReadPlan operations_plan() const { return plan_of(map_.operations, Table::holding_register); }
+  ReadPlan events_plan() const { return plan_of(map_.events, Table::input_register); }
+  client::Fault read_all(ReadPlan& plan, const Words& out, tables::Time now);
   static void put_counts(RequestWriter& request, const Transfer& transfer);
   static void put_span(RequestWriter& request, const Transfer& transfer, const Span& span);
   bool take_words(const Transfer& transfer, const Reply& reply);
@@ -74,13 +82,22 @@ class SlmpDialog final : public client::Dialog {
   };
   Writes writes_of(std::span<const client::LaneChange> changes, bool whole) const;
   std::size_t requests_to_write() const;
-  client::Fault write_words(const Transfer& transfer, const Writes& writes);
-  client::Fault write_bits(const Transfer& transfer, const Writes& writes);
+  /// A request to write, and what becomes of it.
+  struct Writing {
+    const Writes& writes;
+    std::span<const client::LaneChange> changes;
+    std::vector<client::Unwritten>& unwritten;
+  };
+  client::Fault write_words(const Transfer& transfer, const Writing& writing);
+  client::Fault write_bits(const Transfer& transfer, const Writing& writing);
+  client::Fault confirm(const Transfer& transfer, bool of_bits, const Writing& writing);
+  void refuse(const Transfer& transfer, bool of_bits, const client::Unwritten& why, const Writing& writing);
 
-  void adapt_to(Access access, bool of_bits, std::uint16_t end_code);
+  bool adapt_to(Access access, bool of_bits, std::uint16_t end_code);
 
   client::Fault transact(Reply& reply);
-  void note_rejection(const char* doing, const Transfer& transfer, bool of_bits, std::uint16_t end_code);
+  tables::Refusal refusal_to(bool writing, const Transfer& transfer, bool of_bits, std::uint16_t end_code) const;
+  tables::Refusal note_rejection(bool writing, const Transfer& transfer, bool of_bits, std::uint16_t end_code);
 
   Settings settings_;
   DeviceMap map_;
@@ -90,9 +107,10 @@ class SlmpDialog final : public client::Dialog {
   ReadPlan events_;
   std::vector<std::uint16_t> owned_;  ///< by bit cell of the events: its mapped bits
   Exchange exchange_;
-  std::vector<std::uint16_t> words_;           ///< of the latest reply, in the order of its spans
-  std::map<const Transfer*, Remedy> skipped_;  ///< requests to read that the PLC rejects
-  std::vector<std::string> rejections_;
+  std::vector<std::uint16_t> words_;  ///< of the latest reply, in the order of its spans
+  tables::Refusal refusal_;           ///< of the latest reading that was refused
+  std::vector<client::Rejection> rejections_;
+  std::vector<client::LeftOut> left_out_;
   std::atomic<std::uint64_t> requests_{0};
   std::atomic<std::uint64_t> rejected_{0};
 };

@@ -105,7 +105,10 @@ void ModbusPlc::run() {
       const int socket = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
       const int on = 1;
       ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-      if (socket >= 0) connections_.push_back({socket});
+      if (socket >= 0) {
+        connections_.push_back({socket});
+        ++accepted_;
+      }
     }
     for (auto connection = connections_.begin(); connection != connections_.end();) {
       const bool open = serve(*connection);
@@ -145,6 +148,7 @@ bool ModbusPlc::answer(Connection& connection, const Bytes& frame) {
   const Bytes request(frame.begin() + kHeader, frame.end());
   requests_.push_back(request);
   if (frame[6] != setup_.unit) return true;
+  if (setup_.abilities.closing_functions.count(request[0]) != 0) return false;
   PlcAnswer answer = answer_of(request, setup_.memory, setup_.abilities);
   written_.insert(written_.end(), answer.written.begin(), answer.written.end());
   if (answer.reply.empty()) return true;
@@ -163,8 +167,9 @@ bool ModbusPlc::answer(Connection& connection, const Bytes& frame) {
     connection.due = Clock::now() + lies_.late_by;
     return true;
   }
-  return std::all_of(lying.segments.begin(), lying.segments.end(),
-                     [&](const Bytes& segment) { return send_now(connection, segment); });
+  const bool sent = std::all_of(lying.segments.begin(), lying.segments.end(),
+                                [&](const Bytes& segment) { return send_now(connection, segment); });
+  return sent && ++connection.answers != setup_.abilities.closes_after;
 }
 
 bool ModbusPlc::send_now(const Connection& connection, const Bytes& bytes) const {

@@ -53,6 +53,8 @@ class ModbusPlc {
   std::uint64_t lies() const { return lies_sent_; }
   std::uint64_t lies(Lie lie) const { return count_[static_cast<std::size_t>(lie)]; }
   void close_connections();
+  /// Connections so far.
+  std::uint64_t accepted() const { return accepted_; }
 
   /// All requests so far, as PDUs.
   std::vector<Bytes> requests();
@@ -67,8 +69,9 @@ class ModbusPlc {
   struct Connection {
     int socket = -1;
     Bytes received = {};
-    Bytes before = {};           ///< the latest reply
-    Bytes late = {};             ///< to be sent at `due`
+    Bytes before = {};  ///< the latest reply
+    Bytes late = {};    ///< to be sent at `due`
+    std::size_t answers = 0;
     Clock::time_point due = {};  ///< of `late`
   };
 
@@ -90,6 +93,7 @@ class ModbusPlc {
   std::vector<Bytes> requests_;
   std::vector<Written> written_;
   std::atomic<std::uint64_t> lies_sent_{0};
+  std::atomic<std::uint64_t> accepted_{0};
   std::array<std::atomic<std::uint64_t>, kLies> count_{};
   std::atomic<bool> stop_{false};
   std::thread thread_;

@@ -68,6 +68,19 @@ PlcAnswer write(const Bytes& request, PlcMemory& memory) {
   return {Bytes(request.begin(), request.begin() + 5), {std::move(written)}};
 }
 
+PlcAnswer write_one(const Bytes& request, PlcMemory& memory) {
+  const bool bits = request[0] == 5;
+  const PlcArea area = bits ? PlcArea::coils : PlcArea::holding_registers;
+  if (request.size() != 5) return exception(request, 3);
+  const std::size_t first = word_at(request, 1);
+  const std::size_t value = word_at(request, 3);
+  if (bits && value != 0 && value != 0xFF00) return exception(request, 3);
+  if (!exists(memory, area, first, 1)) return exception(request, 2);
+  const auto stored = static_cast<std::uint16_t>(bits ? value / 0xFF00 : value);
+  memory.of(area)[first] = stored;
+  return {request, {{area, first, {stored}}}};
+}
+
 PlcAnswer identify(const Bytes& request, const PlcAbilities& abilities) {
   if (request.size() != 4 || request[1] != 14) return exception(request, 1);
   if (request[2] != 1) return exception(request, 3);
@@ -96,11 +109,17 @@ PlcAnswer answer_of(const Bytes& request, PlcMemory& memory, PlcAbilities& abili
   const int function = request[0];
   if (abilities.silent_functions.count(function) != 0) return {};
   if (abilities.functions.count(function) == 0) return exception(request, 1);
+  if (!abilities.exceptions.empty()) {
+    const std::uint8_t code = abilities.exceptions.front();
+    abilities.exceptions.pop_front();
+    return exception(request, code);
+  }
   if (abilities.busy > 0) {
     --abilities.busy;
     return exception(request, 6);
   }
   if (function <= 4) return read(request, memory, abilities);
+  if (function == 5 || function == 6) return write_one(request, memory);
   if (function == 43) return identify(request, abilities);
   return write(request, memory);
 }

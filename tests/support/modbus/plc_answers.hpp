@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ struct PlcAbilities {
   std::string vendor = "Test PLC";                     ///< by function 43
   std::size_t most_registers = 125;                    ///< in one reading request; more gets exception 03
   int busy = 0;                                        ///< the next requests get exception 06
+  std::deque<std::uint8_t> exceptions = {};            ///< the next requests get these
+  std::set<int> closing_functions = {};                ///< these close the connection without an answer
+  std::size_t closes_after = 0;                        ///< answers of a connection; 0: it stays open
 };
 
 /// A request to write that was executed.

@@ -130,7 +130,7 @@ TEST_CASE("The doctor names a wrong family and a silent port") {
   const auto silent =
       doctor({"--link", url(plc, "family=iqr&events=direct&code=ascii&timer=0s&timeout=200ms"), "--for", "0s"});
   CHECK(silent.code == 3);
-  CHECK_THAT(silent.out, ContainsSubstring("does not answer") && ContainsSubstring("code=ascii"));
+  CHECK_THAT(silent.out, ContainsSubstring("does not answer") && ContainsSubstring("code=binary"));
 }
 
 TEST_CASE("The doctor of a server link reports what the PLC touched") {

@@ -102,14 +102,15 @@ TEST_CASE("The Modbus client reads and writes a server of libmodbus") {
   REQUIRE_FALSE(bench.read());
   CHECK(bench.bit(link::Table::coil, 3));
   CHECK(bench.number(link::Table::holding_register, 6) == 0xBEEF);
-  CHECK_THAT(bench.dialog().take_rejections().front(), Catch::Matchers::ContainsSubstring("coil 100: exception 02"));
+  CHECK_THAT(bench.dialog().take_rejections().front().message,
+             Catch::Matchers::ContainsSubstring("coil 100: exception 02"));
   bench.set_bit(4, true);
   bench.set_number(4, 0x1234);
   bench.set_number(5, 0x5678);
   REQUIRE_FALSE(bench.write());
   std::vector<std::uint64_t> bits(8);
   std::vector<std::uint64_t> numbers(8);
-  REQUIRE_FALSE(bench.dialog().read_back(bits, numbers));
+  REQUIRE_FALSE(bench.read_back(bits, numbers));
   CHECK(bench.outbox().differences(bits, numbers).empty());
   bench.dialog().close();
   CHECK(server.memory().tab_bits[54] == 1);

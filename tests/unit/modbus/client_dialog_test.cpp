@@ -106,8 +106,7 @@ TEST_CASE("A request over addresses that the PLC does not have is divided from t
   CHECK(bench.dialog().take_rejections().empty());
 }
 
-TEST_CASE(
-    "A mapped address that the PLC does not have is reported, not asked again until the retry, and the rest goes on") {
+TEST_CASE("A mapped address that the PLC does not have is found, reported, tried again rarely, and the rest goes on") {
   ModbusPlc plc;
   SymbolList list;
   add_bits(list, kOperation, {3, 4, 999, 1000, 1001});
@@ -117,14 +116,186 @@ TEST_CASE(
   CHECK(sent(plc) == Texts{"1:3+999", "1:3+2", "1:999+3"});
   const auto rejections = bench.dialog().take_rejections();
   REQUIRE(rejections.size() == 1);
-  CHECK_THAT(rejections.front(),
+  CHECK_THAT(rejections.front().message,
              ContainsSubstring("rejects reading coils 999-1001") && ContainsSubstring("exception 02"));
+  bool whole = true;
+  const auto pass = [&](tables::Time now) {
+    whole = !bench.read(now);
+    return sent(plc);
+  };
+  CHECK(pass(10) == Texts{"1:3+2", "1:999+3", "1:999+1", "1:1000+2", "1:1000+1"});
+  CHECK_FALSE(whole);  // it is not known whether the PLC has coil 1001
+  CHECK(pass(20) == Texts{"1:3+2", "1:999+1", "1:1001+1"});
+  CHECK(whole);
+  CHECK(bench.dialog().take_left_out().empty());
+  std::size_t refused = 0;
+  for (tables::Time now = 1; now < 100; ++now) refused += pass(now * tables::kSecond).size() - 2;
+  CHECK(refused < 40);
+  const auto left_out = bench.dialog().take_left_out();
+  REQUIRE(left_out.size() == 2);
+  CHECK(left_out[0].lanes.lane == link::client::Lane{Table::coil, 62});
+  CHECK(left_out[0].lanes.mask == 0x0100);
+  CHECK(left_out[1].lanes.mask == 0x0200);
+  CHECK(left_out[0].refusal == tables::Refusal{tables::Refusal::Side::modbus_client, 1, 2, 1000});
+  CHECK(bench.dialog().take_rejections().empty());
+  plc.with([](PlcMemory& memory) { memory.coils.resize(2000, 1); });
+  pass(200 * tables::kSecond);
+  CHECK(bench.bit(Table::coil, 1000));
+  CHECK(bench.bit(Table::coil, 1001));
+  CHECK(pass(300 * tables::kSecond) == Texts{"1:3+999"});  // whole again
+}
+
+TEST_CASE("A request that the PLC refuses once is sent again in the next pass, whatever the exception is") {
+  for (const int exception : {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 255}) {
+    const auto code = static_cast<std::uint8_t>(exception);
+    CAPTURE(exception);
+    ModbusPlc plc({.abilities = {.exceptions = {code}}});
+    SymbolList list;
+    add_bits(list, kOperation, {3, 4});
+    DialogBench bench(list, plc.port(), "");
+    REQUIRE_FALSE(bench.dialog().open());
+    CHECK(bench.read(0).kind == Fault::Kind::rejected);
+    CHECK(bench.dialog().take_rejections().size() == 1);
+    CHECK_FALSE(bench.read(1));
+    CHECK(bench.dialog().take_rejections().empty());
+    CHECK(sent(plc) == Texts{"1:3+2", "1:3+2"});
+  }
+}
+
+TEST_CASE("A number stays in one request if the reading is divided") {
+  ModbusPlc plc({.memory = [] {
+    PlcMemory memory;
+    memory.holes = {{PlcArea::holding_registers, 2}};
+    return memory;
+  }()});
+  SymbolList list;
+  for (std::uint32_t i = 0; i < 3; ++i) list.add("N" + std::to_string(i), kOperation, i, DataType::dint);
+  DialogBench bench(list, plc.port(), "");
+  REQUIRE_FALSE(bench.dialog().open());
+  for (tables::Time now = 0; now < 10; ++now) {
+    bench.read(now);
+  }
+  for (const std::string& text : sent(plc))
+    CHECK_THAT(text, ContainsSubstring("+2") || ContainsSubstring("+4") || ContainsSubstring("+6"));
+}
+
+TEST_CASE("A PLC without functions 15 and 16 gets 5 and 6 from then on") {
+  ModbusPlc plc({.abilities = {.functions = {1, 2, 3, 4, 5, 6}}});
+  SymbolList list;
+  add_bits(list, kEvent, {1, 2, 3});
+  list.add("N", kEvent, 20, DataType::int_);
+  list.add("M", kEvent, 21, DataType::int_);
+  DialogBench bench(list, plc.port(), "events=coils:800&event-values=holding-registers:100");
+  REQUIRE_FALSE(bench.dialog().open());
+  bench.set_bit(2, true);
+  bench.set_number(20, 0x1234);
+  REQUIRE_FALSE(bench.write());
+  CHECK(bench.unwritten().empty());
+  CHECK(bench.dialog().take_rejections().empty());
+  CHECK(sent(plc) == Texts{"15:801+3", "5:801+0", "5:802+65280", "5:803+0", "16:120+2", "6:120+4660", "6:121+0"});
+  bench.dialog().close();
+  REQUIRE_FALSE(bench.dialog().open());
+  bench.set_bit(2, false);
+  REQUIRE_FALSE(bench.write());
+  CHECK(sent(plc) == Texts{"5:802+0"});
+  plc.with([](PlcMemory& memory) {
+    CHECK(memory.coils[802] == 0);
+    CHECK(memory.holding_registers[120] == 0x1234);
+  });
+  CHECK_THAT(bench.dialog().functions(),
+             ContainsSubstring("15 or 5 to write coils") && ContainsSubstring("it does not have 15, 16"));
+}
+
+TEST_CASE("A number of several registers is never written in parts: it is refused where function 16 is missing") {
+  ModbusPlc plc({.abilities = {.functions = {3, 6}}});
+  SymbolList list;
+  list.add("N", kEvent, 20, DataType::int_);
+  list.add("M", kEvent, 21, DataType::dint);
+  DialogBench bench(list, plc.port(), "event-values=holding-registers");
+  REQUIRE_FALSE(bench.dialog().open());
+  REQUIRE_FALSE(bench.write());
+  REQUIRE(bench.unwritten().size() == 2);
+  CHECK(bench.unwritten()[0].change.lane == link::client::Lane{Table::input_register, 42});
+  CHECK(bench.unwritten()[0].refusal.function == 16);
+  CHECK_THAT(bench.dialog().take_rejections().front().message, ContainsSubstring("use a number of 16 bits"));
+  for (const auto& written : plc.written()) CHECK(written.first == 20);
+}
+
+TEST_CASE("A PLC that had only the single functions gets the others again if it loses these") {
+  ModbusPlc plc({.abilities = {.functions = {1, 5}}});
+  SymbolList list;
+  add_bits(list, kEvent, {1});
+  DialogBench bench(list, plc.port(), "events=coils");
+  REQUIRE_FALSE(bench.dialog().open());
+  REQUIRE_FALSE(bench.write());
+  plc.with_abilities([](auto& abilities) { abilities.functions = {1, 15}; });
+  bench.set_bit(1, true);
+  REQUIRE_FALSE(bench.write());
+  CHECK(bench.unwritten().size() == 1);
+  CHECK_THAT(bench.dialog().take_rejections().front().message, ContainsSubstring("neither function 15 nor 5"));
+  bench.outbox().restart();
+  REQUIRE_FALSE(bench.write());
+  CHECK(bench.unwritten().empty());
+  plc.with([](PlcMemory& memory) { CHECK(memory.coils[1] == 1); });
+}
+
+TEST_CASE("With swapped bytes each register is read and written so, packed bits included") {
+  ModbusPlc plc;
+  plc.with([](PlcMemory& memory) {
+    memory.holding_registers[10] = 0x3412;
+    memory.input_registers[0] = 0x0001;
+  });
+  SymbolList list;
+  list.add("N", kOperation, 10, DataType::int_);
+  add_bits(list, kOperation, {0, 8});
+  list.add("M", kEvent, 20, DataType::int_);
+  add_bits(list, kEvent, {1});
+  DialogBench bench(list, plc.port(),
+                    "operations=input-registers&events=holding-registers:300&event-values=holding-registers:200"
+                    "&bytes=swapped");
+  REQUIRE_FALSE(bench.dialog().open());
   REQUIRE_FALSE(bench.read());
-  CHECK(sent(plc) == Texts{"1:3+2"});
-  bench.dialog().retry_rejected();
-  REQUIRE_FALSE(bench.read());
-  CHECK(sent(plc) == Texts{"1:3+2", "1:999+3"});
-  CHECK(bench.dialog().rejected() == 2);
+  CHECK(bench.number(Table::holding_register, 10) == 0x1234);
+  CHECK(bench.bit(Table::coil, 8));
+  CHECK_FALSE(bench.bit(Table::coil, 0));
+  bench.set_number(20, 0x0102);
+  bench.set_bit(1, true);
+  REQUIRE_FALSE(bench.write());
+  plc.with([](PlcMemory& memory) {
+    CHECK(memory.holding_registers[220] == 0x0201);
+    CHECK(memory.holding_registers[300] == 0x0200);
+  });
+}
+
+TEST_CASE("A server that closes after each answer is served, one connection for each request") {
+  ModbusPlc plc({.abilities = {.closes_after = 1}});
+  SymbolList list;
+  add_bits(list, kOperation, {3});
+  add_bits(list, kEvent, {1});
+  DialogBench bench(list, plc.port(), "events=coils:100");
+  REQUIRE_FALSE(bench.dialog().open());
+  Fault fault;
+  bench.dialog().identify(fault);
+  CHECK_FALSE(fault);
+  for (int i = 0; i < 5; ++i) {
+    plc.with([i](PlcMemory& memory) { memory.coils[3] = i % 2 != 0 ? 1 : 0; });
+    bench.set_bit(1, i % 2 == 0);
+    REQUIRE_FALSE(bench.read());
+    REQUIRE_FALSE(bench.write());
+    CHECK(bench.bit(Table::coil, 3) == (i % 2 != 0));
+    plc.with([i](PlcMemory& memory) { CHECK(memory.coils[101] == (i % 2 == 0 ? 1 : 0)); });
+  }
+  CHECK(plc.accepted() == plc.requests().size());
+}
+
+TEST_CASE("What something else than a Modbus server answers is in the message") {
+  ModbusPlc plc;
+  plc.lie({.seed = 3, .per_thousand = 1000, .kinds = {test::modbus::Lie::protocol_id}});
+  SymbolList list;
+  add_bits(list, kOperation, {3});
+  DialogBench bench(list, plc.port(), "");
+  REQUIRE_FALSE(bench.dialog().open());
+  CHECK_THAT(bench.read().message, ContainsSubstring("something else than a Modbus server answers, the bytes 00 01"));
 }
 
 TEST_CASE("If the PLC rejects all, so is the reading") {
@@ -134,7 +305,7 @@ TEST_CASE("If the PLC rejects all, so is the reading") {
   DialogBench bench(list, plc.port(), "");
   REQUIRE_FALSE(bench.dialog().open());
   CHECK(bench.read().kind == Fault::Kind::rejected);
-  CHECK_THAT(bench.dialog().take_rejections().front(),
+  CHECK_THAT(bench.dialog().take_rejections().front().message,
              ContainsSubstring("coil 3:") && ContainsSubstring("does not support function 1"));
 }
 
@@ -191,7 +362,7 @@ TEST_CASE("A register with some mapped bits is written whole, with zeros in the 
     });
     std::vector<std::uint64_t> bits(4);
     std::vector<std::uint64_t> numbers(4);
-    REQUIRE_FALSE(bench.dialog().read_back(bits, numbers));
+    REQUIRE_FALSE(bench.read_back(bits, numbers));
     CHECK(bits[0] == 0x10'0010);
   }
 }
@@ -213,17 +384,19 @@ TEST_CASE("A number is never divided between two requests") {
   CHECK(sent(plc) == Texts{"16:503+2"});
 }
 
-TEST_CASE("A rejected write is explained and counts as written") {
+TEST_CASE("A rejected write is explained, and its changes are returned") {
   ModbusPlc plc({.abilities = {.functions = {1, 3, 16}}});
   SymbolList list;
   add_bits(list, kEvent, {3});
   DialogBench bench(list, plc.port(), "events=coils");
   REQUIRE_FALSE(bench.dialog().open());
   CHECK_FALSE(bench.write());
-  CHECK_THAT(bench.dialog().take_rejections().front(), ContainsSubstring("rejects writing coil 3: exception 01"));
-  plc.forget_log();
-  CHECK_FALSE(bench.write());
-  CHECK(sent(plc).empty());
+  CHECK_THAT(
+      bench.dialog().take_rejections().front().message,
+      ContainsSubstring("rejects writing coil 3: exception 01") && ContainsSubstring("neither function 15 nor 5"));
+  REQUIRE(bench.unwritten().size() == 1);
+  CHECK(bench.unwritten()[0].change.mask == 8);
+  CHECK(bench.unwritten()[0].refusal == tables::Refusal{tables::Refusal::Side::modbus_client, 5, 1, 3});
 }
 
 TEST_CASE("A PLC is identified by function 43, and always unverifiable") {
@@ -251,12 +424,24 @@ TEST_CASE("A PLC that does not answer function 43 is not asked again") {
   add_bits(list, kOperation, {3});
   DialogBench bench(list, plc.port(), "timeout=300ms");
   REQUIRE_FALSE(bench.dialog().open());
-  Fault fault;
-  bench.dialog().identify(fault);
-  CHECK(fault.kind == Fault::Kind::transport);
-  bench.dialog().close();
+  for (int time = 0; time < 2; ++time) {
+    Fault fault;
+    CHECK_THAT(bench.dialog().identify(fault).message, ContainsSubstring("does not identify itself"));
+    CHECK_FALSE(fault);
+  }
+  const std::vector<PlcBytes> requests = plc.requests();
+  CHECK(std::count_if(requests.begin(), requests.end(), [](const PlcBytes& pdu) { return pdu[0] == 43; }) == 1);
+  CHECK(plc.accepted() == 2);
+}
+
+TEST_CASE("A PLC that closes on function 43 is asked for the rest over a new connection") {
+  ModbusPlc plc({.abilities = {.closing_functions = {43}}});
+  SymbolList list;
+  add_bits(list, kOperation, {3});
+  DialogBench bench(list, plc.port(), "");
   REQUIRE_FALSE(bench.dialog().open());
-  CHECK_THAT(bench.dialog().identify(fault).message, ContainsSubstring("does not identify itself"));
+  Fault fault;
+  CHECK_THAT(bench.dialog().identify(fault).message, ContainsSubstring("its operations can be read"));
   CHECK_FALSE(fault);
 }
 

@@ -116,7 +116,7 @@ void check_writing(ModbusPlc& plc, DialogBench& bench, const RandomMap& map, boo
   CHECK(std::all_of(allowed.begin(), allowed.end(), [](const auto& one) { return one.second == 1; }));
   std::vector<std::uint64_t> bits(200);
   std::vector<std::uint64_t> numbers(200);
-  REQUIRE_FALSE(bench.dialog().read_back(bits, numbers));
+  REQUIRE_FALSE(bench.read_back(bits, numbers));
   CHECK(bench.outbox().differences(bits, numbers).empty());
 }
 

@@ -63,6 +63,10 @@ TEST_CASE("Every parameter of a modbus-tcp URL sets its value") {
   CHECK(read.timeout == 500 * tables::kMillisecond);
 }
 
+TEST_CASE("By default an answer is late before the link is lost") {
+  CHECK(ClientSettings().timeout < link::LinkSettings().loss_after);
+}
+
 TEST_CASE("Areas that cannot be written or have no registers are rejected with those that fit") {
   CHECK_THAT(client_settings_fault("events=discrete-inputs"),
              ContainsSubstring("`events=discrete-inputs`") &&
@@ -81,6 +85,7 @@ TEST_CASE("Invalid values of a modbus-tcp URL say what to write") {
   CHECK_THAT(client_settings_fault("poll=0s"), ContainsSubstring("write a time such as"));
   CHECK_THAT(client_settings_fault("bit-order=first"), ContainsSubstring("low-first, high-first"));
   CHECK_THAT(client_settings_fault("at-end=off"), ContainsSubstring("keep, zero"));
+  CHECK_THAT(client_settings_fault("bytes=low-first"), ContainsSubstring("normal, swapped"));
   CHECK_THAT(client_settings_fault("unit=1&unit=2"), ContainsSubstring("`unit` is set twice"));
   CHECK_THAT(client_settings_fault("unit"), ContainsSubstring("write KEY=VALUE"));
 }

@@ -29,16 +29,22 @@ class DialogBench {
   const link::IoMap& map() const { return parts_.map; }
   std::vector<std::uint64_t>& words(link::Table table) { return words_[static_cast<std::size_t>(table)]; }
 
-  link::client::Fault read() {
+  link::client::Fault read(tables::Time now = 0) {
     link::image::Tables tables = images();
-    return parts_.dialog->read(tables);
+    return parts_.dialog->read(tables, now);
   }
   /// Writes what differs from what the PLC has confirmed.
   link::client::Fault write() {
     const auto changes = outbox_.changes(images());
-    link::client::Fault fault = parts_.dialog->write(changes);
+    unwritten_.clear();
+    link::client::Fault fault = parts_.dialog->write(changes, unwritten_);
     if (!fault) outbox_.confirm(changes);
     return fault;
+  }
+  /// Of the latest write().
+  const std::vector<link::client::Unwritten>& unwritten() const { return unwritten_; }
+  link::client::Fault read_back(std::vector<std::uint64_t>& bits, std::vector<std::uint64_t>& numbers) {
+    return parts_.dialog->read_back(bits, numbers, 0);
   }
 
   bool bit(link::Table table, std::uint32_t number) { return link::image::get_bit(words(table), number); }
@@ -65,6 +71,7 @@ class DialogBench {
   tables::PlantTables tables_;
   link::client::ClientParts parts_;
   link::client::Outbox outbox_;
+  std::vector<link::client::Unwritten> unwritten_;
   std::array<std::vector<std::uint64_t>, link::kTables> words_;
 };
 

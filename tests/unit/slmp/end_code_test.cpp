@@ -25,7 +25,7 @@ std::string table() {
   std::ostringstream text;
   text << "| code | meaning | what to do |\n|---|---|---|\n";
   for (const EndCode& row : end_codes()) {
-    text << "| " << end_code_text(row.code).substr(9, 4) << " | " << row.meaning << " | " << row.action << " |\n";
+    text << "| " << end_code_text(row.code, {}).substr(9, 4) << " | " << row.meaning << " | " << row.action << " |\n";
   }
   return text.str();
 }
@@ -47,11 +47,11 @@ TEST_CASE("The manual lists every end code with its meaning") {
 }
 
 TEST_CASE("An end code is a meaning and an action, an unknown one names its origin") {
-  CHECK(end_code_text(0x0055) ==
+  CHECK(end_code_text(0x0055, {}) ==
         "end code 0055 (the PLC is in RUN and its port does not permit writing): set `Enable online change` in the "
         "parameters of the port (GX Simulator3: `Enable All (SLMP)`)");
-  CHECK(end_code_text(0x4ABC).find("an error that the CPU module reports") != std::string::npos);
-  CHECK(end_code_text(0xFFFF).find("an unknown error") != std::string::npos);
+  CHECK(end_code_text(0x4ABC, {}).find("an error that the CPU module reports") != std::string::npos);
+  CHECK(end_code_text(0xFFFF, {}).find("an unknown error") != std::string::npos);
   CHECK(end_code_of(0xC056).remedy == Remedy::configure);
   CHECK(end_code_of(0x0055).remedy == Remedy::permit);
   CHECK(end_code_of(0xCEE0).remedy == Remedy::try_again);

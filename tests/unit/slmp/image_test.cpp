@@ -47,7 +47,7 @@ class Images {
               [&](const char* device, std::uint32_t number, Table, std::uint32_t) { put(device, number, draw()); });
     const auto size = [&](std::size_t table) { return parts_.map.sizes[table]; };
     link::image::Tables tables{{words_[0], size(0)}, {words_[1], size(1)}, {words_[2], size(2)}, {words_[3], size(3)}};
-    REQUIRE_FALSE(parts_.dialog->read(tables));
+    REQUIRE_FALSE(parts_.dialog->read(tables, 0));
     return wrong(true);
   }
 
@@ -65,7 +65,9 @@ class Images {
     });
     std::vector<link::client::LaneChange> list;
     for (const auto& entry : changes) list.push_back(entry.second);
-    REQUIRE_FALSE(parts_.dialog->write(list));
+    std::vector<link::client::Unwritten> unwritten;
+    REQUIRE_FALSE(parts_.dialog->write(list, unwritten));
+    CHECK(unwritten.empty());
     return wrong(false);
   }
 

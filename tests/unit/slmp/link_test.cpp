@@ -64,8 +64,10 @@ TEST_CASE("The paper's cell closes the loop with every family") {
     SlmpPlc plc(cell_plc(family));
     link::LinkSettings settings;
     settings.arm = true;
-    const CellClient client(plc.port(), parameters + "&events=direct&poll=1ms", settings);
-    CHECK(finishes(plc, 2));
+    CellClient client(plc.port(), parameters + "&events=direct&poll=1ms", settings);
+    const bool finished = finishes(plc, 2);
+    INFO(client.messages());
+    CHECK(finished);
     CHECK(plc.log().writes_outside(kCellInputs).empty());
   }
 }

@@ -1,6 +1,8 @@
 // Where symbols lie in the memory of a PLC.
 #include "symplant/link/slmp/map.hpp"
 
+#include <array>
+
 #include "support/catch.hpp"
 #include "unit/link/symbol_list.hpp"
 
@@ -42,6 +44,23 @@ constexpr auto kIn = SymbolList::kIn;
 constexpr auto kOut = SymbolList::kOut;
 
 }  // namespace
+
+TEST_CASE("The low word of a number is first, whatever the list has, unless the plant sets another order") {
+  SymbolList list;
+  list.add_device("A", kOut, "D100", tables::DataType::real);
+  list.add_device("B", kOut, "D102", tables::DataType::real);
+  const std::array<link::MapRow, 1> rows{link::MapRow{.symbol = 1, .word_order = link::WordOrder::high_first}};
+  const auto orders = [&](const link::LinkSettings& link) {
+    const auto made = make_device_map(list.tables(), 0, link, std::get<Settings>(read_settings("//h:5000?family=q")));
+    const auto& points = std::get<DeviceMap>(made).io.points;
+    return std::pair(points[0].word_order, points[1].word_order);
+  };
+  constexpr auto kLow = link::WordOrder::low_first;
+  constexpr auto kHigh = link::WordOrder::high_first;
+  CHECK(orders({.word_order = kHigh}) == std::pair(kLow, kLow));
+  CHECK(orders({.rows = rows, .word_order = kHigh}) == std::pair(kLow, kHigh));
+  CHECK(orders({.word_order = kHigh, .word_order_given = true}) == std::pair(kHigh, kHigh));
+}
 
 TEST_CASE("Without a choice for events at X there is no map") {
   SymbolList list;

@@ -39,6 +39,13 @@ TEST_CASE("The defaults are 3E, binary, TCP, commands of Q and L") {
   CHECK(read.framing.route == Route{});
   CHECK(read.events == EventAccess::unset);
   CHECK(read.times.read_back == tables::kSecond);
+  CHECK(read.timeout < link::LinkSettings().loss_after);
+}
+
+TEST_CASE("A family that has only 1E frames is explained") {
+  for (const char* const family : {"fx3", "fx3u", "fx3g", "a"}) {
+    CHECK_THAT(parameter_fault(std::string("family=") + family), Contains("1E frames") && Contains("modbus-tcp://"));
+  }
 }
 
 TEST_CASE("Every parameter is read") {

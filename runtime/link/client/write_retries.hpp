@@ -1,0 +1,47 @@
+// Events that the PLC refuses to take, and when they are written again.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "symplant/link/client/dialog.hpp"
+#include "symplant/link/client/retry.hpp"
+#include "symplant/link/io_map.hpp"
+
+namespace symplant::link::client {
+
+/// What is written together: one event with all its registers, or the status block. A refused request holds several of
+/// them; each is written alone until the PLC takes it. A call costs one step for each event that is refused, and
+/// refuse() one for each of the map.
+class WriteRetries {
+ public:
+  explicit WriteRetries(const IoMap& map);
+
+  /// No event is refused any more.
+  void clear() noexcept { refused_.clear(); }
+  /// Adds the events in these lanes; those that are there already are not changed. Returns the lanes of the events.
+  std::vector<LaneChange> add(std::span<const Unwritten> lanes, tables::Time now);
+  /// The events that are due, at most `most`: indexes for the other members.
+  std::vector<std::size_t> due(tables::Time now, std::size_t most) const;
+  /// The lanes of an event with its values.
+  std::vector<LaneChange> changes(std::size_t event, const image::Tables& events) const;
+  void accept(std::size_t event) noexcept { refused_.erase(event); }
+  /// The PLC has refused it again. True if it does so for good since now.
+  bool refuse(std::size_t event, tables::Time now, Answer answer);
+  /// tables::kNone of the status block.
+  std::uint32_t symbol(std::size_t event) const { return events_[event].symbol; }
+
+ private:
+  struct Event {
+    std::uint32_t symbol;
+    std::vector<LaneChange> lanes;  ///< without values
+  };
+
+  std::vector<Event> events_;
+  std::map<std::size_t, Retry> refused_;  ///< by index in events_
+};
+
+}  // namespace symplant::link::client
