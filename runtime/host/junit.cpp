@@ -11,6 +11,17 @@ namespace {
 
 using trace::TestCase;
 
+/// Whether a step is a test case: each expectation, and what was refused or not reached of the other steps.
+bool is_case(const scenario::Step& step, const scenario::Outcome& outcome) {
+  return step.expect || (step.is_checked() && outcome.kind != scenario::Outcome::Kind::held);
+}
+
+/// What a step needs to hold.
+std::string_view verb_of(const scenario::Step& step) {
+  if (!step.expect) return "needs";
+  return step.when == scenario::Step::When::wait ? "wait" : "expect";
+}
+
 /// " (10 turns)" for a repeated step.
 std::string turns_text(const scenario::Scenario& scenario, std::size_t step) {
   const std::uint64_t turns = scenario::executions(scenario, step);
@@ -23,8 +34,8 @@ std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::S
   std::vector<TestCase> cases;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const scenario::Step& step = scenario->steps[i];
-    if (!step.is_checked()) continue;
-    TestCase test{fmt::format("step {}: {} {}", i + 1, step.when == scenario::Step::When::wait ? "wait" : "expect",
+    if (!is_case(step, outcomes[i])) continue;
+    TestCase test{fmt::format("step {}: {} {}", i + 1, verb_of(step),
                               scenario::expectation_words(step, names) + turns_text(*scenario, i)),
                   outcomes[i].time,
                   {}};

@@ -75,7 +75,7 @@ std::optional<scenario::Scenario> load_scenario(const std::string& path, const t
 
 std::string scenario_summary(const std::string& path, const scenario::Scenario& scenario) {
   const auto expecting = std::count_if(scenario.steps.begin(), scenario.steps.end(),
-                                       [](const scenario::Step& step) { return step.is_checked(); });
+                                       [](const scenario::Step& step) { return step.expect.has_value(); });
   std::string text = fmt::format("scenario {}: {}, {} with expectations", shown(path),
                                  plural(scenario.steps.size(), "step"), expecting);
   if (!scenario.repeats.empty()) text += fmt::format(", {}", plural(scenario.repeats.size(), "repeat"));

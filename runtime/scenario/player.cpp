@@ -46,6 +46,12 @@ void Player::instant(const engine::Instant& instant) noexcept {
   position_.met_time = instant.time;
 }
 
+/// Something of a step was refused, by the value of a kHandNote.
+void Player::refuse(std::uint64_t which) noexcept {
+  if (notes_steps_) recorder_.note(plant_.now(), kRefusedNote, which);
+  if (notes_failures_) late_notes_.push_back({kHandNote, which});
+}
+
 /// False if a part had no room, or there was none to take. Begins the step: if it may change more than the plant can
 /// report of one instant, an instant runs before.
 bool Player::act_by_hand(const Step& step) noexcept {
@@ -54,7 +60,7 @@ bool Player::act_by_hand(const Step& step) noexcept {
   hands_ += hands;
   bool all = true;
   const auto failed = [&](std::uint64_t which) {
-    late_notes_.push_back({kHandNote, which});
+    refuse(which);
     all = false;
   };
   for (std::size_t i = 0; i < step.put.size(); ++i) {
@@ -82,7 +88,7 @@ bool Player::change_malfunctions(const Step& step) noexcept {
   for (const std::uint32_t malfunction : step.stop) plant_.stop_malfunction(malfunction, By::scenario);
   for (std::size_t i = 0; i < step.start.size(); ++i) {
     if (plant_.start_malfunction(step.start[i], By::scenario)) continue;
-    late_notes_.push_back({kHandNote, kStartNote + i});
+    refuse(kStartNote + i);
     all = false;
   }
   return all;

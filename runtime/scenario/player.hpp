@@ -44,6 +44,11 @@ inline constexpr std::uint32_t kStepNote = 0xFFFF'FFFC;
 inline constexpr std::uint64_t kStepFailed = std::uint64_t{1} << 32;
 inline constexpr int kTurnBits = 33;
 
+/// The `of` of a note before kStepNote, or the panel's note about acts by hand, about something of it that was refused:
+/// the value of a kHandNote, and from kRefusedBits on the index of the step within the acts.
+inline constexpr std::uint32_t kRefusedNote = 0xFFFF'FFF9;
+inline constexpr int kRefusedBits = 34;
+
 /// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
 /// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
 ///
@@ -109,6 +114,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   bool act(const Step& step) noexcept;
   bool act_by_hand(const Step& step) noexcept;
   bool change_malfunctions(const Step& step) noexcept;
+  void refuse(std::uint64_t which) noexcept;
   void advance_plant(tables::Time time) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;

@@ -63,7 +63,7 @@ struct Step {
   std::size_t line = 0;       ///< in the file, from 1
   std::uint32_t file = 0;     ///< index in Scenario::files
 
-  /// Whether it can fail.
+  /// Whether it can fail: it is an expectation (it has `expect`), or it does something that may be refused.
   bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty() || starts_ordinary; }
 };
 

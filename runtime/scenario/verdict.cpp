@@ -167,7 +167,7 @@ Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes) 
   Verdict verdict;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!scenario.steps[i].is_checked()) continue;
-    verdict.held += outcomes[i].done - outcomes[i].failed;
+    if (scenario.steps[i].expect) verdict.held += outcomes[i].done - outcomes[i].failed;
     verdict.failed += outcomes[i].failed;
     verdict.unreached += executions(scenario, i) - outcomes[i].done;
   }

@@ -13,7 +13,8 @@
 
 namespace symplant::scenario {
 
-/// The number of expectations, by outcome: that of a repeated step counts once a turn.
+/// The number of expectations, by outcome: that of a repeated step counts once a turn. A step that only acts counts if
+/// something of it was refused, or it was not reached; it never counts as held.
 struct Verdict {
   std::uint64_t held = 0;
   std::uint64_t failed = 0;

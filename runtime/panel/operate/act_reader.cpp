@@ -149,11 +149,14 @@ ReadActs ActReader::read(std::string_view body) {
     return form_error(document.faults.empty() ? "the body is not JSON" : document.faults.front().message);
   }
   const Json& root = *document.root;
-  if (!root.is_object() || root.size() != 1 || !root.contains("acts") || !root["acts"].is_array()) {
-    return form_error("the body is an object with the key `acts`, an array");
+  const bool has_until = root.is_object() && root.contains("until");
+  if (!root.is_object() || root.size() != (has_until ? 2 : 1) || !root.contains("acts") || !root["acts"].is_array()) {
+    return form_error("the body is an object with the key `acts`, an array, and maybe `until`");
   }
+  if (has_until && !root["until"].is_number_integer()) return form_error("`until` is an integer");
   if (root["acts"].empty() || root["acts"].size() > kMostActs) return form_error("`acts` has 1 to 100 acts");
   ReadActs read;
+  if (has_until) read.until = root["until"].get<std::int64_t>();
   std::size_t changes = 0;
   for (const Json& json : root["acts"]) {
     if (!json.is_object()) return form_error("an act is an object");

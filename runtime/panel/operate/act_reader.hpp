@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "symplant/panel/operate/order.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -39,8 +40,9 @@ struct Act {
 
 struct ReadActs {
   std::vector<Act> acts;
-  std::string error;     ///< empty: all of them can be read
-  bool is_form = false;  ///< the error is one of the form (400), not of the content (422)
+  std::string error;              ///< empty: all of them can be read
+  bool is_form = false;           ///< the error is one of the form (400), not of the content (422)
+  std::int64_t until = kNoLimit;  ///< by act_clock(): after it, they are not to be done
 };
 
 /// Reads the bodies of requests. Not thread-safe. Construction is O(plant), read() O(body).

@@ -44,7 +44,7 @@ Desk::Desk(Setup setup)
   }
   if (!setup_.resumed.empty()) {
     picture_.load(setup_.plant);
-    session_.begin_again(std::make_shared<KeptState>(KeptState{trace::Snapshot::of(setup_.plant), 0, {}}));
+    session_.begin_again(std::make_shared<KeptState>(KeptState{trace::Snapshot::of(setup_.plant)}));
   }
 }
 
@@ -65,16 +65,21 @@ std::optional<SetBack> Desk::note(const trace::Record& record) {
     picture_.touch_symbol(static_cast<std::uint32_t>(record.value / 2));
   } else if (record.of == scenario::kTurnNote) {
     step_turn_ = record.value;
+  } else if (record.of == scenario::kRefusedNote) {
+    refusals_.add(record.value);
   } else if (record.of == scenario::kStepNote) {
     step_noted(record);
+    refusals_.clear();
   } else if (record.of == kOverNote) {
     is_exercise() ? exercise_->over(record.time) : played_.over();
   } else if (record.of == kOrderNote) {
-    const auto found = pending_.find(static_cast<std::uint32_t>(record.value % kNoRoom));
+    const auto found = pending_.find(static_cast<std::uint32_t>(record.value % kLeastOutcome));
     if (found == pending_.end()) return std::nullopt;
     Pending pending = std::move(found->second);
     pending_.erase(found);
-    return done(pending, record);
+    std::optional<SetBack> back = done(pending, record);
+    refusals_.clear();
+    return back;
   }
   return std::nullopt;
 }
@@ -82,8 +87,7 @@ std::optional<SetBack> Desk::note(const trace::Record& record) {
 void Desk::step_noted(const trace::Record& record) {
   const auto index = static_cast<std::size_t>(record.value & 0xFFFF'FFFF);
   if (playing_ == nullptr || index >= playing_->steps.size()) return;
-  const scenario::Step& step = playing_->steps[index];
-  const std::string actions = scenario::actions_json(step, setup_.names);
+  const std::string actions = scenario::actions_json(refusals_.done_of(playing_->steps[index], 0), setup_.names);
   if (!actions.empty()) log(record.time, record.value >> scenario::kTurnBits, "scenario", actions, true);
   const bool failed = (record.value & scenario::kStepFailed) != 0;
   if (failed) step_failed(index, record.time);
@@ -91,8 +95,8 @@ void Desk::step_noted(const trace::Record& record) {
 }
 
 void Desk::step_failed(std::size_t step, tables::Time time) {
-  const std::string words = why::in_one_line(
-      scenario::failure_words(*playing_, {step, step_turn_, time, {}}, setup_.explainer, setup_.history, nullptr));
+  const std::string words = why::in_one_line(scenario::failure_words(
+      *playing_, {step, step_turn_, time, refusals_.values()}, setup_.explainer, setup_.history, nullptr));
   const std::string name = fmt::format("step {}", step + 1);
   add_finding({time, "", tables::kNone, is_exercise() ? "" : name, words}, "expectation failed", name, "error");
 }
@@ -185,8 +189,7 @@ void Desk::put_description(std::string& json) const {
 
 std::string Desk::picture() {
   const tables::Time now = operator_.now();
-  std::string json = "{";
-  put(json, "\"rev\":{},\"t\":{}", revision_, now);
+  std::string json = beat();
   put_key(json, "clock");
   put_clock(json);
   picture_.put_all(json, now);
@@ -252,7 +255,9 @@ std::string Desk::changes() {
   return beat() + "," + json + "}";
 }
 
-std::string Desk::beat() const { return fmt::format("{{\"rev\":{},\"t\":{}", revision_, operator_.now()); }
+std::string Desk::beat() const {
+  return fmt::format("{{\"rev\":{},\"t\":{},\"now\":{}", revision_, operator_.now(), act_clock());
+}
 
 void Desk::look_at_time(tables::Time every) {
   const tables::Time now = operator_.now();

@@ -18,6 +18,7 @@
 #include "symplant/panel/operate/exercises.hpp"
 #include "symplant/panel/operate/operator.hpp"
 #include "symplant/panel/operate/played.hpp"
+#include "symplant/panel/operate/refusals.hpp"
 #include "symplant/panel/operate/session.hpp"
 #include "symplant/panel/operate/snapshots.hpp"
 #include "symplant/panel/picture/chart.hpp"
@@ -29,6 +30,9 @@
 #include "symplant/why/explainer.hpp"
 
 namespace symplant::panel {
+
+/// The answer to an act whose time was over before the plant got to it.
+inline constexpr const char* kTooLateText = "it came too late, and was not done; try again";
 
 /// The plant was set to another state, which the history now has.
 struct SetBack {
@@ -113,6 +117,7 @@ class Desk {
     Answered answered;
     std::size_t waiting = 0;
     tables::Time time = 0;
+    std::int64_t until = kNoLimit;  ///< by act_clock(), of its acts on the plant
     std::string body;
     std::string error;
   };
@@ -125,6 +130,7 @@ class Desk {
     std::shared_ptr<Group> group;
     std::shared_ptr<Exercise> exercise;
     std::unique_ptr<scenario::Player> player;
+    tables::Time asked = 0;  ///< plant time at which a restore was asked for
   };
   struct Found {
     tables::Time time;
@@ -145,7 +151,11 @@ class Desk {
   void offer_exercise(const std::string& name, const std::shared_ptr<Group>& group);
   void finish(const std::shared_ptr<Group>& group);
   std::optional<SetBack> done(Pending& pending, const trace::Record& note);
+  std::optional<SetBack> carried_out(Pending& pending, const trace::Record& note);
+  void acted(const Pending& pending, const trace::Record& note);
+  void play(Pending& pending, tables::Time time);
   std::optional<SetBack> set_back(const Pending& pending, tables::Time time);
+  void go_back_to(const Pending& pending);
   void copied(Pending& pending, tables::Time time);
   std::string explain(const std::string& name, tables::Time time);
   void log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step);
@@ -196,6 +206,7 @@ class Desk {
   std::uint64_t plays_ = 1;
   tables::Time last_change_ = -1;  ///< of the plant since it was set back
   std::uint64_t step_turn_ = 0;    ///< of the step about which the next note is
+  Refusals refusals_;              ///< of the step or order about which the next note is
 
   std::uint64_t revision_ = 0;
   std::uint64_t sent_findings_ = 0;

@@ -38,52 +38,45 @@ class OperatedView final : public why::RecordedView {
   const scenario::Scenario* played_;  ///< may be null
 };
 
-std::string_view failure_text(std::uint64_t note) {
-  if ((note & kNoRoom) != 0) return "a part has no room there";
-  return (note & kNoPart) != 0 ? "there is no part there" : "too many malfunctions are active";
-}
-
 }  // namespace
 
-/// An order was carried out.
+/// The plant is done with an order.
 std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
-  const std::uint64_t turn = note.value >> scenario::kTurnBits;
-  const bool failed = (note.value & kFailed) != 0;
   Group& group = *pending.group;
   group.time = note.time;
   std::optional<SetBack> back;
+  if ((note.value & kTooLate) != 0) {
+    group.error = kTooLateText;
+  } else if ((note.value & kDoesNotFit) != 0) {
+    group.error = "the snapshot does not fit this plant";
+  } else {
+    back = carried_out(pending, note);
+  }
+  --group.waiting;
+  finish(pending.group);
+  return back;
+}
+
+std::optional<SetBack> Desk::carried_out(Pending& pending, const trace::Record& note) {
+  const auto log_control = [&](const std::string& members) {
+    log(note.time, note.value >> scenario::kTurnBits, "hand", members, false);
+  };
+  std::optional<SetBack> back;
   switch (pending.purpose) {
     case Purpose::act:
-      for (const scenario::Step& step : pending.steps) {
-        log(note.time, turn, "hand", scenario::actions_json(step, setup_.names), true);
-      }
-      if (failed) group.error = std::string(failure_text(note.value)) + "; the other acts were done";
+      acted(pending, note);
       break;
     case Purpose::control:
       if (pending.order.kind == Order::Kind::reset) back = set_back(pending, note.time);
-      log(note.time, turn, "hand", pending.name, false);
+      log_control(pending.name);
       break;
     case Purpose::restore:
-      if (failed) {
-        group.error = "the snapshot does not fit this plant";
-      } else {
-        back = set_back(pending, note.time);
-        log(note.time, turn, "hand", fmt::format("\"restore\":{}", trace::json_string(pending.name)), false);
-      }
+      back = set_back(pending, note.time);
+      log_control(fmt::format("\"restore\":{}", trace::json_string(pending.name)));
       break;
     case Purpose::play:
-      player_ = std::move(pending.player);  // the plant has let go of the former one
-      if (pending.exercise != nullptr) {
-        exercise_ = std::move(pending.exercise);
-        exercise_->begin(note.time);
-        playing_ = &exercise_->scenario();
-        played_.begin(nullptr);
-      } else {
-        if (exercise_ != nullptr && !exercise_->is_over()) exercise_->over(note.time);
-        playing_ = nullptr;
-        played_.begin(nullptr);
-      }
-      log(note.time, turn, "hand", pending.name, false);
+      play(pending, note.time);
+      log_control(pending.name);
       break;
     case Purpose::snapshot:
     case Purpose::save:
@@ -92,9 +85,30 @@ std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
       copied(pending, note.time);
       break;
   }
-  --group.waiting;
-  finish(pending.group);
   return back;
+}
+
+/// Steps acted on the plant; what was refused is not logged.
+void Desk::acted(const Pending& pending, const trace::Record& note) {
+  for (std::size_t i = 0; i < pending.steps.size(); ++i) {
+    const std::string actions = scenario::actions_json(refusals_.done_of(pending.steps[i], i), setup_.names);
+    if (!actions.empty()) log(note.time, note.value >> scenario::kTurnBits, "hand", actions, true);
+  }
+  if (!refusals_.empty()) pending.group->error = std::string(refusals_.words()) + "; the other acts were done";
+}
+
+/// The plant plays an exercise, or no scenario any more.
+void Desk::play(Pending& pending, tables::Time time) {
+  player_ = std::move(pending.player);  // the plant has let go of the former one
+  if (pending.exercise != nullptr) {
+    exercise_ = std::move(pending.exercise);
+    exercise_->begin(time);
+    playing_ = &exercise_->scenario();
+  } else {
+    if (exercise_ != nullptr) exercise_->end(time);
+    playing_ = nullptr;
+  }
+  played_.begin(nullptr);
 }
 
 std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time) {
@@ -103,12 +117,7 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
     shadow().reset(setup_.seed, setup_.cycle);
     is_exercise() ? exercise_->begin(time) : played_.begin(playing_);
   } else {
-    shadow().restore(pending.state->snapshot.block);
-    if (pending.order.played == nullptr) {
-      playing_ = nullptr;
-      played_.begin(nullptr);
-    }
-    played_.forget();
+    go_back_to(pending);
   }
   setup_.history.load(shadow());
   picture_.load(shadow());
@@ -121,9 +130,23 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   return SetBack{is_reset ? "reset" : "restored", pending.state == nullptr ? std::string() : pending.name, time};
 }
 
+/// A restore: an exercise goes on as it was in that state. If the state has none of this play, the scenario is over.
+void Desk::go_back_to(const Pending& pending) {
+  shadow().restore(pending.state->snapshot.block);
+  if (pending.order.played == nullptr) {
+    if (exercise_ != nullptr) exercise_->end(pending.asked);
+    playing_ = nullptr;
+    played_.begin(nullptr);
+  } else if (pending.state->exercise) {
+    exercise_->go_back_to(*pending.state->exercise);
+  }
+  played_.forget();
+}
+
 /// A copy of the state has arrived.
 void Desk::copied(Pending& pending, tables::Time time) {
   pending.state->snapshot.time = time;
+  if (pending.state->played && is_exercise()) pending.state->exercise = exercise_->progress();
   Group& group = *pending.group;
   if (pending.purpose == Purpose::backtrack) return snapshots_.keep_backtrack(std::move(pending.state));
   if (pending.purpose == Purpose::why) {

@@ -60,7 +60,7 @@ Answer Desk::session_file(std::string_view kind) {
   return {200, session_.scenario("session.start.snapshot", operator_.now())};
 }
 
-/// Writes the files of a session; returns why not, or an empty text.
+/// Writes the files of a session: next to a PLC without the scenario. Returns why not, or an empty text.
 std::string Desk::save_session(const std::string& name) {
   std::string error = write_file(snapshots_.path(name, ".session.json"), session_json());
   if (error.empty()) error = write_file(snapshots_.path(name, ".junit.xml"), session_junit());

@@ -126,12 +126,14 @@ void Desk::request(std::string_view body, Answered answered) {
   if (!read.error.empty()) return answered(error_answer(read.is_form ? 400 : 422, read.error));
   if (const std::string why = refusal(read.acts); !why.empty()) return answered(error_answer(422, why));
   if (ended_) return answered(error_answer(503, "the run has ended"));
+  if (read.until < act_clock()) return answered(error_answer(422, kTooLateText));
   if (pending_.size() + 2 * read.acts.size() > Operator::kMostOrders) {
     return answered(error_answer(429, kTooMany));
   }
   const auto group = std::make_shared<Group>();
   group->answered = std::move(answered);
   group->time = operator_.now();
+  group->until = read.until;
   ++group->waiting;  // until all orders are offered
   carry_out(std::move(read.acts), group);
   --group->waiting;
@@ -158,6 +160,7 @@ void Desk::carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group)
     Pending pending{};  // all steps in a row take effect in one instant
     pending.purpose = Purpose::act;
     pending.order.kind = Order::Kind::act;
+    pending.order.until = group->until;
     pending.group = group;
     for (; i < acts.size() && is_step(acts[i]); ++i) pending.steps.push_back(std::move(acts[i].step));
     offer(std::move(pending));
@@ -194,6 +197,7 @@ void Desk::order(const Act& act, const std::shared_ptr<Group>& group) {
   pending.purpose = act.kind == Kind::end_exercise ? Purpose::play : Purpose::control;
   pending.name = members_of(act);
   pending.order.kind = act.kind == Kind::end_exercise ? Order::Kind::play : order_kind(act.kind);
+  if (act.kind != Kind::end_exercise) pending.order.until = group->until;
   pending.group = group;
   offer(std::move(pending));
 }
@@ -210,7 +214,7 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
 
 void Desk::offer(Pending pending) {
   const std::uint32_t id = next_id_;
-  next_id_ = static_cast<std::uint32_t>((next_id_ + 1) % kNoRoom);
+  next_id_ = static_cast<std::uint32_t>((next_id_ + 1) % kLeastOutcome);
   pending.order.id = id;
   ++pending.group->waiting;
   Pending& kept = pending_.emplace(id, std::move(pending)).first->second;
@@ -248,6 +252,7 @@ void Desk::offer_restore(std::shared_ptr<KeptState> state, std::string name, con
     asked_player_ = nullptr;
     play_ = 0;
   }
+  pending.asked = operator_.now();
   pending.state = std::move(state);
   offer(std::move(pending));
 }
@@ -267,8 +272,7 @@ void Desk::offer_exercise(const std::string& name, const std::shared_ptr<Group>&
       group->error = std::move(read.error);
       return;
     }
-    offer_restore(std::make_shared<KeptState>(KeptState{std::move(read.snapshot), 0, {}}), file.scenario->restore,
-                  group);
+    offer_restore(std::make_shared<KeptState>(KeptState{std::move(read.snapshot)}), file.scenario->restore, group);
   }
   Pending play{};
   play.purpose = Purpose::play;

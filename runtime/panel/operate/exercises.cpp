@@ -12,32 +12,37 @@
 
 namespace symplant::panel {
 
-Exercise::Exercise(const ExerciseFile& file, const trace::PlantNames& names)
-    : file_(file), names_(names), states_(file.scenario->steps.size()), times_(states_.size()) {}
+Exercise::Exercise(const ExerciseFile& file, const trace::PlantNames& names) : file_(file), names_(names) { begin(0); }
 
 void Exercise::begin(tables::Time time) {
-  std::fill(states_.begin(), states_.end(), State::pending);
-  points_.clear();
-  next_ = 0;
-  score_ = 0;
-  since_ = time;
-  took_ = -1;
+  const std::size_t steps = scenario().steps.size();
+  progress_ = {};
+  progress_.states.resize(steps);
+  progress_.times.resize(steps);
+  progress_.turns.resize(steps);
+  progress_.since = time;
+  ++version_;
+}
+
+void Exercise::go_back_to(const Progress& progress) {
+  progress_ = progress;
   ++version_;
 }
 
 void Exercise::add_points(tables::Time time, std::int64_t points, std::string text) {
   if (points == 0) return;
-  score_ += points;
-  points_.push_back({time, points, std::move(text)});
+  progress_.score += points;
+  progress_.points.push_back({time, points, std::move(text)});
 }
 
 void Exercise::step_done(std::size_t step, bool failed, tables::Time time) {
   ++version_;
   const scenario::Step& done = scenario().steps[step];
-  if (states_[step] != State::failed) states_[step] = failed ? State::failed : State::done;
-  times_[step] = time;
-  next_ = step + 1;
-  if (done.is_checked() && !failed)
+  if (progress_.states[step] != State::failed) progress_.states[step] = failed ? State::failed : State::done;
+  progress_.times[step] = time;
+  ++progress_.turns[step];
+  progress_.next = step + 1;
+  if (done.expect && !failed)
     add_points(time, scenario().exercise->for_expectation,
                done.text.empty() ? step_words(scenario(), step, names_) : done.text);
 }
@@ -49,11 +54,17 @@ void Exercise::requirement_violated(std::uint32_t requirement, tables::Time time
              fmt::format("requirement violated: {}", names_.requirement(requirement)));
 }
 
-void Exercise::over(tables::Time time) {
+void Exercise::end(tables::Time time) {
+  if (is_over()) return;
   ++version_;
-  took_ = time - since_;
+  progress_.took = time - progress_.since;
+}
+
+void Exercise::over(tables::Time time) {
+  if (is_over()) return;
+  end(time);
   const scenario::Exercise& rules = *scenario().exercise;
-  if (took_ <= rules.within) add_points(time, rules.for_time, "within " + trace::seconds(rules.within));
+  if (progress_.took <= rules.within) add_points(time, rules.for_time, "within " + trace::seconds(rules.within));
 }
 
 /// The points for a run with everything right.
@@ -61,7 +72,7 @@ std::int64_t Exercise::most() const {
   const scenario::Exercise& rules = *scenario().exercise;
   std::int64_t expectations = 0;
   for (std::size_t i = 0; i < scenario().steps.size(); ++i) {
-    if (scenario().steps[i].is_checked()) {
+    if (scenario().steps[i].expect) {
       expectations += static_cast<std::int64_t>(scenario::executions(scenario(), i));
     }
   }
@@ -74,40 +85,46 @@ void Exercise::put(std::string& json) const {
   put_member(json, "name", file_.name);
   put_member(json, "title", rules.title);
   put_member(json, "text", rules.text);
-  panel::put(json, R"(,"state":"{}","step":{},"steps":[)", is_over() ? "over" : "running", next_);
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    const bool active = states_[i] == State::pending && i == next_ && !is_over();
-    const char* const state = active                         ? "active"
-                              : states_[i] == State::pending ? "pending"
-                              : states_[i] == State::done    ? "done"
-                                                             : "failed";
+  panel::put(json, R"(,"state":"{}","step":{},"steps":[)", is_over() ? "over" : "running", progress_.next);
+  for (std::size_t i = 0; i < progress_.states.size(); ++i) {
+    const bool active = progress_.states[i] == State::pending && i == progress_.next && !is_over();
+    const char* const state = active                                  ? "active"
+                              : progress_.states[i] == State::pending ? "pending"
+                              : progress_.states[i] == State::done    ? "done"
+                                                                      : "failed";
     put_comma(json);
     json += '{';
     put_member(json, "text", scenario().steps[i].text);
     put_member(json, "does", step_words(scenario(), i, names_));
     panel::put(json, R"(,"state":"{}","t":{}}})", state,
-               states_[i] == State::pending ? "null" : std::to_string(times_[i]));
+               progress_.states[i] == State::pending ? "null" : std::to_string(progress_.times[i]));
   }
-  panel::put(json, R"(],"score":{},"most":{},"points":[)", score_, most());
-  for (const Point& point : points_) {
+  panel::put(json, R"(],"score":{},"most":{},"points":[)", progress_.score, most());
+  for (const Point& point : progress_.points) {
     put_comma(json);
     panel::put(json, R"({{"t":{},"points":{})", point.time, point.points);
     put_member(json, "text", point.text);
     json += '}';
   }
-  panel::put(json, R"(],"since":{},"took":{}}})", since_, is_over() ? std::to_string(took_) : "null");
+  panel::put(json, R"(],"since":{},"took":{}}})", progress_.since, is_over() ? std::to_string(progress_.took) : "null");
+}
+
+const char* Exercise::failure_of(std::size_t step) const {
+  if (progress_.states[step] == State::failed) return "it did not hold";
+  return progress_.turns[step] < scenario::executions(scenario(), step) ? "it was not reached" : "";
 }
 
 void Exercise::add_cases(std::vector<trace::TestCase>& cases) const {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (!scenario().steps[i].is_checked()) continue;
-    const std::string& text = scenario().steps[i].text;
-    const bool failed = states_[i] != State::done;
-    const char* const failure = !failed ? "" : states_[i] == State::failed ? "it did not hold" : "it was not reached";
+  for (std::size_t i = 0; i < progress_.states.size(); ++i) {
+    const scenario::Step& step = scenario().steps[i];
+    const std::string failure = failure_of(i);
+    if (!step.expect && (failure.empty() || !step.is_checked())) continue;
+    const std::string& text = step.text;
     cases.push_back({fmt::format("step {}: {}", i + 1, text.empty() ? step_words(scenario(), i, names_) : text),
-                     times_[i], failure});
+                     progress_.times[i], failure});
   }
-  cases.push_back({fmt::format("score: {} of {}", score_, most()), since_ + std::max<tables::Time>(took_, 0), ""});
+  cases.push_back({fmt::format("score: {} of {}", progress_.score, most()),
+                   progress_.since + std::max<tables::Time>(progress_.took, 0), ""});
 }
 
 void put_exercises(std::string& json, const std::vector<ExerciseFile>& files) {

@@ -29,39 +29,51 @@ class Exercise {
   /// A step was done.
   void step_done(std::size_t step, bool failed, tables::Time time);
   void requirement_violated(std::uint32_t requirement, tables::Time time);
+  /// Its last step was done: points for the time.
   void over(tables::Time time);
+  /// Ends it by hand, unless it is over: what it still waits for is not reached.
+  void end(tables::Time time);
 
-  const std::string& name() const { return file_.name; }
-  const scenario::Scenario& scenario() const { return *file_.scenario; }
-  bool is_over() const { return took_ >= 0; }
-  std::int64_t score() const { return score_; }
-  /// Appends the object of the interface.
-  void put(std::string& json) const;
-  /// A test case for each step with an expectation, and one for the score.
-  void add_cases(std::vector<trace::TestCase>& cases) const;
-  /// Grows with each change.
-  std::uint64_t version() const { return version_; }
-
- private:
   enum class State : std::uint8_t { pending, done, failed };
   struct Point {
     tables::Time time;
     std::int64_t points;
     std::string text;
   };
+  /// How far it is, and what it gave so far.
+  struct Progress {
+    std::vector<State> states;         ///< by step
+    std::vector<tables::Time> times;   ///< by step: when it was done last
+    std::vector<std::uint64_t> turns;  ///< by step: how often it was done
+    std::vector<Point> points;
+    std::size_t next = 0;  ///< the step that is done next
+    std::int64_t score = 0;
+    tables::Time since = 0;
+    tables::Time took = -1;  ///< -1: it is not over
+  };
+  const Progress& progress() const { return progress_; }
+  /// To an earlier progress of this exercise.
+  void go_back_to(const Progress& progress);
 
+  const std::string& name() const { return file_.name; }
+  const scenario::Scenario& scenario() const { return *file_.scenario; }
+  bool is_over() const { return progress_.took >= 0; }
+  /// Appends the object of the interface.
+  void put(std::string& json) const;
+  /// A test case for each expectation, for what was refused or not reached of the other steps, and for the score.
+  void add_cases(std::vector<trace::TestCase>& cases) const;
+  /// Grows with each change.
+  std::uint64_t version() const { return version_; }
+
+ private:
+  /// What a test case says of a step: why it failed, or an empty text.
+  const char* failure_of(std::size_t step) const;
   void add_points(tables::Time time, std::int64_t points, std::string text);
   std::int64_t most() const;
 
   ExerciseFile file_;
   const trace::PlantNames& names_;
-  std::vector<State> states_;
-  std::vector<tables::Time> times_;
-  std::vector<Point> points_;
-  std::size_t next_ = 0;
-  std::int64_t score_ = 0;
-  tables::Time since_ = 0;
-  tables::Time took_ = -1;  ///< -1: it is not over
+  Progress progress_;
   std::uint64_t version_ = 1;
 };
 

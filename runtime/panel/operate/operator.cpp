@@ -8,10 +8,12 @@
 namespace symplant::panel {
 namespace {
 
-/// The most notes of an order: about itself, and about each force and release.
+/// The most notes of an order: about itself, each force and release, and what is refused.
 std::size_t notes_of(const Order& order) noexcept {
   std::size_t notes = 1;
-  for (const scenario::Step& step : order.steps) notes += step.force.size() + step.release.size();
+  for (const scenario::Step& step : order.steps) {
+    notes += step.force.size() + step.release.size() + step.put.size() + step.take.size() + step.start.size();
+  }
   return notes;
 }
 
@@ -37,28 +39,30 @@ void Operator::stop() noexcept {
   frozen_.store(true, std::memory_order_relaxed);
 }
 
-std::uint64_t Operator::act(std::span<const scenario::Step> steps) noexcept {
+/// Does a step; `index` is that within the acts.
+void Operator::act(const scenario::Step& step, std::uint64_t index) noexcept {
   using By = engine::MalfunctionChange::By;
-  std::uint64_t failures = 0;
-  for (const scenario::Step& step : steps) {
-    scenario::write_symbols(step, plant_);
-    for (const scenario::NewPart& part : step.put) failures |= plant_.put(part.at, part.kind) ? 0 : kNoRoom;
-    for (const tables::PartLocation& from : step.take) failures |= plant_.take(from) ? 0 : kNoPart;
-    scenario::force_symbols(step, plant_, recorder_);
-    for (const std::uint32_t malfunction : step.stop) plant_.stop_malfunction(malfunction, By::hand);
-    for (const std::uint32_t malfunction : step.start) {
-      failures |= plant_.start_malfunction(malfunction, By::hand) ? 0 : kNotDone;
-    }
+  const auto check = [&](bool done, std::uint64_t which) {
+    if (!done) recorder_.note(plant_.now(), scenario::kRefusedNote, which + (index << scenario::kRefusedBits));
+  };
+  scenario::write_symbols(step, plant_);
+  for (std::size_t i = 0; i < step.put.size(); ++i) check(plant_.put(step.put[i].at, step.put[i].kind), i);
+  for (std::size_t i = 0; i < step.take.size(); ++i) check(plant_.take(step.take[i]), scenario::kTakeNote + i);
+  scenario::force_symbols(step, plant_, recorder_);
+  for (const std::uint32_t malfunction : step.stop) plant_.stop_malfunction(malfunction, By::hand);
+  for (std::size_t i = 0; i < step.start.size(); ++i) {
+    check(plant_.start_malfunction(step.start[i], By::hand), scenario::kStartNote + i);
   }
-  acted_ = true;
-  return failures;
 }
 
-/// Returns why it failed; 0: it did not.
+/// Returns why it was not carried out; 0: it was.
 std::uint64_t Operator::carry_out(const Order& order) noexcept {
+  if (order.until != kNoLimit && order.until < act_clock()) return kTooLate;
   switch (order.kind) {
     case Order::Kind::act:
-      return act(order.steps);
+      for (std::size_t i = 0; i < order.steps.size(); ++i) act(order.steps[i], i);
+      acted_ = true;
+      return 0;
     case Order::Kind::run:
       go(Stepping::none);
       return 0;
@@ -83,7 +87,7 @@ std::uint64_t Operator::carry_out(const Order& order) noexcept {
       return 0;
     }
     case Order::Kind::restore:
-      if (!plant_.restore(order.block)) return kNotDone;
+      if (!plant_.restore(order.block)) return kDoesNotFit;
       if (player_ != nullptr && order.played != nullptr) player_->restore(*order.played);
       if (order.played == nullptr) player_ = nullptr;
       over_noted_ = false;
@@ -107,9 +111,9 @@ void Operator::take_orders() noexcept {
     if (changes_ != 0 && changes_ + changes > engine::kMostByHand) return;
     changes_ += changes;
     orders_.pop();
-    const std::uint64_t failures = carry_out(order);
+    const std::uint64_t outcome = carry_out(order);
     recorder_.note(plant_.now(), kOrderNote,
-                   order.id + failures + (std::uint64_t{recorder_.turn()} << scenario::kTurnBits));
+                   order.id + outcome + (std::uint64_t{recorder_.turn()} << scenario::kTurnBits));
   }
 }
 

@@ -48,7 +48,7 @@ class Operator final : public exec::Stepper {
   void advance(tables::Time time) noexcept;
   void take_orders() noexcept;
   std::uint64_t carry_out(const Order& order) noexcept;
-  std::uint64_t act(std::span<const scenario::Step> steps) noexcept;
+  void act(const scenario::Step& step, std::uint64_t index) noexcept;
   void go(Stepping stepping) noexcept;
   void stop() noexcept;
 

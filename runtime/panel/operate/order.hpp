@@ -1,8 +1,10 @@
 // What the panel asks of the thread that runs the plant.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,6 +12,13 @@
 #include "symplant/scenario/scenario.hpp"
 
 namespace symplant::panel {
+
+/// The clock of acts: milliseconds that only grow, from any beginning. Also for the thread of the plant.
+inline std::int64_t act_clock() noexcept {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+}
+inline constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 
 /// One order. What it points to is prepared by the panel and lives until the note about the order is drained.
 struct Order {
@@ -30,18 +39,17 @@ struct Order {
   std::span<std::byte> block = {};
   scenario::Player::State* played = nullptr;
   scenario::Player* player = nullptr;
+  std::int64_t until = kNoLimit;  ///< by act_clock(): after it, the order is not carried out
 };
 
-/// The `of` of the note after an order was carried out: its value is the order's id, which is below kNoRoom, the bits
-/// of why it failed, and from scenario::kTurnBits on its turn (Recorder::turn()). The records of the instant in which
-/// it takes effect follow.
+/// The `of` of the note after an order: its value is the order's id, which is below kLeastOutcome, why it was not
+/// carried out, and from scenario::kTurnBits on its turn (Recorder::turn()). The records of the instant in which it
+/// takes effect follow. Before it there is a scenario::kRefusedNote for each part of its steps that was refused.
 inline constexpr std::uint32_t kOrderNote = 0xFFFF'FFFB;
-inline constexpr std::uint64_t kNoRoom = std::uint64_t{1} << 30;  ///< for a part
-inline constexpr std::uint64_t kNoPart = std::uint64_t{1} << 31;  ///< to take
-inline constexpr std::uint64_t kNotDone = std::uint64_t{1}
-                                          << 32;  ///< too many malfunctions, or a state that does not fit
-inline constexpr std::uint64_t kFailed = kNoRoom | kNoPart | kNotDone;
-static_assert(kFailed < std::uint64_t{1} << scenario::kTurnBits);
+inline constexpr std::uint64_t kLeastOutcome = std::uint64_t{1} << 31;
+inline constexpr std::uint64_t kTooLate = kLeastOutcome;          ///< its time was over
+inline constexpr std::uint64_t kDoesNotFit = kLeastOutcome << 1;  ///< the state is one of another plant
+static_assert(kDoesNotFit < std::uint64_t{1} << scenario::kTurnBits);
 
 /// The `of` of the note that the scenario that is played is over.
 inline constexpr std::uint32_t kOverNote = 0xFFFF'FFFA;

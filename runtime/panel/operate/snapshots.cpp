@@ -79,7 +79,7 @@ std::shared_ptr<KeptState> Snapshots::find(const std::string& name, std::uint64_
   trace::ReadSnapshot read = trace::read_snapshot(path(name, kEnding), model_hash, block);
   error = std::move(read.error);
   if (!error.empty()) return nullptr;
-  return std::make_shared<KeptState>(KeptState{std::move(read.snapshot), 0, std::nullopt});
+  return std::make_shared<KeptState>(KeptState{std::move(read.snapshot)});
 }
 
 void Snapshots::has_file(const std::string& name) {

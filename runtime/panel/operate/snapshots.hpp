@@ -9,16 +9,18 @@
 #include <string_view>
 #include <vector>
 
+#include "symplant/panel/operate/exercises.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/trace/snapshot_file.hpp"
 
 namespace symplant::panel {
 
-/// A state of the plant, and of the scenario that was played.
+/// A state of the plant, and of the scenario that was played. A file has only that of the plant.
 struct KeptState {
   trace::Snapshot snapshot;
   std::uint64_t play = 0;  ///< which scenario it was, by Desk's number; 0: none
-  std::optional<scenario::Player::State> played;
+  std::optional<scenario::Player::State> played = std::nullopt;
+  std::optional<Exercise::Progress> exercise = std::nullopt;
 };
 
 /// The snapshots in memory and in a folder. Used by one thread at a time.

@@ -1,6 +1,8 @@
 // The requests of the panel's interface, docs/panel-interface.md.
+import {ActClock, kActTime} from "./act_clock.js";
 
-const kTokenKey = "symplant token";
+const kLate = "no answer within " + kActTime / 1000 + " s: not done, and not sent later. The session view lists what was done";
+const kBroken = "the plant does not answer: not done, or the answer is lost. The session view lists what was done";
 
 /// An answer that is not 200, or none: `status` is then 0.
 export class ApiError extends Error {
@@ -10,25 +12,11 @@ export class ApiError extends Error {
   }
 }
 
-/// The token of the link that opened the page, or of an earlier page in this tab. Removes it from the address bar.
-export const takeToken = () => {
-  const fragment = new URLSearchParams(location.hash.slice(1));
-  const token = fragment.get("token");
-  if (token !== null) {
-    fragment.delete("token");
-    const rest = fragment.toString();
-    history.replaceState(null, "", location.pathname + location.search + (rest ? "#" + rest : ""));
-    keepToken(token);
-  }
-  return sessionStorage.getItem(kTokenKey);
-};
-
-export const keepToken = (token) => sessionStorage.setItem(kTokenKey, token);
-
 export class Api {
   constructor(token) {
     this.token = token;
     this.run = null;  // the `run` of the description, once it is known
+    this.clock = new ActClock();
     this.stale = () => {};  // called when the answer is that the program was restarted
   }
 
@@ -41,7 +29,7 @@ export class Api {
     try {
       response = await fetch(path, {cache: "no-store", ...options, headers: this.headers(options.headers)});
     } catch (error) {
-      if (error.name === "AbortError") throw error;
+      if (options.signal?.aborted) throw error;
       throw new ApiError(0, "the plant does not answer");
     }
     if (response.ok) return response;
@@ -56,17 +44,28 @@ export class Api {
   }
 
   async post(path, body) {
-    const response = await this.request("/api/v1/" + path, {method: "POST", body: JSON.stringify(body),
+    const response = await this.request("/api/v1/" + path, {method: "POST", body: JSON.stringify(body), signal: AbortSignal.timeout(kActTime),
       headers: {"Content-Type": "application/json", "X-Symplant-Run": this.run ?? ""}});
     return response.json();
   }
 
-  /// Acts that take effect in one instant; the answer is { t }.
-  acts(...acts) { return this.post("acts", {acts}); }
+  /// Acts that take effect in one instant; the answer is { t }. Without an answer in kActTime they are given up: the browser
+  /// does not send them later, and the server does not do them later.
+  async acts(...acts) {
+    try {
+      return await this.post("acts", {acts, ...this.clock.limit()});
+    } catch (error) {
+      if (error.name === "TimeoutError") throw new ApiError(0, kLate);
+      throw error.status === 0 ? new ApiError(0, kBroken) : error;
+    }
+  }
   /// Whether the token may act: rejected with the status 401 if not.
   check(...acts) { return this.post("check", {acts}); }
 
   plant() { return this.get("plant"); }
+
+  /// The text of a picture.
+  async picture(signal) { return (await this.request("/api/v1/picture", {signal})).text(); }
   why(name, signal) { return this.get("why?name=" + encodeURIComponent(name), signal); }
   at(t) { return this.get("at?t=" + Math.round(t)); }
 

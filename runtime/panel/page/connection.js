@@ -1,4 +1,4 @@
-// Keeps the stream of the plant open, and reports if it is lost.
+// Keeps a stream of the plant open, and reports if it is lost.
 import {EventReader} from "./events.js";
 
 const kSilence = 6000;  // ms: the stream sends an event each second
@@ -6,10 +6,9 @@ const kMostWait = 4000;
 
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
-/// Reads one stream until it ends. `receive(event, data)` gets each event with its parsed data. Returns whether it was given up
-/// because nothing came.
-const readStream = async (api, receive) => {
-  const abort = new AbortController();
+/// Reads one stream until it ends, or `abort` is aborted. `receive(event, data)` gets each event with the text of its data.
+/// Returns whether it was given up because nothing came.
+const readStream = async (api, receive, abort) => {
   let silent = false;
   const giveUp = () => {
     silent = true;
@@ -24,32 +23,37 @@ const readStream = async (api, receive) => {
       if (done) return false;
       clearTimeout(watch);
       watch = setTimeout(giveUp, kSilence);
-      for (const {event, data} of reader.read(value)) receive(event, JSON.parse(data));
+      for (const {event, data} of reader.read(value)) receive(event, data);
     }
   } catch (error) {
     if (silent) return true;
     throw error;
   } finally {
     clearTimeout(watch);
-    abort.abort();
   }
 };
 
-/// Never returns. `report(state, text)`: "open", "lost" with what is wrong, or "restarted" if another run answers.
-export const keepStream = async (api, receive, report) => {
+/// Returns only after another run answered, or `ended`, an AbortSignal, is aborted. `report(state, text)`: "open", "lost" with
+/// what is wrong, or "restarted" if another run answers.
+export const keepStream = async (api, receive, report, ended = null) => {
   let wait = 250;
-  for (;;) {
+  while (!ended?.aborted) {
     let wrong = "the connection to the plant is lost";
+    const abort = new AbortController();
+    ended?.addEventListener("abort", () => abort.abort(), {signal: abort.signal});
     try {
       const silent = await readStream(api, (event, data) => {
         wait = 250;
         report("open", "");
         receive(event, data);
-      });
+      }, abort);
       if (silent) continue;  // reported only if the plant does not answer again
     } catch (error) {
       if (error.status) wrong = error.message;
+    } finally {
+      abort.abort();
     }
+    if (ended?.aborted) return;
     report("lost", wrong);
     await pause(wait);
     wait = Math.min(2 * wait, kMostWait);

@@ -1,13 +1,13 @@
 // Starts the page: reads the description of the plant, makes the views, and keeps them up to date.
-import {refreshActs} from "./acts.js";
+import {perform, refreshActs} from "./acts.js";
 import {Announcer} from "./announce.js";
-import {Api, keepToken, takeToken} from "./api.js";
+import {Api} from "./api.js";
 import {ChartModel} from "./chart_model.js";
-import {keepStream} from "./connection.js";
 import {ControlBar} from "./control.js";
 import {Details} from "./details.js";
 import {askToken} from "./dialog.js";
 import {make} from "./dom.js";
+import {followPlant} from "./follow_plant.js";
 import {Frames} from "./frames.js";
 import {Names} from "./names.js";
 import {Notice} from "./notice.js";
@@ -19,6 +19,7 @@ import {Shortcuts} from "./shortcuts.js";
 import {Statuses} from "./status.js";
 import {Store} from "./store.js";
 import {PlantClock} from "./time.js";
+import {followLinks, keepToken, takeToken} from "./token.js";
 import {makeViews, Views} from "./views.js";
 
 const kTick = 200;  // ms between two updates of texts that depend on plant time
@@ -90,8 +91,8 @@ const makeKeys = (app, bar, search, views) => new Shortcuts([
   ["Escape", "close the details", () => app.router.deselect()],
   ...views.keys.map((key, i) => [String(i + 1), "view " + views.title(key), () => app.router.view(key)]),
   ...(app.canAct || app.player ? [["p", app.player ? "play and pause" : "run and freeze", () => bar.toggle()]] : []),
-  ...(app.canAct ? [["s", "one cycle", () => app.api.acts({step: "cycle"}).catch(() => {})],
-    ["n", "to the next change", () => app.api.acts({step: "change"}).catch(() => {})]] : [])]);
+  ...(app.canAct ? [["s", "one cycle", () => perform(app, bar.result, () => ({step: "cycle"}))],
+    ["n", "to the next change", () => perform(app, bar.result, () => ({step: "change"}))]] : [])]);
 
 /// What each event of the stream leads to.
 const makeReceiver = (app, parts) => {
@@ -129,7 +130,12 @@ const animate = (app, bar, details, views) => {
 const connect = (app, plant, bar) => {
   if (app.player) return app.player.seek(plant.begin);
   app.api.stale = () => Notice.reload(kRestarted);
-  keepStream(app.api, app.receive, (state, text) => {
+  const receive = (event, text) => {
+    const data = JSON.parse(text);
+    app.api.clock.hear(data, event === "picture");
+    app.receive(event, data);
+  };
+  followPlant(app.api, receive, (state, text) => {
     document.body.dataset.connection = state;
     if (state === "restarted") return Notice.reload(kRestarted);
     if (app.lost !== (state === "lost")) {
@@ -142,6 +148,7 @@ const connect = (app, plant, bar) => {
 };
 
 const start = async () => {
+  followLinks();
   const api = new Api(takeToken());
   const plant = await loadPlant(api);
   api.run = plant.run;

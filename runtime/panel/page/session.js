@@ -7,6 +7,7 @@ import {button, download, make, table, timeOf} from "./dom.js";
 const kMostActs = 200;
 const kStart = "session.start.snapshot";  // with which the scenario of a session after a restore begins
 const kFiles = [["scenario", "Scenario", ".scenario.json"], ["session", "Session as JSON", ".session.json"], ["junit", "JUnit", ".junit.xml"]];
+const kWithPlc = "The acts, findings and score of the session as JSON, and JUnit. There is no scenario that replays it: what the PLC wrote is not recorded.";
 
 export class SessionView {
   constructor(app) {
@@ -43,8 +44,9 @@ export class SessionView {
       }
     };
     const name = make("input", {type: "text", "aria-label": "Name of the session", placeholder: "Name", maxlength: 64, size: 20});
-    return [make("p", {class: "soft"}, "A scenario that replays the session, its acts, findings and score as JSON, and JUnit."),
-      make("div", {class: "row controls"}, kFiles.map(([kind, text, ending]) => button("Download " + text, () => fetchFile(kind, ending)))),
+    const withPlc = app.plant.with_plc;
+    return [make("p", {class: "soft"}, withPlc ? kWithPlc : "A scenario that replays the session, its acts, findings and score as JSON, and JUnit."),
+      make("div", {class: "row controls"}, kFiles.filter(([kind]) => kind !== "scenario" || !withPlc).map(([kind, text, ending]) => button("Download " + text, () => fetchFile(kind, ending)))),
       app.canAct && app.plant.files ? make("div", {class: "row controls"}, name,
         actButton(app, result, "Save on the plant's computer", () => ({session: name.value.trim()}))) : null,
       app.plant.files ? null : make("p", {class: "soft"}, "Start symplant with --panel-files FOLDER to save snapshots and sessions there.")];

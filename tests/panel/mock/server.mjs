@@ -78,7 +78,10 @@ const chart = (plant, query) => {
     devices: rows("d", list("devices"), () => [0, 0])};
 };
 
-export const startServer = async ({name, port = 0, activity, viewOnly = false, exerciseFile = null, deny = null}) => {
+const serverTime = () => Math.round(performance.now());
+
+/// `deny(path)`: the status of a request that is denied, or 0. `delay()`: ms until acts are read.
+export const startServer = async ({name, port = 0, activity, viewOnly = false, exerciseFile = null, deny = null, delay = null}) => {
   const exercises = exerciseFile ? [{name: "no-air", file: JSON.parse(readFileSync(exerciseFile, "utf8").replace(/^ *\/\/.*$/gm, ""))}] : [];
   const plant = makePlant(name, activity, exercises);
   const {description} = plant;
@@ -88,9 +91,10 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
   const token = randomBytes(16).toString("hex");
   const pictures = description.mode === "recording" ? record(plant) : null;
   const streams = new Set();
+  const picture = () => ({...plant.picture(), now: serverTime()});
   const api = {
     plant: () => description,
-    picture: () => plant.picture(),
+    picture,
     why: (query) => why(plant, query.get("name")),
     chart: (query) => chart(plant, query),
     at: (query) => pictures[Math.min(pictures.length - 1, Math.floor(Number(query.get("t")) / 1e8))],
@@ -102,9 +106,11 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
     if (request.headers.authorization !== "Bearer " + token) return send(response, 401, {error: "the token is missing or wrong; open the link that symplant printed"});
     if (!description.acts) return send(response, 403, {error: "the panel only shows"});
     if (request.headers["x-symplant-run"] !== description.run) return send(response, 409, {error: "the program was restarted; load the page again"});
-    const {acts} = await body(request);
+    await new Promise((done) => setTimeout(done, delay?.() ?? 0));
+    const {acts, until = Infinity} = await body(request);
     if (!Array.isArray(acts) || acts.length === 0) return send(response, 400, {error: "`acts` is an array of acts"});
     if (path === "check") return send(response, 200, {});
+    if (until < serverTime()) return send(response, 422, {error: "it came too late, and was not done; try again"});
     try {
       for (const of of acts) act(plant, of);
     } catch (error) {
@@ -120,7 +126,7 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
     if (request.method === "POST") return post(request, response, path).catch(() => send(response, 400, {error: "not JSON"}));
     if (path === "stream") {
       response.writeHead(200, {"Content-Type": "text/event-stream", "Cache-Control": "no-store"});
-      response.write("event: picture\ndata: " + JSON.stringify(plant.picture()) + "\n\n");
+      response.write("event: picture\ndata: " + JSON.stringify(picture()) + "\n\n");
       streams.add(response);
       return request.on("close", () => streams.delete(response));
     }
@@ -141,7 +147,7 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
     }
     const changes = plant.changes(isSecond) ?? (isSecond ? {rev: plant.rev, t: plant.t} : null);
     if (!changes || streams.size === 0) return;
-    const text = "event: changes\ndata: " + JSON.stringify(changes) + "\n\n";
+    const text = "event: changes\ndata: " + JSON.stringify({...changes, now: serverTime()}) + "\n\n";
     for (const stream of streams) if (stream.writableLength < 1e7) stream.write(text);
   }, 40);
   await new Promise((done) => server.listen(port, "127.0.0.1", done));

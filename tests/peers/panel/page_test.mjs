@@ -40,6 +40,42 @@ const kTests = [
       await until("the end of the notice", async () => await alertText(page) === "" || await alertText(page));
     });
   }],
+  ["all tabs of a browser share one stream, which goes on when the first one closes, and ends with the last one", async () => {
+    await withServer({name: "cell"}, async (page, server) => {
+      const pages = [page, await browser.page(kLost), await browser.page(kLost)];
+      for (const each of pages) {
+        await each.goto(server.link);
+        await ready(each);
+      }
+      assert.equal(server.streams.size, 1);
+      for (const stream of server.streams) stream.destroy();
+      for (const each of pages) await until("the loss", async () => await each.evaluate(() => document.body.dataset.connection) === "lost");
+      for (const each of pages) await until("its end", async () => await each.evaluate(() => document.body.dataset.connection) === "open");
+      assert.equal(server.streams.size, 1);
+      await pages[1].close();
+      await pages[0].getByRole("button", {name: "Freeze"}).click();
+      await until("a frozen plant in the last tab", async () => pages[2].evaluate(() => symplant.store.clock.state === "frozen"));
+      await pages[2].close();
+      assert.equal(server.streams.size, 1);
+      await page.goto("about:blank");
+      await until("the end of the stream", async () => server.streams.size === 0);
+    });
+  }],
+  ["an act that the server reads too late is not done", async () => {
+    let wait = 0;
+    await withServer({name: "cell", delay: () => wait}, async (page, server) => {
+      await page.goto(server.link);
+      await ready(page);
+      wait = 5000;
+      await page.getByRole("button", {name: "Freeze"}).click();
+      await until("the result", async () => /no answer within 3 s: not done/.test(await page.getByRole("banner").innerText()));
+      await page.waitForTimeout(3000);
+      assert.equal(server.plant.clock.state, "running");
+      wait = 0;
+      await page.getByRole("button", {name: "Freeze"}).click();
+      await until("a frozen plant", async () => server.plant.clock.state === "frozen");
+    });
+  }],
   ["a restart with another run is said, and the page shows the new plant", async () => {
     await withServer({name: "cell"}, async (page, server) => {
       await page.goto(server.link);

@@ -7,7 +7,7 @@ import {fileURLToPath} from "node:url";
 export const kProject = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 export const kExercise = join(kProject, "examples/body-shop/no-air.json");
 
-/// Starts `symplant ARGUMENTS` and waits for the link of its panel. `stop()` ends it as Ctrl+C does.
+/// Starts `symplant ARGUMENTS` and waits for the link of its panel. `stop()` ends it as Ctrl+C does, `signal(NAME)` sends a signal.
 export const startProgram = async (symplant, args) => {
   const child = spawn(symplant, args, {cwd: kProject});
   let text = "";
@@ -22,7 +22,7 @@ export const startProgram = async (symplant, args) => {
     child.stderr.on("data", read);
     ended.then((code) => fail(new Error("symplant ended with " + code + ":\n" + text)));
   });
-  return {link, real: true, stop: async () => {
+  return {link, real: true, signal: (name) => child.kill(name), stop: async () => {
     child.kill("SIGINT");
     return ended;
   }};

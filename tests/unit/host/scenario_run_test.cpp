@@ -244,6 +244,26 @@ TEST_CASE("The JUnit report has a case for each expectation and requirement, and
   CHECK(std::system((check + cell.options.junit).c_str()) == 0);
 }
 
+TEST_CASE("Acts are no expectations in summary, JUnit and statistics, but one that is not reached has failed") {
+  Cell cell;
+  cell.options.junit = cell.folder / "j.xml";
+  cell.options.stats = cell.folder / "stats.json";
+  const std::string steps = R"({"at":"0s","start":"L_P_AGV_I_P2 stuck off"},{"wait":"L_P_AGV.P1","within":"1s"},)"
+                            R"({"at":"2s","start":"L_P_AGV slow"})";
+  const Outcome good = cell.run(steps);
+  CHECK(good.code == host::kGood);
+  CHECK(contains(good.out, "3 steps, 1 with expectations\n"));
+  CHECK(contains(good.out, "expectations: 1 held, 0 failed, 0 not reached\n"));
+  CHECK(contains(cell.file("j.xml"), "<testsuites tests=\"3\" failures=\"0\""));
+  CHECK(contains(cell.file("stats.json"), R"("expectations":{"held":1,"failed":0,"unreached":0})"));
+  cell.options.until = tables::kSecond;
+  const Outcome cut = cell.run(steps);
+  CHECK(cut.code == host::kFindings);
+  CHECK(contains(cut.out, "expectations: 1 held, 0 failed, 1 not reached\n"));
+  CHECK(contains(cell.file("j.xml"), "<testsuites tests=\"4\" failures=\"1\""));
+  CHECK(contains(cell.file("j.xml"), "name=\"step 3: needs malfunction `L_P_AGV slow`\""));
+}
+
 TEST_CASE("The VCD file contains bits, and states as strings, by their levels") {
   Cell cell;
   cell.options.vcd = cell.folder / "v.vcd";

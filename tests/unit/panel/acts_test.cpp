@@ -83,19 +83,6 @@ TEST_CASE("A frozen plant is stepped by a cycle, and to the next change") {
   CHECK(bench.value("AGV_I_P2") == true);
 }
 
-/// A plant with a place for one part.
-PanelPlan with_fixture() {
-  PanelPlan plan;
-  description::GivenMaterial& material = plan.reported.description.material;
-  material.kinds.push_back({"raw", 200'000, 1});
-  material.kinds.push_back({"machined", 200'000, 2});
-  description::GivenPlace place;
-  place.name = "FIXTURE";
-  place.holds = 1;
-  material.places.push_back(place);
-  return plan;
-}
-
 TEST_CASE("A part taken and another one put in one request is a part that changes its kind") {
   const PanelBench bench(with_fixture());
   bench.act(R"({"put":{"at":"FIXTURE","kind":"raw"}})");
@@ -270,6 +257,46 @@ TEST_CASE("With a PLC, the speed is that of real time") {
   const HttpAnswer answer = bench.post(R"({"speed":2})");
   CHECK(answer.status == 422);
   CHECK(contains(answer.body, "real time"));
+}
+
+TEST_CASE("An act that arrives after its time is not done") {
+  const PanelBench bench;
+  const Json picture = bench.picture();
+  const auto now = picture.at("now").get<std::int64_t>();
+  const auto post = [&](const std::string& until) {
+    return bench.send(
+        bench.request("POST", "/api/v1/acts", R"({"acts":[{"set":{"L_P_EYE_I_ON":true}}],"until":)" + until + "}"));
+  };
+  const HttpAnswer late = post(std::to_string(now - 1));
+  CHECK(late.status == 422);
+  CHECK(contains(late.body, "it came too late, and was not done"));
+  CHECK(bench.value("EYE_I_ON") == false);
+  CHECK(post("\"soon\"").status == 400);
+  CHECK(post("1e3").status == 400);
+  CHECK(post(std::to_string(now + 600'000)).status == 200);
+  CHECK(bench.value("EYE_I_ON") == true);
+  CHECK(bench.picture().at("acts").size() == 1);
+}
+
+TEST_CASE("An act to which the plant gets after its time is not done, and the next one is") {
+  PanelBench bench;
+  const auto now = bench.picture().at("now").get<std::int64_t>();
+  bench.hold(true);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  HttpClient client(bench.port);
+  client.send(bench.request(
+      "POST", "/api/v1/acts",
+      R"({"acts":[{"set":{"L_P_EYE_I_ON":true}},{"freeze":true}],"until":)" + std::to_string(now + 3000) + "}"));
+  bench.wait_for([&] { return bench.picture().at("now").get<std::int64_t>() > now + 3000; });
+  bench.hold(false);
+  const HttpAnswer late = client.answer();
+  CHECK(late.status == 422);
+  CHECK(contains(late.body, "it came too late, and was not done"));
+  CHECK(bench.value("EYE_I_ON") == false);
+  CHECK(bench.picture().at("clock").at("state") == "running");
+  CHECK(bench.picture().at("acts").empty());
+  bench.act(R"({"set":{"L_P_EYE_I_ON":true}})");
+  CHECK(bench.value("EYE_I_ON") == true);
 }
 
 TEST_CASE("Acts at the end of a run are answered") {

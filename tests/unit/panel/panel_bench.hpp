@@ -38,6 +38,19 @@ struct PanelPlan {
   bool with_plc = false;
 };
 
+/// A plant with a place for one part.
+inline PanelPlan with_fixture() {
+  PanelPlan plan;
+  description::GivenMaterial& material = plan.reported.description.material;
+  material.kinds.push_back({"raw", 200'000, 1});
+  material.kinds.push_back({"machined", 200'000, 2});
+  description::GivenPlace place;
+  place.name = "FIXTURE";
+  place.holds = 1;
+  material.places.push_back(place);
+  return plan;
+}
+
 /// A plant that a thread runs in cycles of 1 ms, as fast as 1 ms of the clock or faster, with a panel on a free port.
 class PanelBench {
  public:

@@ -74,5 +74,23 @@ TEST_CASE("A verdict counts the steps with an expectation") {
   CHECK(verdict.unreached == 1);
 }
 
+TEST_CASE("A step that only acts counts in a verdict if something of it was refused or not reached") {
+  const BenchTables tables(kAgv);
+  const trace::PlantNames names(tables.rows);
+  const auto read = scenario::read_scenario(
+      scenario_text(
+          R"({"at":"0s","start":"L_P_AGV slow"},{"at":"0s","start":"L_P_AGV stuck"},)"
+          R"({"at":"9s","start":"L_P_AGV slow","set":{"L_P_AGV_O_P2":true}},{"at":"9s","stop":"L_P_AGV slow"})"),
+      names, {});
+  REQUIRE(read.scenario);
+  using Kind = scenario::Outcome::Kind;
+  const std::vector<scenario::Outcome> outcomes = {
+      {Kind::held, 0, 1, 0}, {Kind::failed, 0, 1, 1}, {Kind::unreached, 1, 0, 0}, {Kind::unreached, 1, 0, 0}};
+  const scenario::Verdict verdict = scenario::verdict_of(*read.scenario, outcomes);
+  CHECK(verdict.held == 0);
+  CHECK(verdict.failed == 1);
+  CHECK(verdict.unreached == 1);
+}
+
 }  // namespace
 }  // namespace symplant::test
