@@ -1,6 +1,7 @@
 // Reports the losses of a link.
 #include "symplant/host/watched_link.hpp"
 
+#include "symplant/link/io_map.hpp"
 #include "symplant/tables/lists.hpp"
 
 namespace symplant::host {
@@ -24,6 +25,20 @@ std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const tables:
     if (carried[tables.behaviour_units[place].unit]) behaviours.push_back(place);
   }
   return behaviours;
+}
+
+/// The events that links show to a PLC on request, as Plant::events(): such a link finds what is not read.
+std::vector<std::uint64_t> events_on_request(const Links& links, const tables::PlantTables& tables) {
+  std::vector<std::uint64_t> events(tables.event_bits / 64);
+  for (const OpenLink& open : links) {
+    if (link::is_loop(open.link->url()) || open.link->status().is_client) continue;
+    for (const link::IoPoint& point : link::make_io_map(tables, open.carries, open.settings).points) {
+      if (point.table != link::Table::discrete_input) continue;
+      const std::uint32_t bit = tables.symbols[point.symbol].index;
+      events[bit / 64] |= std::uint64_t{1} << (bit % 64);
+    }
+  }
+  return events;
 }
 
 }  // namespace
@@ -57,6 +72,7 @@ void WatchedLink::read_operations(plant::Plant& plant, tables::Time now) noexcep
 }
 
 WatchedLinks::WatchedLinks(const Links& links, plant::Plant& plant, trace::Recorder& recorder) {
+  plant.show_on_request(events_on_request(links, plant.tables()));
   for (const OpenLink& open : links) {
     links_.emplace_back(open, static_cast<std::uint32_t>(links_.size()), plant, recorder);
     exchanges_.push_back(&links_.back());

@@ -11,6 +11,7 @@
 #include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/tables/refusal.hpp"
 #include "symplant/trace/requirement_units.hpp"
+#include "symplant/trace/server_words.hpp"
 
 namespace symplant::trace {
 namespace {
@@ -166,6 +167,9 @@ std::string of_standstill(const FoundThing& found) {
 
 std::string of_link(const FoundThing& found, const PlantNames& names) {
   const PlantNames::Link link = names.link(found.of.front());
+  if (found.kind == FindingKind::request_refused) {
+    return refused_by_server_words(tables::unpack_refusal(found.value), link.name);
+  }
   if (found.kind == FindingKind::link_back) {
     return fmt::format("link back: {}, what the PLC writes takes effect again", link.name);
   }
@@ -295,6 +299,9 @@ std::string finding_words(const FoundThing& found, const PlantNames& names, cons
   if (found.kind == FindingKind::event_too_short) return of_event(found, names, history);
   if (found.kind == FindingKind::event_overwritten) return of_overwritten(found, names);
   if (found.kind == FindingKind::clock_restarted) return of_clock(found, names);
+  if (found.kind == FindingKind::not_read) return not_read_words(found, names);
+  if (found.kind == FindingKind::not_sampled) return not_sampled_words(found, names);
+  if (found.kind == FindingKind::several_writers) return several_writers_words(found, names);
   if (found.kind == FindingKind::instantaneous_loop) {
     return fmt::format(
         "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "

@@ -5,6 +5,7 @@
 
 #include "support/malfunction_bench.hpp"
 #include "symplant/engine/behaviour.hpp"
+#include "symplant/link/link.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::test {
@@ -125,6 +126,35 @@ TEST_CASE("A behavior ignores a link that carries none of its operations") {
   bench.cycle(LinkState::lost);
   CHECK(bench.found() == "link lost of 0 at 0.01 s");
   CHECK_FALSE(bench.plant.unit(0).moving);
+}
+
+/// The findings `event too short` of a device that is in P2 for 10 ms, in a run with a link and a cycle of 20 ms.
+std::size_t short_events_on(const std::string& url, std::uint32_t carries) {
+  const BenchTables tables(
+      {"A_O_P2", "A_I_P1", "A_I_P2"},
+      Reported().on_command("A", "P1", "P2", fixed(0)).by_itself("A", "P2", "P1", fixed(10 * kMs)));
+  plant::OwnedPlant plant(tables.rows);
+  plant.reset(0, 20 * kMs);
+  auto opened = link::open_link({url, carries, {}}, tables.rows);
+  REQUIRE(std::holds_alternative<std::unique_ptr<link::Link>>(opened));
+  host::Links links;
+  links.push_back({"", carries, {}, std::get<std::unique_ptr<link::Link>>(std::move(opened))});
+  trace::Recorder recorder(tables.rows, 256);
+  const host::WatchedLinks watched(links, plant, recorder);
+  plant.advance_to(0);
+  plant.set_operation(tables.rows.symbols[tables.symbol("A_O_P2")].index, true);
+  plant.advance_to(100 * kMs);
+  plant.advance_to(200 * kMs);
+  std::size_t count = 0;
+  for (tables::Finding finding; plant.take_finding(finding);) {
+    count += finding.kind == tables::FindingKind::event_too_short ? 1U : 0U;
+  }
+  return count;
+}
+
+TEST_CASE("An event that is on for less than a cycle is too short, but not on a link that knows what is read") {
+  CHECK(short_events_on("loop:", link::kAllControllers) == 1);
+  CHECK(short_events_on("modbus-tcp-server://127.0.0.1:0", 0) == 0);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include "support/plant_bench.hpp"
 #include "support/strings.hpp"
+#include "symplant/tables/missed_pulse.hpp"
+#include "symplant/tables/refusal.hpp"
 #include "symplant/trace/finding_file.hpp"
 #include "symplant/trace/recorder.hpp"
 
@@ -145,6 +147,78 @@ TEST_CASE("Times are printed exactly, without trailing zeros") {
   CHECK(trace::seconds(1) == "0.000000001 s");
   CHECK(trace::seconds(2'500'000'000) == "2.5 s");
   CHECK(trace::seconds(3600 * tables::kSecond) == "3600 s");
+}
+
+/// The words of a finding of a link.
+std::string link_words(const BenchTables& tables, tables::FindingKind kind, std::uint32_t of, std::uint64_t value) {
+  trace::PlantNames names(tables.rows);
+  names.name_links({{"modbus-tcp-server://127.0.0.1:1502", ""}});
+  const trace::History history(names);
+  return trace::finding_words({0, kind, {of}, value}, names, history);
+}
+
+TEST_CASE("An event that is not read shows how long it was on and how often the PLC reads it") {
+  const BenchTables tables(kAgv);
+  const auto words = [&](const tables::MissedPulse& pulse) {
+    return link_words(tables, tables::FindingKind::not_read, tables.symbol("AGV_I_P2"), pack(pulse));
+  };
+  CHECK(
+      words({true, 50 * kMs, 200 * kMs}) ==
+      "not read: PLC input %IX1, event P2 of L_P_AGV (symbols.csv:3), was on for 50 ms, between two reads of the PLC, "
+      "which reads it about every 200 ms; check whether the PLC must read it more often, or whether the sensor is on "
+      "for longer in the real plant");
+  CHECK(contains(words({false, 0, 20 * kMs}), "was off for less than a cycle of the plant, between two reads"));
+  CHECK(contains(words({true, kMs / 2, 0}), "was on for 0.5 ms"));
+  CHECK(contains(words({true, kMs / 2, 0}), "which reads it in every cycle of the plant"));
+}
+
+TEST_CASE("An inverted symbol is missed by its meaning, with the bit of the PLC") {
+  Reported reported;
+  reported.description.inverted = {"L_P_AGV_I_P2"};
+  const BenchTables tables(kAgv, reported);
+  CHECK(contains(link_words(tables, tables::FindingKind::not_read, tables.symbol("AGV_I_P2"),
+                            pack(tables::MissedPulse{false, 50 * kMs, 200 * kMs})),
+                 "was on for 50 ms (bit 0)"));
+}
+
+TEST_CASE("An operation that is not sampled shows how long it was on") {
+  const BenchTables tables(kAgv);
+  CHECK(
+      link_words(tables, tables::FindingKind::not_sampled, tables.symbol("AGV_O_P2"),
+                 pack(tables::MissedPulse{true, 4 * kMs / 10, 0})) ==
+      "not sampled: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), was on for 0.4 ms, between two cycles of "
+      "the plant, so that it had no effect; check how long the program holds the output, or give a shorter "
+      "`--cycle`");
+}
+
+TEST_CASE("Several writers are shown with their addresses, if they have any") {
+  const BenchTables tables(kAgv);
+  const auto words = [&](std::uint64_t clients) {
+    return link_words(tables, tables::FindingKind::several_writers, tables.symbol("AGV_O_P2"), clients);
+  };
+  CHECK(
+      words(0xC0A8'0005'C0A8'0006) ==
+      "several writers: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), two clients, 192.168.0.5 and "
+      "192.168.0.6, wrote different values to it within a cycle; check which of them is the PLC, and let no other one "
+      "write this number");
+  CHECK(contains(words(0x7F00'0001'7F00'0001), ", two connections of 127.0.0.1 wrote different values"));
+  CHECK(contains(words(0), ", two clients wrote different values"));
+}
+
+TEST_CASE("A refused request shows its function, its number and the exception") {
+  const BenchTables tables(kAgv);
+  const auto words = [&](std::uint8_t function, std::uint16_t code, std::uint32_t address) {
+    const tables::Refusal refusal{tables::Refusal::Side::modbus_server, function, code, address};
+    return link_words(tables, tables::FindingKind::request_refused, 0, pack(refusal));
+  };
+  CHECK(
+      words(15, 2, 3000) ==
+      "request refused: modbus-tcp-server://127.0.0.1:1502 answered function 15 (write coils) from number 3000 on with "
+      "exception 02: the map ends before the last of its numbers; compare the numbers with those of `symplant map`");
+  CHECK(contains(words(17, 1, 0), "answered function 17 with exception 01: the plant does not have this function"));
+  CHECK(
+      contains(words(3, 3, 7), "function 3 (read holding registers) from number 7 on with exception 03: the quantity"));
+  CHECK(contains(words(2, 6, 0), "exception 06: the client does not read its answers"));
 }
 
 }  // namespace

@@ -1,0 +1,106 @@
+// The texts of what a server link finds in the requests of its clients.
+#include "symplant/trace/server_words.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "symplant/tables/missed_pulse.hpp"
+
+namespace symplant::trace {
+namespace {
+
+/// A duration of a link: `0.4 ms`, `50 ms`.
+std::string milliseconds(tables::Time time) {
+  const std::string text = fmt::format("{:.1f}", static_cast<double>(time) / 1e6);
+  return (text.ends_with(".0") ? text.substr(0, text.size() - 2) : text) + " ms";
+}
+
+/// `on for 50 ms`; of an inverted symbol by its meaning, with the bit of the PLC: `off for 50 ms (bit 1)`.
+std::string pulse_words(std::uint32_t symbol, const tables::MissedPulse& pulse, const PlantNames& names) {
+  const bool inverted = names.tables().symbols[symbol].inverted();
+  return fmt::format("{} for {}{}", pulse.on != inverted ? "on" : "off",
+                     pulse.length == 0 ? "less than a cycle of the plant" : milliseconds(pulse.length),
+                     inverted ? fmt::format(" (bit {})", pulse.on ? 1 : 0) : "");
+}
+
+/// `192.168.0.5`.
+std::string ipv4_text(std::uint64_t address) {
+  return fmt::format("{}.{}.{}.{}", address >> 24 & 0xFF, address >> 16 & 0xFF, address >> 8 & 0xFF, address & 0xFF);
+}
+
+/// `function 15 (write coils)`.
+std::string function_text(std::uint8_t function) {
+  constexpr std::array<std::pair<std::uint8_t, std::string_view>, 10> kFunctions = {{{1, "read coils"},
+                                                                                     {2, "read discrete inputs"},
+                                                                                     {3, "read holding registers"},
+                                                                                     {4, "read input registers"},
+                                                                                     {5, "write one coil"},
+                                                                                     {6, "write one register"},
+                                                                                     {15, "write coils"},
+                                                                                     {16, "write registers"},
+                                                                                     {22, "mask a register"},
+                                                                                     {23, "read and write registers"}}};
+  for (const auto& [code, name] : kFunctions) {
+    if (code == function) return fmt::format("function {} ({})", function, name);
+  }
+  return fmt::format("function {}", function);
+}
+
+/// What an exception of the plant's server means, and what to do.
+std::string exception_text(std::uint16_t code) {
+  switch (code) {
+    case 1:
+      return "the plant does not have this function; use functions 1 to 6, 15, 16, 22 and 23";
+    case 2:
+      return "the map ends before the last of its numbers; compare the numbers with those of `symplant map`";
+    case 3:
+      return "the quantity, the length or the value is invalid; check the request in the PLC's project";
+    default:
+      return "the client does not read its answers; let it wait for the answer before its next request";
+  }
+}
+
+}  // namespace
+
+std::string not_read_words(const FoundThing& found, const PlantNames& names) {
+  const tables::MissedPulse pulse = tables::unpack_missed_pulse(found.value);
+  return fmt::format(
+      "not read: {}, was {}, between two reads of the PLC, which reads it {}; check whether the PLC must read it more "
+      "often, or whether the sensor is on for longer in the real plant",
+      symbol_words(found.of.front(), names), pulse_words(found.of.front(), pulse, names),
+      pulse.every == 0 ? "in every cycle of the plant" : "about every " + milliseconds(pulse.every));
+}
+
+std::string not_sampled_words(const FoundThing& found, const PlantNames& names) {
+  const tables::MissedPulse pulse = tables::unpack_missed_pulse(found.value);
+  return fmt::format(
+      "not sampled: {}, was {}, between two cycles of the plant, so that it had no effect; check how long the program "
+      "holds the output, or give a shorter `--cycle`",
+      symbol_words(found.of.front(), names), pulse_words(found.of.front(), pulse, names));
+}
+
+std::string several_writers_words(const FoundThing& found, const PlantNames& names) {
+  const std::uint64_t first = found.value >> 32;
+  const std::uint64_t second = found.value & 0xFFFF'FFFF;
+  std::string clients = "two clients";
+  if (first != 0 && first == second) clients = "two connections of " + ipv4_text(first);
+  if (first != 0 && second != 0 && first != second) {
+    clients = fmt::format("two clients, {} and {},", ipv4_text(first), ipv4_text(second));
+  }
+  return fmt::format(
+      "several writers: {}, {} wrote different values to it within a cycle; check which of them is the PLC, and let no "
+      "other one write this number",
+      symbol_words(found.of.front(), names), clients);
+}
+
+std::string refused_by_server_words(const tables::Refusal& refusal, std::string_view link) {
+  constexpr std::uint16_t kIllegalFunction = 1;
+  return fmt::format("request refused: {} answered {}{} with exception {:02}: {}", link,
+                     function_text(refusal.function),
+                     refusal.code == kIllegalFunction ? "" : fmt::format(" from number {} on", refusal.address),
+                     refusal.code, exception_text(refusal.code));
+}
+
+}  // namespace symplant::trace
