@@ -80,7 +80,7 @@ const chart = (plant, query) => {
 
 const serverTime = () => Math.round(performance.now());
 
-/// `deny(path)`: the status of a request that is denied, or 0. `delay()`: ms until acts are read.
+/// `deny(path)`: the status of a request that is denied, or 0. `delay()`: ms until acts that arrived are looked at.
 export const startServer = async ({name, port = 0, activity, viewOnly = false, exerciseFile = null, deny = null, delay = null}) => {
   const exercises = exerciseFile ? [{name: "no-air", file: JSON.parse(readFileSync(exerciseFile, "utf8").replace(/^ *\/\/.*$/gm, ""))}] : [];
   const plant = makePlant(name, activity, exercises);
@@ -106,8 +106,8 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
     if (request.headers.authorization !== "Bearer " + token) return send(response, 401, {error: "the token is missing or wrong; open the link that symplant printed"});
     if (!description.acts) return send(response, 403, {error: "the panel only shows"});
     if (request.headers["x-symplant-run"] !== description.run) return send(response, 409, {error: "the program was restarted; load the page again"});
-    await new Promise((done) => setTimeout(done, delay?.() ?? 0));
     const {acts, until = Infinity} = await body(request);
+    await new Promise((done) => setTimeout(done, delay?.() ?? 0));
     if (!Array.isArray(acts) || acts.length === 0) return send(response, 400, {error: "`acts` is an array of acts"});
     if (path === "check") return send(response, 200, {});
     if (until < serverTime()) return send(response, 422, {error: "it came too late, and was not done; try again"});

@@ -61,7 +61,7 @@ const kTests = [
       await until("the end of the stream", async () => server.streams.size === 0);
     });
   }],
-  ["an act that the server reads too late is not done", async () => {
+  ["an act to which the server gets too late is not done", async () => {
     let wait = 0;
     await withServer({name: "cell", delay: () => wait}, async (page, server) => {
       await page.goto(server.link);
@@ -74,6 +74,17 @@ const kTests = [
       wait = 0;
       await page.getByRole("button", {name: "Freeze"}).click();
       await until("a frozen plant", async () => server.plant.clock.state === "frozen");
+    });
+  }],
+  ["next to a PLC the session offers no scenario, and says why", async () => {
+    await withServer({name: "cell"}, async (page, server) => {
+      server.plant.description.with_plc = true;
+      await page.goto(server.link + "&view=session");
+      await ready(page);
+      const files = page.getByRole("region", {name: "Files"});
+      assert.deepEqual((await files.getByRole("button").allInnerTexts()).filter((text) => /Download/.test(text)), ["Download Session as JSON", "Download JUnit"]);
+      assert.match(await files.innerText(), /what the PLC wrote is not recorded/);
+      await noFaults(page, "session");
     });
   }],
   ["a restart with another run is said, and the page shows the new plant", async () => {

@@ -70,12 +70,19 @@ const kTests = [
     await until("a frozen plant", async () => await stateOf(other) === "frozen");
     for (const of of [page, other]) await of.close();
   }],
-  ["a link pasted into an old tab is taken over with its run, and its token leaves the address bar", async ({plant}) => {
+  ["a link pasted into a tab without a token is taken over at once, and its token leaves the address bar", async ({plant}) => {
+    const page = await open(new URL("/#view=io", plant.link).href);
+    await page.goto(plant.link + "&view=session");
+    await until("the token is gone", async () => new URL(page.url()).hash === "#view=session" || page.url());
+    await press(page, "Freeze");
+    await until("a frozen plant", async () => await stateOf(page) === "frozen");
+    await page.close();
+  }],
+  ["a link of a new run pasted into an old tab is taken over with its run", async ({plant}) => {
     const page = await open(plant.link);
     await page.evaluate(() => { location.hash = "view=io"; });
     await plant.stop();
     await until("the loss", async () => await page.evaluate(() => document.body.dataset.connection) === "lost");
-    await page.evaluate(() => window.stop());  // of the questions for a restart
     const next = await start(new URL(plant.link).port);
     try {
       await page.goto(next.link + "&view=session");
@@ -114,7 +121,7 @@ for (const [what, test] of kTests) {
   } finally {
     await plant.stop();
   }
-  for (const page of browser.context.pages()) if (failed > 0) await page.close();
+  for (const page of browser.context.pages().slice(1)) await page.close();  // without its last page the browser ends
 }
 for (const problem of browser.problems) console.log("the browser reports: " + problem);
 failed += browser.problems.length;
