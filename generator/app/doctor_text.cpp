@@ -56,7 +56,7 @@ std::string doctor_text(const Report& report, const tables::PlantTables& tables,
     const tables::SymbolRow& symbol = tables.symbols[point.symbol];
     fmt::format_to(out, "{:<8} {} {}{}{}{}{}\n", result_name(point.result), direction_name(symbol),
                    diag::visible(name_of(texts, point.symbol)), point.address.empty() ? "" : " at " + point.address,
-                   point.value ? " is " + trace::value_text(symbol.type(), *point.value) : "",
+                   point.value ? " is " + trace::value_text(symbol, *point.value) : "",
                    point.text.empty() ? "" : ": ", diag::visible(point.text));
   }
   return text;

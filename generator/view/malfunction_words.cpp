@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/condition_text.hpp"
+#include "symplant/tables/level.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -20,11 +21,16 @@ std::string devices(const model::Malfunction& malfunction, const model::PlantMod
   return text.empty() ? "no device" : text;
 }
 
+/// `TRUE`, `5`; what the bit of an inverted symbol means: `on (bit 0)`.
+std::string forced_value(const model::Symbol& symbol, std::uint64_t value) {
+  return symbol.inverted ? std::string(tables::level_text(value == 0, true)) : value_text(symbol.type, value);
+}
+
 std::string forces(const model::Malfunction& malfunction, const model::PlantModel& plant) {
   std::string text;
   for (const tables::MalfunctionForce& force : malfunction.forces) {
     const model::Symbol& symbol = plant.symbols[force.symbol];
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", symbol.name(), value_text(symbol.type, force.value));
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", symbol.name(), forced_value(symbol, force.value));
   }
   return text;
 }

@@ -26,6 +26,15 @@ std::string OpenLink::silence() const {
          "; check whether the PLC runs and is connected";
 }
 
+std::vector<trace::PlantNames::Link> named_links(const Links& links) {
+  std::vector<trace::PlantNames::Link> named;
+  for (const OpenLink& open : links) {
+    const bool freezes = open.settings.plant_on_loss == link::PlantOnLoss::freeze;
+    named.push_back({open.text(), open.silence(), open.carries, freezes});
+  }
+  return named;
+}
+
 bool keeps_plants_links_closed(const RunOptions& options) {
   using enum RunOptions::Clock;
   return options.clock == virtual_time || (!options.scenario.empty() && options.clock == automatic);

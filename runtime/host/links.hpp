@@ -12,6 +12,7 @@
 #include "symplant/link/choice.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/plant/plant.hpp"
+#include "symplant/trace/plant_names.hpp"
 
 namespace symplant::host {
 
@@ -47,6 +48,9 @@ struct OpenLink {
   std::string text() const { return (controller.empty() ? "" : controller + "=") + link->url(); }
 };
 using Links = std::vector<OpenLink>;
+
+/// The links as messages of the run name them.
+std::vector<trace::PlantNames::Link> named_links(const Links& links);
 
 /// Opens each link; 0, or the exit code of the first failure, with a message on `err`.
 int open_links(const LinkChoices& chosen, const tables::PlantTables& tables, const plant::Plant& plant, Links& links,

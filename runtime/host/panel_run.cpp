@@ -86,6 +86,14 @@ int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::os
   return kGood;
 }
 
+std::vector<exec::LinkState> PanelStatus::states() const {
+  std::vector<exec::LinkState> states;
+  for (std::size_t i = 0; meter_ != nullptr && i < links_.size() && i < exec::CycleMeter::kMostLinks; ++i) {
+    states.push_back(meter_->state(i));
+  }
+  return states;
+}
+
 std::string PanelStatus::text() {
   requests_.resize(links_.size());
   since_.resize(links_.size());

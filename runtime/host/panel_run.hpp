@@ -33,13 +33,16 @@ struct PanelInput {
 int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::ostream& err,
                std::unique_ptr<panel::Panel>& panel);
 
-/// The JSON members `links` and `cycle` of the stream. For one thread; the meter may be null.
+/// The links and the cycle of a run, for its panel. The meter may be null.
 class PanelStatus {
  public:
   PanelStatus(const Links& links, const exec::CycleMeter* meter) : links_(links), meter_(meter) {}
 
-  /// To be called about once a second. O(links and buckets).
+  /// The JSON members `links` and `cycle` of the stream. To be called about once a second, by one thread. O(links and
+  /// buckets).
   std::string text();
+  /// The states of the links in the last cycle, as far as the meter has them. For any thread.
+  std::vector<exec::LinkState> states() const;
 
  private:
   const Links& links_;

@@ -199,9 +199,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   Links links;
   const int opened = open_links(played.links, program.tables, stage.plant, links, streams.err);
   if (opened != kGood) return opened;
-  std::vector<trace::PlantNames::Link> named;
-  for (const OpenLink& open : links) named.push_back({open.text(), open.silence()});
-  played.names.name_links(std::move(named));
+  played.names.name_links(named_links(links));
   LastFiles last(options, streams.out);
   if (!stage.outputs.open(stage.plant.model_hash(), streams.err) || !last.are_well(streams.err)) return kEnvironment;
   if (played.resumed != nullptr) stage.outputs.set_back("restored", played.resumed->name, stage.plant.now());
@@ -237,6 +235,10 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   }
   const std::chrono::nanoseconds wall = std::chrono::steady_clock::now() - begin;
   stage.outputs.drain();
+  const std::vector<Answer> answers =
+      answers_to(played.questions, stage,
+                 {links, played.carried, panel != nullptr ? panel->playing() : played.scenario,
+                  panel != nullptr && panel->frozen()});
   stage.outputs.hide();
   panel.reset();
 
@@ -244,7 +246,6 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   stage.outputs.finish(stage.plant.now(), streams.err);
   stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), streams.report);
-  const std::vector<Answer> answers = answers_to(played.questions, stage, {links, played.carried, played.scenario});
   streams.report << answers_text(answers);
   std::optional<scenario::Verdict> verdict;
   if (played.scenario != nullptr) verdict = scenario::verdict_of(*played.scenario, outcomes);

@@ -159,7 +159,10 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
   exec::MonotonicClock wall;
   exec::CycleMeter meter;
   PanelStatus status(links, &meter);
-  if (panel != nullptr) panel->set_status([&status] { return status.text(); });
+  if (panel != nullptr) {
+    panel->set_status([&status] { return status.text(); });
+    panel->set_links([&status] { return status.states(); });
+  }
   exec::Stepper* const player = stage.player ? &*stage.player : nullptr;
   const auto cycles = [&] {
     exec::run_cycles(stage.plant, watched.exchanges(), cycle,
@@ -188,7 +191,10 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
     }
     stage.outputs.stop_thread();
   }
-  if (panel != nullptr) panel->set_status(nullptr);
+  if (panel != nullptr) {
+    panel->set_status(nullptr);
+    panel->set_links(nullptr);
+  }
 
   run.cycles = meter.statistics();
   run.faults = thread.faults();

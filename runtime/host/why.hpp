@@ -29,11 +29,12 @@ struct Answer {
   why::Explanation explanation;
 };
 
-/// What a run knows in addition to its records. `scenario` may be null.
+/// What a run knows in addition to its stage.
 struct RunKnowledge {
   const Links& links;
-  const std::vector<bool>& carried;  ///< by symbol: whether a link carries it
-  const scenario::Scenario* scenario;
+  const std::vector<bool>& carried;    ///< by symbol: whether a link carries it
+  const scenario::Scenario* scenario;  ///< that is played at the end; null: none
+  bool frozen_at_panel;
 };
 
 /// At the end of a run, when no other thread uses the stage.

@@ -171,4 +171,13 @@ void Panel::set_status(std::function<std::string()> status) {
   parts_->ask_status = std::move(status);
 }
 
+void Panel::set_links(std::function<std::vector<exec::LinkState>()> states) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->desk.set_links(std::move(states));
+}
+
+bool Panel::frozen() const { return parts_->desk.plant_operator().frozen(); }
+
+const scenario::Scenario* Panel::playing() const { return parts_->desk.playing(); }
+
 }  // namespace symplant::panel

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "symplant/engine/behaviour.hpp"
+#include "symplant/exec/exchange.hpp"
 #include "symplant/exec/stepper.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/panel/operate/exercises.hpp"
@@ -92,6 +93,13 @@ class Panel {
   /// Sets what is asked once a second for the keys `links` and `cycle` of the stream: JSON members. It is called by the
   /// panel's thread until the next call. Null: there are none.
   void set_status(std::function<std::string()> status);
+  /// Sets what gives the states of the links, as trace::PlantNames counts them, for explanations; it is called by the
+  /// thread that drains the recorder. Null: all links are live.
+  void set_links(std::function<std::vector<exec::LinkState>()> states);
+
+  // --- when no other thread drains or runs the plant
+  bool frozen() const;
+  const scenario::Scenario* playing() const;  ///< null: none; valid as long as the panel
 
  private:
   struct Parts;

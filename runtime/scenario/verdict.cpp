@@ -44,7 +44,7 @@ std::string values_text(std::span<const SymbolValue> values, const trace::PlantN
   std::string text;
   for (const SymbolValue& value : values) {
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", names.symbol(value.symbol),
-                        trace::value_text(names.tables().symbols[value.symbol].type(), value.value));
+                        trace::value_text(names.tables().symbols[value.symbol], value.value));
   }
   return text;
 }

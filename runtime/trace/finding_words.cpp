@@ -8,8 +8,10 @@
 #include <iterator>
 
 #include "symplant/link/client_refusal.hpp"
+#include "symplant/tables/level.hpp"
 #include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/tables/refusal.hpp"
+#include "symplant/trace/influences.hpp"
 #include "symplant/trace/requirement_units.hpp"
 #include "symplant/trace/server_words.hpp"
 
@@ -43,37 +45,21 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
 
 constexpr std::size_t kOperationsShown = 4;
 
-/// Added to the name of an inverted symbol: "on" means that it commands.
-std::string_view inverted_words(std::uint32_t symbol, const PlantNames& names) {
-  return names.tables().symbols[symbol].inverted() ? ", inverted" : "";
-}
-
-/// The units and malfunctions that disable a unit now: `EXLINE_MB_DOOR in OPEN1`.
-std::string disablers(std::uint32_t unit, const PlantNames& names, const History& history) {
-  std::string text;
-  for (const tables::DisableRow& row : names.tables().disables) {
-    const plant::UnitView by = history.unit(row.by);
-    if (row.unit != unit || by.moving || by.state != row.state) continue;
-    text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", names.unit(row.by), names.state(row.by, row.state));
-  }
-  const tables::MalfunctionNumbers numbers(names.tables());
-  for (const History::Malfunction& one : history.malfunctions()) {
-    const bool sticks = numbers.kind(one.number) == tables::MalfunctionKind::stuck;
-    if (!sticks || !numbers.names_unit(one.number, unit)) continue;
-    text += fmt::format("{}malfunction `{}`", text.empty() ? "" : ", ", names.malfunction(one.number));
-  }
-  return text;
+/// "on" means that an operation commands.
+std::string_view level_words(std::uint32_t symbol, bool on, const PlantNames& names) {
+  return tables::level_text(on, names.tables().symbols[symbol].inverted());
 }
 
 /// The last operations of a unit with their times: `; operations: Y0001 (P2 of L_P_AGV) on since 0.5 s`.
 std::string led(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
-    text += fmt::format("{}{} ({} of {}{}) ", text.empty() ? "" : ", ", address_or_name(symbol, names),
-                        names.task(symbol), names.unit(unit), inverted_words(symbol, names));
-    text += history.commands(symbol)
-                ? "on since " + seconds(history.rose(symbol))
-                : fmt::format("on at {}, off since {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
+    text += fmt::format("{}{} ({}{} of {}) {} ", text.empty() ? "" : ", ", address_or_name(symbol, names),
+                        names.tables().symbols[symbol].inverted() ? "inverted, " : "", names.task(symbol),
+                        names.unit(unit), level_words(symbol, true, names));
+    text += history.commands(symbol) ? "since " + seconds(history.rose(symbol))
+                                     : fmt::format("at {}, {} since {}", seconds(history.rose(symbol)),
+                                                   level_words(symbol, false, names), seconds(history.since(symbol)));
   }
   return text.empty() ? ", none of its operations has been on" : "; operations: " + text;
 }
@@ -83,53 +69,67 @@ std::string of_unit(const FoundThing& found, const PlantNames& names, const Hist
   const std::string name(names.unit(unit));
   const std::string state = state_words(unit, names, history.unit(unit));
   const std::string operations = led(unit, names, history);
+  const Influences influences = Influences(names, history).slowing(unit).forcing_symbols_of(unit);
   switch (found.kind) {
     case FindingKind::conflicting_operations:
       return fmt::format(
-          "conflicting operations: {} ({}) has commands to several states at once and obeys none of them{}; check "
-          "for a missing interlock between these outputs",
-          name, state, operations);
+          "conflicting operations: {} ({}) has commands to several states at once and obeys none of them{}; {}", name,
+          state, operations, influences.advice("for a missing interlock between these outputs"));
     case FindingKind::stopped_under_another_command:
       return fmt::format(
           "stopped under another command: {} ({}) has stopped, since its own command is off while another one is on{}; "
-          "check why the output went off before it arrived",
-          name, state, operations);
+          "{}",
+          name, state, operations, influences.advice("why the output went off before it arrived"));
     case FindingKind::overrun:
       return fmt::format(
-          "overrun: {} ({}) is still commanded to the state that it has reached, so its motor runs against the "
-          "end{}; check whether the end position switches the output off",
-          name, state, operations);
+          "overrun: {} ({}) is still commanded to the state that it has reached, so its motor runs against the end{}; "
+          "{}",
+          name, state, operations, influences.advice("whether the end position switches the output off"));
     default:
-      return fmt::format(
-          "started on enabling: {} ({}) started to move as soon as it was no longer disabled{}; check whether the "
-          "command should have been switched off before",
-          name, state, operations);
+      return fmt::format("started on enabling: {} ({}) started to move as soon as it was no longer disabled{}; {}",
+                         name, state, operations,
+                         influences.advice("whether the command should have been switched off before"));
   }
+}
+
+/// "command to a disabled unit: ...". No interlock is missing if only malfunctions disable the unit.
+std::string of_disabled(std::uint32_t symbol, const PlantNames& names, const History& history) {
+  const std::uint32_t unit = names.tables().symbols[symbol].unit;
+  Influences influences(names, history);
+  std::string by;
+  for (const tables::DisableRow& row : names.tables().disables) {
+    const plant::UnitView other = history.unit(row.by);
+    if (row.unit != unit || other.moving || other.state != row.state) continue;
+    by += fmt::format("{}{} in {}", by.empty() ? "" : ", ", names.unit(row.by), names.state(row.by, row.state));
+    influences.forcing_symbols_of(row.by);
+  }
+  const std::string usual = by.empty() ? "how the program reacts to it" : "for a missing interlock in its rung";
+  const std::string held = disabling_malfunctions(unit, names, history.malfunctions());
+  by += (by.empty() || held.empty() ? "" : ", ") + held;
+  influences.forcing_symbols_of(unit);
+  return fmt::format("command to a disabled unit: {}, came {} while {} ({}) cannot move{}{}; {}",
+                     symbol_words(symbol, names), level_words(symbol, true, names), names.unit(unit),
+                     state_words(unit, names, history.unit(unit)), by.empty() ? "" : ", disabled by ", by,
+                     influences.advice(usual));
 }
 
 std::string of_operation(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t symbol = found.of.front();
+  if (found.kind == FindingKind::command_to_a_disabled_unit) return of_disabled(symbol, names, history);
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
   const std::string who = symbol_words(symbol, names);
   const std::string name(names.unit(unit));
   const std::string state = state_words(unit, names, history.unit(unit));
-  if (found.kind == FindingKind::command_to_a_disabled_unit) {
-    const std::string by = disablers(unit, names, history);
-    return fmt::format(
-        "command to a disabled unit: {}, came on while {} ({}) cannot move{}; check for a missing interlock in its "
-        "rung",
-        who, name, state, by.empty() ? "" : ", disabled by " + by);
-  }
+  const std::string_view on = level_words(symbol, true, names);
+  const Influences influences = Influences(names, history).holding(unit).slowing(unit).forcing_symbols_of(unit);
   if (found.kind == FindingKind::command_without_effect) {
-    return fmt::format(
-        "command without effect: {}, came on while {} is in {}, from where it has no transition; check whether the "
-        "step before it was skipped, or the wrong output was used",
-        who, name, state);
+    return fmt::format("command without effect: {}, came {} while {} is in {}, from where it has no transition; {}",
+                       who, on, name, state,
+                       influences.advice("whether the step before it was skipped, or the wrong output was used"));
   }
-  return fmt::format(
-      "lost command: {}, on since {}, went off before {} ({}) moved; check whether the output should be held until the "
-      "device has answered",
-      who, seconds(history.rose(symbol)), name, state);
+  return fmt::format("lost command: {}, {} since {}, went {} before {} ({}) moved; {}", who, on,
+                     seconds(history.rose(symbol)), level_words(symbol, false, names), name, state,
+                     influences.advice("whether the output should be held until the device has answered"));
 }
 
 std::string of_event(const FoundThing& found, const PlantNames& names, const History& history) {
@@ -141,7 +141,9 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
     text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history.unit(unit)));
     text += led(unit, names, history);
   }
-  return text + "; check for a state that takes no time";
+  const Influences influences = Influences(names, history).forcing(symbol);
+  if (influences.empty()) return text + "; check for a state that takes no time";
+  return fmt::format("{}; {}: give it a longer time than a cycle of the PLC", text, influences.words());
 }
 
 std::string of_overwritten(const FoundThing& found, const PlantNames& names) {
@@ -165,7 +167,7 @@ std::string of_standstill(const FoundThing& found) {
       seconds(found.of.front() * tables::kMillisecond));
 }
 
-std::string of_link(const FoundThing& found, const PlantNames& names) {
+std::string of_link(const FoundThing& found, const PlantNames& names, const History& history) {
   const PlantNames::Link link = names.link(found.of.front());
   if (found.kind == FindingKind::request_refused) {
     return refused_by_server_words(tables::unpack_refusal(found.value), link.name);
@@ -173,7 +175,8 @@ std::string of_link(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::link_back) {
     return fmt::format("link back: {}, what the PLC writes takes effect again", link.name);
   }
-  return fmt::format("link lost: {}, {}", link.name, link.silence);
+  const Influences influences = Influences(names, history).cutting(link.controller);
+  return fmt::format("link lost: {}, {}", link.name, influences.empty() ? link.silence : influences.advice(""));
 }
 
 /// Whether it is of a request that a link to a PLC sent.
@@ -200,14 +203,16 @@ std::string of_transfer(const FoundThing& found, const PlantNames& names, const 
   const std::uint64_t there = found.value & 0xFFFF'FFFF;
   const History::Part* part = history.part(moving);
   const History::Part* obstacle = history.part(there);
-  return fmt::format(
-      "part blocked: {} cannot move part {}{} from {} to {}{}; check whether the program looks for a part there before "
-      "it moves another one",
-      names.transfer(found.of.front()), moving,
-      part == nullptr ? "" : fmt::format(" ({})", names.part_kind(part->kind)), names.location(row.from.location),
-      names.location(row.to.location),
-      obstacle == nullptr ? ", which has no room"
-                          : fmt::format(": part {} is there {}", there, since_words(obstacle->since)));
+  Influences influences(names, history);
+  for (const tables::SensorRow& sensor : names.tables().material.sensors) {
+    if (sensor.location == row.from.location || sensor.location == row.to.location) influences.forcing(sensor.symbol);
+  }
+  return fmt::format("part blocked: {} cannot move part {}{} from {} to {}{}; {}", names.transfer(found.of.front()),
+                     moving, part == nullptr ? "" : fmt::format(" ({})", names.part_kind(part->kind)),
+                     names.location(row.from.location), names.location(row.to.location),
+                     obstacle == nullptr ? ", which has no room"
+                                         : fmt::format(": part {} is there {}", there, since_words(obstacle->since)),
+                     influences.advice("whether the program looks for a part there before it moves another one"));
 }
 
 }  // namespace
@@ -263,13 +268,13 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   const bool operation = names.is_operation(symbol);
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
-  std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", address_or_name(symbol, names));
+  std::string text = fmt::format("PLC {} {}{}, ", operation ? "output" : "input", address_or_name(symbol, names),
+                                 names.tables().symbols[symbol].inverted() ? " (inverted)" : "");
   if (unit == tables::kNone) {
     text += fmt::format("symbol {}", names.symbol(symbol));
   } else {
     text += fmt::format("{} {} of {}", operation ? "operation" : "event", names.task(symbol), names.unit(unit));
   }
-  text += inverted_words(symbol, names);
   return text + " (" + names.cite(symbol) + ")";
 }
 
@@ -294,7 +299,7 @@ std::string finding_words(const FoundThing& found, const PlantNames& names, cons
   if (found.kind == FindingKind::part_blocked) return of_transfer(found, names, history);
   if (found.kind == FindingKind::request_refused && is_of_client(found.value)) return of_client_refusal(found, names);
   if (found.kind == FindingKind::symbol_left_out) return of_left_out(found, names);
-  if (is_of_link(found.kind)) return of_link(found, names);
+  if (is_of_link(found.kind)) return of_link(found, names, history);
   if (found.kind == FindingKind::standstill) return of_standstill(found);
   if (found.kind == FindingKind::event_too_short) return of_event(found, names, history);
   if (found.kind == FindingKind::event_overwritten) return of_overwritten(found, names);

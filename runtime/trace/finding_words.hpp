@@ -34,7 +34,8 @@ std::string name_of(const FoundThing& found, const PlantNames& names);
 /// The units that it concerns: its own, that of its symbol, or those in the conditions of its requirement.
 std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::PlantTables& tables);
 
-/// `PLC output Y0001, operation P2 of EXLINE_MB_AGV (symbols.csv:4)`.
+/// `PLC output Y0001, operation P2 of EXLINE_MB_AGV (symbols.csv:4)`; of an inverted symbol `PLC output Y0001
+/// (inverted), operation ...`.
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
 
 /// `Y0001`, or the symbol's name if it has no address.
@@ -51,9 +52,6 @@ std::string since_words(tables::Time changed);
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
 /// "requirement violated: `NAME`, its condition must never hold and now holds".
 std::string requirement_words(std::uint32_t requirement, const PlantNames& names);
-
-/// "malfunction `clamp 1 sluggish` is active since 2 s", for each active one.
-std::vector<std::string> malfunction_words(const PlantNames& names, const History& history);
 
 /// Plant time in seconds: `1.5 s`.
 std::string seconds(tables::Time time);

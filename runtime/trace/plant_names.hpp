@@ -40,11 +40,15 @@ class PlantNames {
   std::string malfunction(std::uint32_t number) const;
   /// A member of an instantaneous loop, as Finding::of numbers it.
   std::string_view loop_member(std::uint32_t of) const;
-  /// A link of the run.
+  /// A link of the run, for messages.
   struct Link {
     std::string name;
-    std::string silence;  ///< why a loss is reported, and what to check
+    std::string silence;                       ///< why a loss is reported, and what to check
+    std::uint32_t controller = tables::kNone;  ///< whose symbols it carries
+    bool freezes = false;                      ///< whether the plant is frozen while the link is not live
   };
+  /// The number of links; 0 without name_links().
+  std::size_t links() const { return links_.size(); }
   /// The link with this index; empty without name_links().
   Link link(std::uint32_t link) const { return link < links_.size() ? links_[link] : Link(); }
   void name_links(std::vector<Link> links) { links_ = std::move(links); }

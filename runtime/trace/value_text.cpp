@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "symplant/tables/level.hpp"
+
 namespace symplant::trace {
 namespace {
 
@@ -73,8 +75,11 @@ std::string json_value(DataType type, std::uint64_t value) {
   return magnitude > kExactInDouble ? '"' + text + '"' : text;
 }
 
-std::string value_text(DataType type, std::uint64_t value) {
-  if (type == DataType::boolean) return value != 0 ? "on" : "off";
+std::string value_text(const tables::SymbolRow& symbol, std::uint64_t value) {
+  const DataType type = symbol.type();
+  if (type == DataType::boolean) {
+    return std::string(tables::level_text((value != 0) != symbol.inverted(), symbol.inverted()));
+  }
   return is_real(type) ? real_text(type, std::bit_cast<double>(value)) : integer_text(type, value);
 }
 

@@ -16,8 +16,8 @@ std::string json_string(std::string_view text);
 /// beyond 2^53, NaN, infinities). REAL and LREAL in the shortest form that reads back.
 std::string json_value(tables::DataType type, std::uint64_t value);
 
-/// The value of a symbol for people: `on`, `off`, a number.
-std::string value_text(tables::DataType type, std::uint64_t value);
+/// The value of a symbol for people: a number, or what its bit means, as tables::level_text().
+std::string value_text(const tables::SymbolRow& symbol, std::uint64_t value);
 
 /// SINT, INT, DINT or LINT.
 bool is_signed(tables::DataType type) noexcept;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "symplant/tables/compare.hpp"
+#include "symplant/tables/level.hpp"
 
 namespace symplant::why {
 namespace {
@@ -117,16 +118,43 @@ bool is_one_or_more(const Atom& atom) {
          (atom.comparison == tables::Comparison::greater && atom.operand == 0);
 }
 
-/// Adds the text of a tree; `left` is the number of literals that it may still have.
+/// `L_P_AGV.P2`, `L_P_AGV_O_P1`, `SPEED > 5`, `CV1.part`, `CV1.parts >= 3`.
+std::string atom_text(const Atom& atom, const trace::PlantNames& names) {
+  switch (atom.kind) {
+    case Atom::Kind::settled:
+      return fmt::format("{}.{}", names.unit(atom.of), names.state(atom.of, atom.state));
+    case Atom::Kind::moving:
+      return fmt::format("{}.moving", names.unit(atom.of));
+    case Atom::Kind::bit:
+      return std::string(names.symbol(atom.of));
+    case Atom::Kind::number:
+      return fmt::format("{} {}", names.symbol(atom.of), number_text(atom));
+    case Atom::Kind::parts:
+      break;
+  }
+  const std::string_view location = names.location(atom.of);
+  if (atom.part == tables::kNone && !is_one_or_more(atom))
+    return fmt::format("{}.parts {}", location, number_text(atom));
+  return fmt::format("{}.{}", location, atom.part == tables::kNone ? "part" : names.part_kind(atom.part));
+}
+
+/// An atom, or its negation. A bit of an inverted symbol is named by its meaning: `L_P_EYE_I_PART off (bit 1)`.
+std::string literal_text(const Atom& atom, bool is_true, const trace::PlantNames& names) {
+  const bool inverted = atom.kind == Atom::Kind::bit && names.tables().symbols[atom.of].inverted();
+  if (inverted) return fmt::format("{} {}", atom_text(atom, names), tables::level_text(!is_true, true));
+  return (is_true ? "" : "not ") + atom_text(atom, names);
+}
+
+/// Adds the text of a tree of literals; `left` is the number of those that it may still have.
 void add_text(const Tree& tree, const trace::PlantNames& names, std::size_t& left, std::string& text) {
   if (tree.kind == Tree::Kind::constant) {
     text += tree.value ? "true" : "false";
   } else if (tree.kind == Tree::Kind::atom) {
     --left;
-    text += atom_text(tree.atom, names);
+    text += literal_text(tree.atom, true, names);
   } else if (tree.kind == Tree::Kind::negation) {
-    text += "not ";
-    add_text(tree.children.front(), names, left, text);
+    --left;
+    text += literal_text(tree.children.front().atom, false, names);
   } else {
     const std::string_view word = tree.kind == Tree::Kind::all ? " and " : " or ";
     for (const Tree& child : tree.children) {
@@ -203,25 +231,6 @@ std::string condition_text(const Tree& tree, const trace::PlantNames& names) {
   std::size_t left = kMostShown;
   add_text(tree, names, left, text);
   return text;
-}
-
-std::string atom_text(const Atom& atom, const trace::PlantNames& names) {
-  switch (atom.kind) {
-    case Atom::Kind::settled:
-      return fmt::format("{}.{}", names.unit(atom.of), names.state(atom.of, atom.state));
-    case Atom::Kind::moving:
-      return fmt::format("{}.moving", names.unit(atom.of));
-    case Atom::Kind::bit:
-      return std::string(names.symbol(atom.of));
-    case Atom::Kind::number:
-      return fmt::format("{} {}", names.symbol(atom.of), number_text(atom));
-    case Atom::Kind::parts:
-      break;
-  }
-  const std::string_view location = names.location(atom.of);
-  if (atom.part == tables::kNone && !is_one_or_more(atom))
-    return fmt::format("{}.parts {}", location, number_text(atom));
-  return fmt::format("{}.{}", location, atom.part == tables::kNone ? "part" : names.part_kind(atom.part));
 }
 
 }  // namespace symplant::why

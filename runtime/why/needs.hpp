@@ -27,9 +27,8 @@ Reference reference_of(const condition::Atom& atom);
 /// The different atoms of a tree, in their order.
 std::vector<condition::Atom> atoms_of(const condition::Tree& tree);
 
-/// `L_P_AGV.P2 and not L_P_DOOR.OPEN1`, without what exceeds eight literals: `... and more`.
+/// A tree of literals: `L_P_AGV.P2 and not L_P_DOOR.OPEN1`, without what exceeds eight literals: `... and more`. A bit
+/// of an inverted symbol is named by its meaning: `L_P_EYE_I_PART off (bit 1)`.
 std::string condition_text(const condition::Tree& tree, const trace::PlantNames& names);
-/// `L_P_AGV.P2`, `L_P_AGV_O_P1`, `SPEED > 5`, `CV1.part`, `CV1.parts >= 3`.
-std::string atom_text(const condition::Atom& atom, const trace::PlantNames& names);
 
 }  // namespace symplant::why

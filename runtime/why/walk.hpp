@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "symplant/engine/behaviour.hpp"
@@ -94,6 +95,8 @@ class Walk {
   // Words (walk_words.cpp).
   bool commands(std::uint32_t operation) const;
   std::string operation_head(std::uint32_t operation, std::string_view to = {}) const;
+  std::string_view level_words(std::uint32_t operation, bool on) const;
+  std::string forcing_words(std::uint32_t symbol) const;
   std::string operation_words(std::uint32_t operation, std::string_view to = {}) const;
   std::string last_words(std::uint32_t operation) const;
   std::vector<std::uint32_t> risen_operations(std::uint32_t unit) const;

@@ -120,7 +120,8 @@ Explanation Walk::reason(std::uint32_t unit, std::uint8_t here, const Reason& re
   if (reason.kind == Reason::Kind::no_effect) {
     result.sentence += fmt::format(", but no transition on it starts from {}", names_.state(unit, here));
   } else if (reason.kind == Reason::Kind::hold) {
-    result.sentence += fmt::format(", and goes to {} when it is off", names_.state(unit, type_of(unit).rest));
+    result.sentence += fmt::format(", and goes to {} when it is {}", names_.state(unit, type_of(unit).rest),
+                                   level_words(reason.of, false));
   } else {
     result.sentence += fmt::format(", and leads to {}", names_.state(unit, here));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "symplant/tables/level.hpp"
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/value_text.hpp"
 #include "symplant/why/walk.hpp"
@@ -149,15 +150,13 @@ void Walk::add_event_of_unit(std::uint32_t symbol, std::uint32_t unit, Explanati
   const tables::SymbolRow& row = tables_.symbols[symbol];
   const Switching switching = switching_of(type_of(unit), row.index - tables_.units[unit].event_bit);
   const bool level = (view_.value(symbol) != 0) != row.inverted();
-  const std::string_view on = row.inverted() ? "off" : "on";
-  const std::string_view off = row.inverted() ? "on" : "off";
+  const std::string_view on = tables::level_text(true, row.inverted());
+  const std::string_view off = tables::level_text(false, row.inverted());
   const auto list = [&](const States& states) { return state_list(unit, states); };
   if (switching.is_plain()) {
     const std::string states = list(switching.enter_on);
     if (states != names_.task(symbol)) {
       result.sentence += fmt::format(": it is {} while {} is in {}", on, names_.unit(unit), states);
-    } else if (row.inverted()) {
-      result.sentence += fmt::format(": it is off while {} is in {}", names_.unit(unit), states);
     }
   } else {
     std::string text;

@@ -53,11 +53,10 @@ void Walk::add_forced(std::uint32_t unit, Explanation& result) {
     if (forced.empty() || done_.contains(self) || has(result, self)) continue;
     const auto& causes = result.because;
     if (std::any_of(causes.begin(), causes.end(), [&](const Explanation& cause) { return has(cause, self); })) continue;
-    result.because.push_back(
-        {fmt::format("{} is forced to {} {}", names_.symbol(symbol),
-                     trace::value_text(tables_.symbols[symbol].type(), view_.value(symbol)), forced),
-         {self},
-         {}});
+    result.because.push_back({fmt::format("{} is forced to {} {}", names_.symbol(symbol),
+                                          trace::value_text(tables_.symbols[symbol], view_.value(symbol)), forced),
+                              {self},
+                              {}});
   }
 }
 

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
+#include "symplant/tables/level.hpp"
 #include "symplant/trace/finding_words.hpp"
+#include "symplant/trace/influences.hpp"
 #include "symplant/trace/value_text.hpp"
-#include "symplant/why/malfunction_words.hpp"
 #include "symplant/why/walk.hpp"
 
 namespace symplant::why {
@@ -19,34 +20,48 @@ bool Walk::commands(std::uint32_t operation) const {
 }
 
 /// `Y0008 (operation OPEN, body-shop.csv:30)`; with `to`, if the operation has another name, `(operation PUSH to P2,
-/// ...)`.
+/// ...)`; of an inverted one `(inverted, operation OPEN, ...)`.
 std::string Walk::operation_head(std::uint32_t operation, std::string_view to) const {
   const std::string_view task = names_.task(operation);
-  return fmt::format("{} (operation {}{}{}{}, {})", trace::address_or_name(operation, names_), task,
+  return fmt::format("{} ({}operation {}{}{}, {})", trace::address_or_name(operation, names_),
+                     tables_.symbols[operation].inverted() ? "inverted, " : "", task,
                      to.empty() || to == task ? "" : " to ", to == task ? std::string_view() : to,
-                     tables_.symbols[operation].inverted() ? ", inverted" : "", names_.cite(operation));
+                     names_.cite(operation));
 }
 
-/// `Y0008 (operation OPEN, body-shop.csv:30) has been on since 21.9 s`; "on" means that it commands.
+/// "on" means that an operation commands.
+std::string_view Walk::level_words(std::uint32_t operation, bool on) const {
+  return tables::level_text(on, tables_.symbols[operation].inverted());
+}
+
+/// ", forced by malfunction `wire`"; empty if none overrides the symbol.
+std::string Walk::forcing_words(std::uint32_t symbol) const {
+  const std::string by = trace::overriding_malfunction(symbol, names_, view_.malfunctions());
+  return by.empty() ? by : ", forced by " + by;
+}
+
+/// `Y0008 (operation OPEN, body-shop.csv:30) has been on since 21.9 s`.
 std::string Walk::operation_words(std::uint32_t operation, std::string_view to) const {
   std::string text = operation_head(operation, to);
   const tables::Time rose = view_.rose(operation);
   if (commands(operation)) {
-    text += " has been on " + since_words(std::max<tables::Time>(rose, 0));
+    text += fmt::format(" has been {} {}", level_words(operation, true), since_words(std::max<tables::Time>(rose, 0)));
   } else {
-    text += rose < 0 ? " has never been on" : " has been off " + since_words(view_.since(operation));
+    text += rose < 0
+                ? fmt::format(" has never been {}", level_words(operation, true))
+                : fmt::format(" has been {} {}", level_words(operation, false), since_words(view_.since(operation)));
     const std::string why = view_.unwritten(operation);
     if (!why.empty()) text += " (" + why + ")";
   }
   const std::string forced = view_.forced(operation);
   if (!forced.empty()) text += ", forced " + forced;
-  return text + overriding_malfunction(operation, names_, view_.malfunctions());
+  return text + forcing_words(operation);
 }
 
 /// `Y0008 (operation OPEN, body-shop.csv:30) was on from 3 s to 4 s`.
 std::string Walk::last_words(std::uint32_t operation) const {
-  return fmt::format("{} was on from {} to {}", operation_head(operation), seconds(view_.rose(operation)),
-                     seconds(view_.since(operation)));
+  return fmt::format("{} was {} from {} to {}", operation_head(operation), level_words(operation, true),
+                     seconds(view_.rose(operation)), seconds(view_.since(operation)));
 }
 
 /// The operations of a unit that have been on, the latest first.
@@ -94,22 +109,22 @@ std::string Walk::unit_head(std::uint32_t unit) const {
       by += fmt::format("{}{} in {}", by.empty() ? " by " : ", ", names_.unit(other),
                         names_.state(other, view_.unit(other).state));
     }
-    const std::string malfunctions = disabling_malfunctions(unit, names_, view_.malfunctions());
+    const std::string malfunctions = trace::disabling_malfunctions(unit, names_, view_.malfunctions());
     if (!malfunctions.empty()) by += (by.empty() ? " by " : ", ") + malfunctions;
   }
-  return fmt::format("{} has been in {}{} {}{}", names_.unit(unit), trace::state_words(unit, names_, now), by,
-                     since_words(view_.unit_since(unit)), slowing_malfunctions(unit, names_, view_.malfunctions()));
+  const std::string slowing = trace::slowing_malfunctions(unit, names_, view_.malfunctions());
+  return fmt::format("{} has been in {}{} {}{}{}", names_.unit(unit), trace::state_words(unit, names_, now), by,
+                     since_words(view_.unit_since(unit)), slowing.empty() ? "" : ", slowed by ", slowing);
 }
 
 /// `EXLINE_MB_AGV_I_P2 has been off since 0.5 s, PLC input X0002, event P2 of EXLINE_MB_AGV (excell.csv:3)`.
 std::string Walk::symbol_head(std::uint32_t symbol) const {
-  std::string text = fmt::format("{} has been {} {}", names_.symbol(symbol),
-                                 trace::value_text(tables_.symbols[symbol].type(), view_.value(symbol)),
-                                 since_words(view_.since(symbol)));
+  std::string text =
+      fmt::format("{} has been {} {}", names_.symbol(symbol),
+                  trace::value_text(tables_.symbols[symbol], view_.value(symbol)), since_words(view_.since(symbol)));
   const std::string forced = view_.forced(symbol);
   if (!forced.empty()) text += ", forced " + forced;
-  return text + overriding_malfunction(symbol, names_, view_.malfunctions()) + ", " +
-         trace::symbol_words(symbol, names_);
+  return text + forcing_words(symbol) + ", " + trace::symbol_words(symbol, names_);
 }
 
 /// `FIXTURE has part 11 (raw) since 3.2 s`.

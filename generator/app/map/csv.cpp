@@ -18,12 +18,12 @@ namespace {
 struct CsvRow {
   std::string_view kind;
   std::string name, list, row, address, iec, type, table, number, count, modicon, location, word_order, function,
-      inverted, on_loss, driven_by;
+      inverted, on_loss, driven_by, drives;
 };
 
 constexpr std::string_view kHeader =
     "kind,controller,name,list,row,address,IEC,type,table,number,count,Modicon,location,word order,function code,"
-    "inverted,on loss,driven by\n";
+    "inverted,on loss,driven by,drives\n";
 
 class CsvMap {
  public:
@@ -79,6 +79,7 @@ class CsvMap {
     row.type = read::data_type_name(symbol.type);
     row.inverted = symbol.inverted ? "yes" : "no";
     row.driven_by = driver_text(view_, index);
+    row.drives = drives_text(view_, index);
     add(row);
   }
 
@@ -100,7 +101,7 @@ class CsvMap {
           std::string_view(row.type), std::string_view(row.table), std::string_view(row.number),
           std::string_view(row.count), std::string_view(row.modicon), std::string_view(row.location),
           std::string_view(row.word_order), std::string_view(row.function), std::string_view(row.inverted),
-          std::string_view(row.on_loss), std::string_view(row.driven_by)}) {
+          std::string_view(row.on_loss), std::string_view(row.driven_by), std::string_view(row.drives)}) {
       text += ',';
       convert::append_protected_cell(text, cell);
     }

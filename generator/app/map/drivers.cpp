@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "diag/visible_text.hpp"
-#include "symplant/tables/names.hpp"
+#include "symplant/why/driven_things.hpp"
 
 namespace symplant::app {
 namespace {
@@ -19,27 +19,16 @@ bool is_event(const LinkView& view, std::uint32_t symbol) {
 
 std::string unit_name(const LinkView& view, std::uint32_t unit) { return std::string(view.of->plant.units[unit].path); }
 
-std::string reader_name(const LinkView& view, const why::SymbolReader& reader) {
-  switch (reader.kind) {
-    case why::SymbolReader::Kind::requirement:
-      return "requirement " + view.of->plant.requirements[reader.index].name;
-    case why::SymbolReader::Kind::event:
-      return std::string(view.of->plant.symbols[reader.index].name());
-    case why::SymbolReader::Kind::track:
-      return view.of->plant.material.tracks[reader.index].name;
-    case why::SymbolReader::Kind::transfer:
-      return "transfer " + view.of->plant.material.transfers[reader.index].name;
-    case why::SymbolReader::Kind::work:
-      return "work " + view.of->plant.material.work[reader.index].name;
-    case why::SymbolReader::Kind::source:
-      return "source " + view.of->plant.material.sources[reader.index].name;
-    case why::SymbolReader::Kind::malfunction:
-      return "malfunction " + view.of->plant.malfunctions[reader.index].name;
-    case why::SymbolReader::Kind::unit:
-    case why::SymbolReader::Kind::behavior:
-      break;
+bool is_clock(const LinkView& view, std::uint32_t symbol) { return view.choice.settings.clock.symbol == symbol; }
+
+/// "EXLINE_MB_AGV, track CV1", "A, B, C and 2 more".
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 3;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMostNamed; ++i) {
+    text.append(i == 0 ? "" : ", ").append(diag::visible(names[i]));
   }
-  return unit_name(view, reader.index);
+  return names.size() <= kMostNamed ? text : text + fmt::format(" and {} more", names.size() - kMostNamed);
 }
 
 }  // namespace
@@ -73,20 +62,28 @@ std::vector<std::string> readers_of(const LinkView& view, std::uint32_t symbol) 
   const auto add = [&](std::string name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   };
-  for (const why::SymbolReader& reader : view.of->use.readers(symbol)) add(reader_name(view, reader));
+  for (const why::SymbolReader& reader : view.of->use.readers(symbol)) add(why::reader_words(reader, view.of->names));
   const why::SymbolDriver driver = view.of->use.driver(symbol);
   if (driver.kind == Driver::behavior) add(unit_name(view, driver.unit));
-  if (view.choice.settings.clock.symbol == symbol) add("plant time");
+  if (is_clock(view, symbol)) add("plant time");
   return names;
 }
 
-std::string driver_text(const LinkView& view, std::uint32_t symbol) {
-  if (is_event(view, symbol)) return driven_by(view, symbol).value_or("-");
-  if (const auto moved = moved_device(view, symbol)) return "the PLC, moves " + *moved;
+std::vector<std::string> driven_things(const LinkView& view, std::uint32_t symbol) {
+  if (is_event(view, symbol)) return {};
+  std::vector<std::string> things = why::driven_things(symbol, view.of->use, view.of->names);
+  if (is_clock(view, symbol)) things.emplace_back("plant time");
+  return things;
+}
+
+std::string driver_text(const LinkView& view, std::uint32_t symbol) { return driven_by(view, symbol).value_or("-"); }
+
+std::string drives_text(const LinkView& view, std::uint32_t symbol) {
+  if (is_event(view, symbol)) return "";
+  const std::vector<std::string> things = driven_things(view, symbol);
+  if (!things.empty()) return listed(things);
   const std::vector<std::string> readers = readers_of(view, symbol);
-  if (readers.empty()) return "the PLC, moves nothing";
-  const std::string more = readers.size() == 1 ? "" : fmt::format(" and {} more", readers.size() - 1);
-  return "the PLC, read by " + diag::visible(readers.front()) + more;
+  return readers.empty() ? "-" : fmt::format("- (read by {})", listed(readers));
 }
 
 }  // namespace symplant::app

@@ -17,11 +17,18 @@ std::optional<std::string> driven_by(const LinkView& view, std::uint32_t symbol)
 /// The device that an operation moves.
 std::optional<std::string> moved_device(const LinkView& view, std::uint32_t symbol);
 
-/// What reads an operation without being moved by it: devices, requirements, events that follow a condition, and "plant
-/// time" for the link's clock. O(readers).
+/// What reads an operation without being moved by it: as why::reader_words(), and "plant time" for the link's clock.
+/// O(readers).
 std::vector<std::string> readers_of(const LinkView& view, std::uint32_t symbol);
 
-/// The cell of the table: "EXLINE_MB_AGV", "the PLC, moves EXLINE_MB_AGV", "the PLC, read by A and 2 more", `-`.
+/// What an operation drives: as why::driven_things(), and "plant time" for the link's clock. Of an event nothing.
+std::vector<std::string> driven_things(const LinkView& view, std::uint32_t symbol);
+
+/// The cell of `driven by`: "EXLINE_MB_AGV", "a condition", "the PLC", `-`.
 std::string driver_text(const LinkView& view, std::uint32_t symbol);
+
+/// The cell of `drives`: "EXLINE_MB_AGV", "L_P_CV, track CV1", "A, B, C and 2 more", "- (read by requirement slow)",
+/// `-`; of an event empty.
+std::string drives_text(const LinkView& view, std::uint32_t symbol);
 
 }  // namespace symplant::app

@@ -61,6 +61,8 @@ class JsonMap {
     member_or_null("on_link", point != nullptr, [&] { write_point(*point); });
     text_or_null("driven_by", driven_by(view_, index));
     text_or_null("moves", moved_device(view_, index));
+    out_.key("drives");
+    out_.array(driven_things(view_, index), [&](const std::string& thing) { out_.value(thing); });
     out_.key("read_by");
     out_.array(readers_of(view_, index), [&](const std::string& reader) { out_.value(reader); });
     out_.end_object();

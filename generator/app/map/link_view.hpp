@@ -13,6 +13,7 @@
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/tables/tables.hpp"
+#include "symplant/trace/plant_names.hpp"
 #include "symplant/why/symbol_use.hpp"
 
 namespace symplant::app {
@@ -22,9 +23,10 @@ struct LinkedPlant {
   const model::PlantModel& plant;
   const tables::PlantTables& tables;
   const why::SymbolUse use;
+  const trace::PlantNames names;
 
   LinkedPlant(const model::PlantModel& model, const tables::PlantTables& rows)
-      : plant(model), tables(rows), use(rows) {}
+      : plant(model), tables(rows), use(rows), names(rows) {}
 };
 
 /// The map of one controller's link. For a link that goes to the PLC, `client` has the addresses there, in the order of

@@ -15,7 +15,7 @@
 namespace symplant::app {
 namespace {
 
-constexpr std::size_t kColumns = 10;
+constexpr std::size_t kColumns = 11;
 constexpr std::size_t kModicon = 5;   ///< shown if the link has Modbus numbers
 constexpr std::size_t kWords = 6;     ///< the column of word orders, shown if a number takes several registers
 constexpr std::size_t kInverted = 7;  ///< shown if a symbol is
@@ -66,7 +66,7 @@ class MapTable {
   template <typename Use>
   void for_each_row(Use use) const {
     use({"row", "symbol", "address", "IEC", view_.client ? "in the PLC" : "Modbus", "Modicon", "words", "inverted",
-         "on loss", "driven by"});
+         "on loss", "driven by", "drives"});
     view_.for_each_symbol([&](std::uint32_t symbol) { use(cells_of(symbol)); });
   }
 
@@ -86,7 +86,8 @@ class MapTable {
             wide ? word_order_text(point->word_order) : "",
             symbol.inverted ? "inverted" : "",
             operation ? on_loss_text(view_.of->tables, *point) : "",
-            driver_text(view_, index)};
+            driver_text(view_, index),
+            drives_text(view_, index)};
   }
 
   void measure(const Cells& cells) {

@@ -112,8 +112,7 @@ void Desk::finding(const trace::FoundThing& found, const std::string& words) {
   const bool violated = found.kind == tables::FindingKind::requirement_violated;
   if (violated) {
     Violation& violation = violations_[found.of.front()];
-    ++violation.count;
-    violation.since = found.time;
+    violation.note(found.time);
     violation.changed = true;
     if (exercise_ != nullptr) exercise_->requirement_violated(found.of.front(), found.time);
   }
@@ -143,8 +142,7 @@ void Desk::forget_findings(tables::Time after) {
   std::fill(violations_.begin(), violations_.end(), Violation{});
   for (const Found& found : findings_) {
     if (found.requirement == tables::kNone) continue;
-    ++violations_[found.requirement].count;
-    violations_[found.requirement].since = found.time;
+    violations_[found.requirement].note(found.time);
   }
 }
 

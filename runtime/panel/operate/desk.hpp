@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "symplant/exec/exchange.hpp"
 #include "symplant/panel/answer.hpp"
 #include "symplant/panel/operate/act_reader.hpp"
 #include "symplant/panel/operate/exercises.hpp"
@@ -104,6 +105,10 @@ class Desk {
   void look_at_time(tables::Time every);
   /// The session as a file of this kind: `scenario`, `start` (the snapshot with which it begins), `session` or `junit`.
   Answer session_file(std::string_view kind);
+  /// Sets what gives the states of the run's links, for explanations. Null: all are live.
+  void set_links(std::function<std::vector<exec::LinkState>()> states) { link_states_ = std::move(states); }
+  /// The scenario that the plant plays; null: none. It lives as long as the desk, or until another one is played.
+  const scenario::Scenario* playing() const { return playing_; }
   /// Real speed, for the clock of the stream.
   void note_real_speed(double speed) { real_speed_ = speed; }
   /// The run ends: answers every request that waits.
@@ -187,14 +192,21 @@ class Desk {
   std::uint32_t next_id_ = 1;
   std::atomic<double> speed_{1};
   double real_speed_ = 1;
+  std::function<std::vector<exec::LinkState>()> link_states_;
 
   std::vector<std::string> new_acts_;
   std::deque<Found> findings_;
   std::uint64_t first_finding_ = 0;
   struct Violation {
     std::uint64_t count = 0;
-    tables::Time since = 0;
+    tables::Time first = 0;
+    tables::Time since = 0;  ///< the last one
     bool changed = false;
+
+    void note(tables::Time time) {
+      if (count++ == 0) first = time;
+      since = time;
+    }
   };
   std::vector<Violation> violations_;
   std::shared_ptr<Exercise> exercise_;        ///< that is played, or was played last

@@ -1,45 +1,12 @@
 // The state of a panel: what follows when the thread of the plant has carried out an order.
-#include <algorithm>
 #include <utility>
 
 #include "symplant/panel/operate/desk.hpp"
 #include "symplant/panel/picture/json_text.hpp"
+#include "symplant/scenario/run_view.hpp"
 #include "symplant/scenario/step_text.hpp"
-#include "symplant/why/recorded_view.hpp"
 
 namespace symplant::panel {
-namespace {
-
-/// The plant with an operator, for explanations.
-class OperatedView final : public why::RecordedView {
- public:
-  OperatedView(const trace::History& history, tables::Time now, const plant::Plant& plant, bool frozen,
-               const std::vector<bool>& carried, const scenario::Scenario* played)
-      : RecordedView(history, now, &plant), frozen_(frozen), carried_(carried), played_(played) {}
-
-  std::string standstill() const override { return frozen_ ? "the plant is frozen at the panel" : ""; }
-  std::string unwritten(std::uint32_t operation) const override {
-    if (carried_[operation]) return "";
-    return is_set_by_scenario(operation) ? "the scenario sets it in another step"
-                                         : "no link carries it; set it at the panel";
-  }
-
- private:
-  bool is_set_by_scenario(std::uint32_t operation) const {
-    return played_ != nullptr &&
-           std::any_of(played_->steps.begin(), played_->steps.end(), [&](const scenario::Step& step) {
-             return std::any_of(step.set.begin(), step.set.end(),
-                                [&](const scenario::SymbolValue& value) { return value.symbol == operation; });
-           });
-  }
-
-  bool frozen_;
-  const std::vector<bool>& carried_;
-  const scenario::Scenario* played_;  ///< may be null
-};
-
-}  // namespace
-
 /// The plant is done with an order.
 std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
   Group& group = *pending.group;
@@ -167,7 +134,15 @@ void Desk::copied(Pending& pending, tables::Time time) {
 
 /// The answer to `why`: the shadow has the state.
 std::string Desk::explain(const std::string& name, tables::Time time) {
-  const OperatedView view(setup_.history, time, shadow(), operator_.frozen(), setup_.carried, playing_);
+  const scenario::RunView view(setup_.names, setup_.history, time, &shadow(),
+                               {.links = link_states_ ? link_states_() : std::vector<exec::LinkState>(),
+                                .carried = setup_.carried,
+                                .scenario = playing_,
+                                .frozen_at_panel = operator_.frozen(),
+                                .violations = [&](std::uint32_t requirement) {
+                                  const Violation& violation = violations_[requirement];
+                                  return scenario::Violations{violation.count, violation.first};
+                                }});
   std::string text;
   std::string trees;
   for (const why::Reference& thing : why::things_named(name, setup_.names)) {

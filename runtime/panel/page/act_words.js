@@ -1,6 +1,8 @@
 // Acts in words: "forced X off", for results and for the list of what was done.
 import {factor, value} from "./words.js";
 
+const kPlain = {inverted: false};
+
 const kMostNames = 3;
 
 const listed = (of, text = String) => {
@@ -9,12 +11,14 @@ const listed = (of, text = String) => {
 };
 const pairs = (of, text) => listed(Object.entries(of), text);
 
+const values = (of, symbolNamed) => pairs(of, ([name, to]) => name + " " + value(to, symbolNamed(name) ?? kPlain));
+
 const kWords = {
-  set: (of) => "set " + pairs(of, ([name, to]) => name + " " + value(to)),
+  set: (of, symbolNamed) => "set " + values(of, symbolNamed),
   state: (of) => "put " + pairs(of, ([name, to]) => name + " into " + to),
   put: (of) => "put " + listed(of, ({at, kind}) => kind + " at " + at),
   take: (of) => "took a part from " + listed(of),
-  force: (of) => "forced " + pairs(of, ([name, to]) => name + " " + value(to)),
+  force: (of, symbolNamed) => "forced " + values(of, symbolNamed),
   release: (of) => "released " + (of === "all" ? "all" : listed(of)),
   stop: (of) => "stopped " + listed(of),
   start: (of) => "started " + listed(of),
@@ -32,6 +36,7 @@ const kWords = {
   session: (of) => "saved the session " + of,
 };
 
-/// What an act, or a list of acts in one instant, did. Keys without words stay JSON.
-export const actText = (acts) => [acts].flat().flatMap((act) => Object.entries(act)).map(([key, of]) =>
-  Object.hasOwn(kWords, key) ? kWords[key](of) : key + " " + JSON.stringify(of)).join(", ");
+/// What an act, or a list of acts in one instant, did. Keys without words stay JSON. `symbolNamed(name)` gives the symbol of
+/// that name, or nothing.
+export const actText = (acts, symbolNamed = () => null) => [acts].flat().flatMap((act) => Object.entries(act)).map(([key, of]) =>
+  Object.hasOwn(kWords, key) ? kWords[key](of, symbolNamed) : key + " " + JSON.stringify(of)).join(", ");

@@ -1,7 +1,7 @@
 // Controls that act on the plant. Each shows its result, or what the server says against it, next to itself.
 import {actText} from "./act_words.js";
 import {button, make, select, setAttribute, setText} from "./dom.js";
-import {instant, readValue} from "./words.js";
+import {instant, levels, readValue} from "./words.js";
 
 const kShown = 8000;  // ms; a result that is no error goes by itself
 
@@ -26,7 +26,7 @@ export const perform = async (app, result, acts) => {
     if (app.lost) throw new Error("there is no connection to the plant: nothing was done");
     const list = [acts()].flat();
     const {t} = await app.api.acts(...list);
-    showResult(result, actText(list) + " at " + instant(t));
+    showResult(result, actText(list, (name) => app.names.symbol(name)) + " at " + instant(t));
     return true;
   } catch (error) {
     showResult(result, error.status === 401 ? app.deniedText : error.message, true);
@@ -98,8 +98,7 @@ export const symbolControls = (app, index, result) => {
     return make("div", {class: "row controls"}, valueForm(app, result, symbol, buttons), release);
   }
   const pair = (key, label) => make("span", {class: "row", role: "group", "aria-label": label}, make("span", {class: "soft"}, label),
-    actButton(app, result, "on", () => act(key, true), {"aria-label": label + " on"}),
-    actButton(app, result, "off", () => act(key, false), {"aria-label": label + " off"}));
+    levels(symbol).map(([text, bit]) => actButton(app, result, text, () => act(key, bit), {"aria-label": label + " " + text})));
   return make("div", {class: "row controls"}, settable ? pair("set", "Set") : null, pair("force", "Force"), release);
 };
 

@@ -69,7 +69,7 @@ export class ChartView {
   rows() {
     const {plant} = this.app;
     return this.model.rows.map((row) => ({...row, name: this.app.names.name(row.kind, row.index), device: plant.devices[row.index],
-      type: row.kind === "symbol" ? plant.symbols[row.index].type : "state"}));
+      symbol: plant.symbols[row.index], type: row.kind === "symbol" ? plant.symbols[row.index].type : "state"}));
   }
 
   buildRows() {

@@ -98,7 +98,7 @@ const drawStates = (context, pieces, color, device) => {
   }
 };
 
-/// `rows`: { kind, type, device, data } each. `view`: { from, to } shown, `known` { from, until } of which there is data.
+/// `rows`: { kind, type, device, symbol, data } each. `view`: { from, to } shown, `known` { from, until } of which there is data.
 export const drawRows = (context, rows, view, known, width) => {
   const color = theme();
   context.clearRect(0, 0, width, Math.max(1, rows.length) * kRowHeight);
@@ -149,7 +149,7 @@ export const drawCursors = (context, cursors, now, view, width, height) => {
 export const valueAt = (row, t) => {
   const found = row.data.at(t);
   if (found === undefined) return "-";
-  return row.kind === "device" ? stateWords(row.device, found) : valueText(found);
+  return row.kind === "device" ? stateWords(row.device, found) : valueText(found, row.symbol);
 };
 
 /// "A 1.2 s, B 3.4 s, from A to B 2.2 s"

@@ -5,7 +5,7 @@ import {stationAddress, symbolLink} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
 import {DEVICE, SYMBOL} from "./store.js";
 import {operationLabel, stateText} from "./tile.js";
-import {duration, value} from "./words.js";
+import {duration, isOn, value} from "./words.js";
 
 const kActuations = {latched: "latched: a short command is enough", bistable: "bistable: moves to the end while no other command is on",
   held: "held: moves only while commanded", spring: "spring: returns to its rest state without a command"};
@@ -29,10 +29,10 @@ export const symbolItem = (pane, index, more, result) => {
   const symbol = plant.symbols[index];
   const marks = () => (store.symbolFlags[index] & SYMBOL.forced ? "forced" : "") + (store.symbolFlags[index] & SYMBOL.malfunction ? " malfunction" : "");
   const lamp = make("span", {class: "lamp", "aria-hidden": "true"});
-  pane.attribute(lamp, "data-on", () => store.values[index] === true ? "1" : null);
+  pane.attribute(lamp, "data-on", () => symbol.type === "BOOL" && isOn(symbol, store.values[index]) ? "1" : null);
   return make("li", {class: "symbol-item"},
     make("div", {class: "row"}, lamp, symbolLink(app, index), make("span", {class: "soft"}, symbol.address ?? "-"),
-      pane.live(() => value(store.values[index]), "strong"), pane.live(marks, "span", {class: "mark"}), more ? make("span", {class: "soft"}, more) : null),
+      pane.live(() => value(store.values[index], symbol), "strong"), pane.live(marks, "span", {class: "mark"}), more ? make("span", {class: "soft"}, more) : null),
     symbolControls(app, index, result));
 };
 

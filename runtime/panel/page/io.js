@@ -4,9 +4,9 @@ import {breakable, make, select, setText} from "./dom.js";
 import {selecting} from "./router.js";
 import {filterSymbols} from "./io_filter.js";
 import {SYMBOL} from "./store.js";
-import {driverText, typeText} from "./symbol_details.js";
+import {driverOrDrivenText, typeText} from "./symbol_details.js";
 import {VirtualList} from "./virtual_list.js";
-import {count, cutMiddle, exactInstant, instant, value} from "./words.js";
+import {count, cutMiddle, exactInstant, instant, isOn, levels, value} from "./words.js";
 
 const kHeight = 34;
 const kMostLetters = 44;  // of a name: they fit into two lines
@@ -74,8 +74,8 @@ export class IoView {
     const link = make("a", {class: "name"});
     const row = {first: link, cells, forced: false};
     const symbol = () => app.plant.symbols[this.indexes[row.index]];
-    const force = (label, to) => actButton(app, this.result, label, () => ({force: {[symbol().name]: to}}), {class: "small", tabindex: -1});
-    row.buttons = !app.canAct ? [] : [force("on", true), force("off", false),
+    const force = (label, level) => actButton(app, this.result, label, () => ({force: {[symbol().name]: levels(symbol())[level][1]}}), {class: "small", tabindex: -1});
+    row.buttons = !app.canAct ? [] : [force("on", 0), force("off", 1),
       actButton(app, this.result, "release", () => ({release: [symbol().name]}), {class: "small", tabindex: -1}, () => row.forced)];
     row.more = make("a", {tabindex: -1}, "force ...");
     row.acts = app.canAct ? make("span", {role: "cell", class: "row io-force"}, row.buttons.slice(0, 2), row.more, row.buttons[2]) : null;
@@ -92,8 +92,8 @@ export class IoView {
     const [, , , shown, since] = row.cells;
     const flags = store.symbolFlags[index];
     const isForced = (flags & SYMBOL.forced) !== 0;
-    setText(shown, value(store.values[index]) + (isForced ? ", forced" : "") + (flags & SYMBOL.malfunction ? ", malfunction" : ""));
-    shown.classList.toggle("is-on", store.values[index] === true);
+    setText(shown, value(store.values[index], symbol) + (isForced ? ", forced" : "") + (flags & SYMBOL.malfunction ? ", malfunction" : ""));
+    shown.classList.toggle("is-on", symbol.type === "BOOL" && isOn(symbol, store.values[index]));
     setText(since, instant(store.symbolSince[index]));
     since.title = exactInstant(store.symbolSince[index]);
     row.element.classList.toggle("forced", isForced);
@@ -109,14 +109,15 @@ export class IoView {
     setText(address, symbol.address ?? "-");
     setText(type, typeText(symbol));
     setText(direction, symbol.direction);
-    setText(driver, driverText(symbol));
+    setText(driver, driverOrDrivenText(symbol));
+    driver.title = driver.textContent;
     setText(link, symbol.link === null ? "-" : this.app.plant.links[symbol.link].controller || this.app.plant.links[symbol.link].name);
     row.more.hidden = symbol.type === "BOOL";
     row.more.href = selecting("symbol", symbol.name);
     row.more.setAttribute("aria-label", "Force " + symbol.name + " in its details");
     row.buttons.forEach((element, i) => {
       element.hidden = i < 2 && symbol.type !== "BOOL";
-      element.setAttribute("aria-label", ["Force on: ", "Force off: ", "Release: "][i] + symbol.name);
+      element.setAttribute("aria-label", (i < 2 ? "Force " + levels(symbol)[i][0] : "Release") + ": " + symbol.name);
     });
   }
 

@@ -13,6 +13,8 @@ export class Names {
 
   /// null if there is none.
   index(kind, name) { return this.indexes[kind]?.get(name) ?? null; }
+  /// The symbol of this name; null if there is none.
+  symbol(name) { return this.plant.symbols[this.index("symbol", name)] ?? null; }
   station(name) { return this.stationIndexes.get(name) ?? null; }
   name(kind, index) { return this.lists[kind][index]?.name ?? "?"; }
 

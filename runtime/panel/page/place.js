@@ -1,6 +1,7 @@
 // A place in the line view: slots with the kinds of the parts in it, its sensors and its transfers.
 import {make, setText} from "./dom.js";
 import {linkTo} from "./links_to.js";
+import {isOn} from "./words.js";
 
 const kMostSlots = 6;
 
@@ -48,8 +49,7 @@ export class Place {
     setText(this.text, parts.length === 0 ? "empty, holds " + this.location.holds
       : parts.length + " of " + this.location.holds + ": " + countsByKind(parts, plant.part_kinds));
     for (const {symbol, element} of this.sensors) {
-      const value = store.values[symbol];
-      element.classList.toggle("on", value !== false && value !== 0);
+      element.classList.toggle("on", isOn(plant.symbols[symbol], store.values[symbol]));
     }
     return false;
   }

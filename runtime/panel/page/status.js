@@ -1,5 +1,6 @@
 // One status for each device and each station: what an engineer must see first. Never shown by color alone: each has a letter.
 import {DEVICE} from "./store.js";
+import {isOn} from "./words.js";
 
 const kFindingTime = 60e9;  // a finding marks its device for a minute of plant time
 
@@ -60,7 +61,7 @@ export class Statuses {
   /// Whether an operation that is on commands the state in which the device is.
   isCommanded(device) {
     const {plant, state, values} = this.store;
-    return plant.devices[device].operations.some(({symbol, to}) => to === state[device] && values[symbol] !== false && values[symbol] !== 0);
+    return plant.devices[device].operations.some(({symbol, to}) => to === state[device] && isOn(plant.symbols[symbol], values[symbol]));
   }
 
   refresh(device, changed) {

@@ -8,8 +8,14 @@ import {SYMBOL} from "./store.js";
 import {length, value} from "./words.js";
 
 /// What sets the value of a symbol, in words.
-export const driverText = ({direction, driver}) => direction === "operation" ? "the PLC"
+const driverText = ({direction, driver}) => direction === "operation" ? "the PLC"
   : {device: "its device", parts: "parts", follow: "a condition", none: "-"}[driver] ?? driver ?? "-";
+
+/// What an operation drives, in words: "track CV1, EXLINE_MB_AGV", `-` for nothing.
+const drivesText = ({drives}) => (drives ?? []).join(", ") || "-";
+
+/// What sets an event, or what an operation drives.
+export const driverOrDrivenText = (symbol) => symbol.direction === "operation" ? "drives " + drivesText(symbol) : driverText(symbol);
 
 export const typeText = (symbol) => symbol.type + (symbol.inverted ? ", inverted" : "");
 
@@ -22,14 +28,14 @@ export const fillSymbol = (pane, index) => {
   const symbol = plant.symbols[index];
   const {result} = pane;
   pane.section("Value",
-    make("p", {class: "big"}, pane.live(() => value(store.values[index]))),
+    make("p", {class: "big"}, pane.live(() => value(store.values[index], symbol))),
     make("p", {}, pane.since(() => store.symbolSince[index])),
     pane.live(() => marks(store, index), "p", {class: "condition"}),
     symbolControls(app, index, result),
     make("p", {}, button("Show in chart", () => app.chart.addSymbol(index), {class: "small"})));
   const facts = [["Address", symbol.address ?? "-"], ["Type", typeText(symbol)],
     ["Direction", symbol.direction === "event" ? "event: the PLC reads it" : "operation: the PLC writes it"],
-    ["Driven by", driverText(symbol)],
+    ["Driven by", driverText(symbol)], ...(symbol.direction === "operation" ? [["Drives", drivesText(symbol)]] : []),
     ["Link", symbol.link === null ? "none" : plant.links[symbol.link].name],
     ["In the list", symbol.list]];
   if (symbol.device !== null) facts.push(["Device", deviceLink(app, symbol.device)]);

@@ -3,6 +3,7 @@ import {make, setText, setAttribute} from "./dom.js";
 import {selecting} from "./router.js";
 import {rank, STATUSES} from "./status.js";
 import {DEVICE, SYMBOL} from "./store.js";
+import {isOn, value} from "./words.js";
 
 const kMostEvents = 10;
 const kMalfunction = STATUSES[rank.malfunction];
@@ -20,22 +21,29 @@ export const stateText = (store, index) => {
   return isMove ? state + " → " + (states[store.target[index]] ?? "?") : state;
 };
 
-const commandsText = (store, device) => {
+/// The bit of an inverted symbol, in brackets.
+const bitText = ({inverted}, of) => inverted ? "(" + Number(of) + ")" : "";
+
+/// The operations that are on: "▸CLOSE", of an inverted one "▸CLOSE(0)", of a number "SPEED=5".
+export const commandsText = (store, device) => {
   const {plant, values} = store;
   const texts = [];
   for (const operation of device.operations) {
-    const value = values[operation.symbol];
-    if (value === false || value === 0) continue;
+    const symbol = plant.symbols[operation.symbol];
+    const now = values[operation.symbol];
+    if (!isOn(symbol, now)) continue;
     const label = operationLabel(plant, device, operation);
-    texts.push(value === true ? "▸" + label : label + "=" + value);
+    texts.push(typeof now !== "boolean" ? label + "=" + value(now, symbol) : "▸" + label + bitText(symbol, now));
   }
   return texts.join(" ");
 };
 
-const eventsText = (store, device) => {
+/// The events that are on and off: "■□", of an inverted one with its bit.
+export const eventsText = (store, device) => {
   let text = "";
-  for (const symbol of device.events.slice(0, kMostEvents)) {
-    if (store.plant.symbols[symbol].type === "BOOL") text += store.values[symbol] === true ? "■" : "□";
+  for (const index of device.events.slice(0, kMostEvents)) {
+    const symbol = store.plant.symbols[index];
+    if (symbol.type === "BOOL") text += (isOn(symbol, store.values[index]) ? "■" : "□") + bitText(symbol, store.values[index]);
   }
   return text;
 };

@@ -5,7 +5,7 @@ import {linkTo} from "./links_to.js";
 import {SYMBOL} from "./store.js";
 import {fitCanvas} from "./theme.js";
 import {drawBelt, drawMarks, drawParts, kCompact, kFull, measureNames, sensorAt, xOf} from "./track_draw.js";
-import {count} from "./words.js";
+import {count, isOn} from "./words.js";
 
 /// What a sensor is called on its track: without the levels that it shares with the others.
 const shortNames = (names) => {
@@ -84,8 +84,8 @@ export class Track {
   }
 
   sensorState({symbol}) {
-    const {values, symbolFlags} = this.app.store;
-    return {on: values[symbol] !== false && values[symbol] !== 0, forced: (symbolFlags[symbol] & SYMBOL.forced) !== 0};
+    const {plant, values, symbolFlags} = this.app.store;
+    return {on: isOn(plant.symbols[symbol], values[symbol]), forced: (symbolFlags[symbol] & SYMBOL.forced) !== 0};
   }
 
   isMoving() {

@@ -38,8 +38,15 @@ export const length = (um) => um === 0 ? "0" : Math.abs(um) < 1e6 ? trimmed(um /
 /// A speed in micrometers per second.
 export const speed = (um) => trimmed(um / 1e6, 3) + " m/s";
 
-/// The value of a symbol.
-export const value = (of) => of === true ? "on" : of === false ? "off" : String(of);
+/// Whether a value of a symbol means on: its bit, turned round if it is inverted, or a number that is not 0.
+export const isOn = ({inverted}, of) => inverted ? of === false : of !== false && of !== 0;
+
+/// The value of a symbol: a number, or what its bit means; of an inverted one with the bit: "on (bit 0)".
+export const value = (of, symbol) => typeof of !== "boolean" ? String(of)
+  : (isOn(symbol, of) ? "on" : "off") + (symbol.inverted ? " (bit " + Number(of) + ")" : "");
+
+/// What a BOOL symbol can be, as [text, bit]: on, then off.
+export const levels = (symbol) => [!symbol.inverted, Boolean(symbol.inverted)].map((bit) => [value(bit, symbol), bit]);
 
 /// A count with its noun: "1 device", "2 devices".
 export const count = (number, noun) => number + " " + noun + (number === 1 ? "" : "s");

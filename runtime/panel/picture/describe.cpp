@@ -12,6 +12,7 @@
 #include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/tables/lists.hpp"
 #include "symplant/tables/names.hpp"
+#include "symplant/why/driven_things.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -165,8 +166,19 @@ std::uint32_t link_of(const tables::PlantTables& tables, std::uint32_t symbol, c
   return found == links.end() ? kNone : static_cast<std::uint32_t>(found - links.begin());
 }
 
+void put_drives(std::string& json, const std::vector<std::string>& things) {
+  put_key(json, "drives");
+  json += '[';
+  for (const std::string& thing : things) {
+    put_comma(json);
+    put_text(json, thing);
+  }
+  json += ']';
+}
+
 void put_symbols(std::string& json, const trace::PlantNames& names, const std::vector<LinkName>& links) {
   const tables::PlantTables& tables = names.tables();
+  const why::SymbolUse use(tables);
   const std::vector<std::string_view> drivers = drivers_of(tables);
   put_key(json, "symbols");
   json += '[';
@@ -181,6 +193,7 @@ void put_symbols(std::string& json, const trace::PlantNames& names, const std::v
         operation ? "operation" : "event", index_or_null(row.unit, kNone));
     if (operation) {
       json += "null";
+      put_drives(json, why::driven_things(symbol, use, names));
     } else {
       put_text(json, drivers[symbol]);
     }

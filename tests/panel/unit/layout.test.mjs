@@ -105,6 +105,8 @@ test("Acts are words", () => {
   ["forced A_I_X off", "released all", "set A 3, B on", "put D into OPEN", "started a, b, c and 2 more", "ran one cycle", "put raw at BELT@300 mm",
     "set the speed to max", "reset the plant", 'other {"a":1}']);
   assert.equal(actText([{take: "BELT"}, {put: {at: "BELT", kind: "raw"}}]), "took a part from BELT, put raw at BELT");
+  const symbolNamed = (name) => ({A: {inverted: true}, B: {inverted: false}})[name] ?? null;
+  assert.equal(actText([{force: {A: false}}, {set: {B: true, C: true}}], symbolNamed), "forced A on (bit 0), set B on, C on");
 });
 
 test("The speed is the chosen one; the real one is added where it differs", () => {

@@ -26,7 +26,7 @@ std::string map_of(const std::string& link, const std::vector<std::string>& more
 
 TEST_CASE("map: Registers are shown from first to last, with word order and totals") {
   const std::string out = map_of(R"("map": [{"symbol": "SPEED", "number": 7, "word-order": "high-first"}])");
-  CHECK(contains(out, "holding registers 7-8  40008-40009  high word first  the PLC, moves nothing"));
+  CHECK(contains(out, "holding registers 7-8  40008-40009  high word first  the PLC    -"));
   CHECK(contains(out, "input registers 8-11   30009-30012  low word first   -"));
   CHECK(contains(out, "word order: low word first\n"));
   CHECK(contains(out, "status block: input registers 100-111\n  100  layout: version of this layout: 1\n"));

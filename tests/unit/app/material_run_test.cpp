@@ -174,7 +174,7 @@ TEST_CASE("map: What drives the sensors of parts is named") {
   CHECK(map.code == 0);
   CHECK(contains(map.out, "parts at CV1"));
   CHECK(contains(map.out, "parts at FIXTURE"));
-  CHECK(contains(map.out, "the PLC, moves L_S_CV"));
+  CHECK(contains(map.out, "the PLC           L_S_CV, track CV1\n"));
 }
 
 }  // namespace

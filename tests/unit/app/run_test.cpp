@@ -50,7 +50,7 @@ TEST_CASE("run: --why may be repeated, takes one name each, and may be before or
   CHECK(test::contains(run.out,
                        "\nwhy: L_P_D_I_B2 has been off since the start, PLC input %IX1, event B2 of L_P_D "
                        "(l.csv:5)\n    L_P_D has been in A1 since the start: %QX1 (operation B2, l.csv:4) has "
-                       "never been on (nothing writes it in this run)\nwhy: L_P_D has been in A1 since"));
+                       "never been on (no link and no scenario writes it)\nwhy: L_P_D has been in A1 since"));
   CHECK(test::run_tool({"run", "l.csv", "--why", "L_P_E"}, files).code == 2);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "support/malfunction_bench.hpp"
+#include "support/set_link.hpp"
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/trace/finding_words.hpp"
@@ -12,20 +13,6 @@ namespace symplant::test {
 namespace {
 
 using exec::LinkState;
-
-/// A link with the state that a test sets.
-class SetLink final : public link::Link {
- public:
-  std::string url() const override { return "set:"; }
-  link::LinkStatus status() const noexcept override { return {}; }
-  void read_operations(plant::Plant&, tables::Time) noexcept override {}
-  void write_events(const plant::Plant&, const exec::CycleStatus&) noexcept override {}
-  LinkState state() const noexcept override { return stands; }
-  void cut(bool on) noexcept override { is_cut = on; }
-
-  LinkState stands = LinkState::waiting;
-  bool is_cut = false;
-};
 
 constexpr std::uint8_t kP2 = 1;
 
@@ -50,7 +37,7 @@ struct Bench {
   }
   /// A cycle of 10 ms with the link in this state.
   void cycle(LinkState state) {
-    link->stands = state;
+    link->now = state;
     watched->exchanges().front()->read_operations(plant, 0);
     plant.advance_to(plant.now() + 10 * kMs, &recorder);
   }

@@ -65,7 +65,7 @@ TEST_CASE("An explanation follows the summary of a run") {
 TEST_CASE("Without a scenario and a link nothing writes an operation, and a requirement says when it was violated") {
   WhyRun run;
   CHECK(run.run() == host::kGood);
-  CHECK(contains(run.out, "has never been on (nothing writes it in this run), and `when` needs L_P_AGV.P2\n"));
+  CHECK(contains(run.out, "has never been on (no link and no scenario writes it), and `when` needs L_P_AGV.P2\n"));
   run.options.why = {"still"};
   run.run(R"({"at":"2s","set":{"L_P_AGV_O_P2":true}},{"at":"5s"})");
   CHECK(contains(run.out,

@@ -16,11 +16,13 @@
 
 #include "support/http_client.hpp"
 #include "support/plant_bench.hpp"
+#include "support/set_link.hpp"
 #include "support/strings.hpp"
 #include "support/temporary_folder.hpp"
 #include "symplant/host/console.hpp"
 #include "symplant/host/panel_run.hpp"
 #include "symplant/host/stage.hpp"
+#include "symplant/host/why.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 
 namespace symplant::test {
@@ -36,6 +38,8 @@ struct PanelPlan {
   std::string scenario = {};                     ///< its steps; empty: none
   std::vector<std::string> exercise_files = {};  ///< paths
   bool with_plc = false;
+  std::optional<exec::LinkState> link = {};  ///< of a link that carries all symbols; nothing: there is no link
+  bool freezes = false;                      ///< the plant, while the link is not live
 };
 
 /// A plant with a place for one part.
@@ -62,7 +66,8 @@ class PanelBench {
     options_.panel = plan.options;
     options_.exercises = plan.exercise_files;
     options_.trace = folder / "trace.jsonl";
-    carried_.resize(tables.rows.symbols.size());
+    carried_.resize(tables.rows.symbols.size(), plan.link.has_value());
+    if (plan.link) add_link(*plan.link, plan.freezes);
     if (!plan.scenario.empty()) {
       scenario_ = scenario::read_scenario(R"({"symplant-scenario":1,"steps":[)" + plan.scenario + "]}", names, carried_)
                       .scenario;
@@ -77,6 +82,7 @@ class PanelBench {
                          *stage, out_, err_, panel);
     INFO(err_.str());
     REQUIRE(code == 0);
+    if (plan.link) panel->set_links([state = *plan.link] { return std::vector{state}; });
     const std::string link = out_.str();
     const std::size_t colon = link.rfind(':', link.find("/#"));
     port = static_cast<std::uint16_t>(std::atoi(link.c_str() + colon + 1));
@@ -138,6 +144,23 @@ class PanelBench {
     FAIL("it did not happen in 20 s");
   }
   std::string messages() const { return err_.str(); }
+  /// What the panel says about a name.
+  std::string why(const std::string& name) const { return get("/api/v1/why?name=" + name).at("text"); }
+  /// What `--why` says about it at the end of the run, which comes now.
+  std::string why_at_the_end(const std::string& name) {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    stage->outputs.drain();
+    std::ostringstream none;
+    const auto questions = host::questions_of({name}, names, none);
+    REQUIRE(questions);
+    std::string text;
+    for (const host::Answer& answer :
+         host::answers_to(*questions, *stage, {links_, carried_, panel->playing(), panel->frozen()})) {
+      for (const std::string& line : why::lines_of(answer.explanation)) text += line + "\n";
+    }
+    return text;
+  }
   /// While it is held, the plant's thread does nothing.
   void hold(bool held) { held_ = held; }
 
@@ -151,6 +174,14 @@ class PanelBench {
   std::string run;
 
  private:
+  void add_link(exec::LinkState state, bool freezes) {
+    auto link = std::make_unique<SetLink>();
+    link->now = state;
+    link::LinkSettings settings;
+    if (freezes) settings.plant_on_loss = link::PlantOnLoss::freeze;
+    links_.push_back({"", 0, settings, std::move(link)});
+    names.name_links(host::named_links(links_));
+  }
   void cycles() {
     exec::Stepper& stepper = panel->stepper();
     while (!stop_) {

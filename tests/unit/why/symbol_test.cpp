@@ -27,11 +27,36 @@ TEST_CASE("An event of several states, and one that outputs switch, say which") 
                  ": L_P_CLP switches it, entering CLP1 switches it on, entering UNCLP switches it off\n"));
 }
 
-TEST_CASE("An inverted event is off in its state") {
-  const DescribedPlant cell(with_prefix(kCell), R"("inverted": ["L_P_AGV_I_P1"])");
-  CHECK(contains(Asked(cell).why("AGV_I_P1"),
-                 "L_P_AGV_I_P1 has been off since the start, PLC input %IX0, event P1 of L_P_AGV, inverted "
-                 "(symbols.csv:2): it is off while L_P_AGV is in P1\n    L_P_AGV has been in P1"));
+TEST_CASE("Inverted symbols are explained by their meaning, with the bit in brackets") {
+  const DescribedPlant cell(with_prefix(kCell), R"("inverted": ["L_P_AGV_*"], "devices": {"L_P_MC": {"transitions": [
+      {"from": "IDLE1", "to": "RUN2", "on": "RUN2", "when": "not L_P_AGV_I_P2"}]}})");
+  Asked asked(cell);
+  CHECK(contains(asked.why("AGV_I_P1"),
+                 "L_P_AGV_I_P1 has been on (bit 0) since the start, PLC input %IX0 (inverted), event P1 of L_P_AGV "
+                 "(symbols.csv:2)\n    L_P_AGV has been in P1"));
+  asked.set("MC_O_RUN2").to(100);
+  CHECK(
+      asked.why("MC") ==
+      "L_P_MC has been in IDLE1 since the start: %QX6 (operation RUN2, symbols.csv:8) has been on since 0.1 s, but "
+      "`when` needs L_P_AGV_I_P2 on (bit 0)\n"
+      "    L_P_AGV_I_P2 has been off (bit 1) since the start, PLC input %IX1 (inverted), event P2 of L_P_AGV "
+      "(symbols.csv:3)\n"
+      "        L_P_AGV has been in P1 since the start: %QX3 (inverted, operation P2, symbols.csv:5) has never been on "
+      "(bit 0)\n");
+  asked.set("AGV_O_P2", 0).to(200);
+  CHECK(contains(asked.why("AGV"), "%QX3 (inverted, operation P2, symbols.csv:5) has been on (bit 0) since 0.2 s"));
+  asked.set("AGV_O_P2", 1).to(300).to(2000);
+  CHECK(contains(asked.why("AGV_O_P2"), "L_P_AGV_O_P2 has been off (bit 1) since 0.3 s, PLC output %QX3 (inverted), "));
+  CHECK(contains(asked.why("AGV"), "before that, %QX3 (inverted, operation P2, symbols.csv:5) was on (bit 0) from "));
+  asked.force("AGV_I_P1", 0).to(2000);
+  CHECK(contains(asked.why("AGV"), "L_P_AGV_I_P1 is forced to on (bit 0) since 2 s"));
+}
+
+TEST_CASE("What outputs switch is said in the meaning of an inverted event") {
+  const DescribedPlant plant(with_prefix({"CLP_I_CLP1", "CLP_I_UNCLP", "CLP_O_CLP1", "CLP_O_UNCLP", "CLP_I_SAFE"}),
+                             R"("inverted": ["L_P_CLP_I_SAFE"], "devices": {"L_P_CLP": {"outputs": {
+                                  "CLP1": {"enter": {"SAFE": true}, "leave": {"SAFE": false}}}}})");
+  CHECK(contains(Asked(plant).why("CLP_I_SAFE"), "(symbols.csv:6): it is on (bit 0) while L_P_CLP is in CLP1\n"));
 }
 
 TEST_CASE("An event that follows a condition names what that needs, or what makes it hold") {
