@@ -44,6 +44,7 @@ class PlantNames {
   struct Link {
     std::string name;
     std::string silence;                       ///< why a loss is reported, and what to check
+    std::string absence;                       ///< why `no PLC` is reported, and what to check
     std::uint32_t controller = tables::kNone;  ///< whose symbols it carries
     bool freezes = false;                      ///< whether the plant is frozen while the link is not live
   };

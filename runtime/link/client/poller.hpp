@@ -50,6 +50,7 @@ class Poller {
   Session session_;
   std::atomic<std::uint32_t> losses_{0};
   std::atomic<std::uint32_t> connections_{0};
+  std::atomic<bool> reached_{false};
   std::atomic<bool> leaving_{false};
   std::atomic<bool> cut_{false};
   std::mutex mutex_;
