@@ -279,11 +279,6 @@ std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   return text + " (" + names.cite(symbol) + ")";
 }
 
-std::string address_or_name(std::uint32_t symbol, const PlantNames& names) {
-  const std::string_view address = names.address(symbol);
-  return std::string(address.empty() ? names.symbol(symbol) : address);
-}
-
 std::string state_words(std::uint32_t unit, const PlantNames& names, const plant::UnitView& view) {
   std::string text(names.state(unit, view.state));
   if (view.moving) text += fmt::format("->{}", names.state(unit, view.target));
@@ -292,8 +287,6 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const plant
   if (view.frozen) text += ", frozen";
   return text;
 }
-
-std::string since_words(tables::Time changed) { return changed == 0 ? "since the start" : "since " + seconds(changed); }
 
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history) {
   if (found.kind == FindingKind::requirement_violated) return requirement_words(found.of.front(), names);
@@ -323,17 +316,6 @@ std::string requirement_words(std::uint32_t requirement, const PlantNames& names
                      row.kind == tables::RequirementRow::Kind::never
                          ? "its condition must never hold and now holds"
                          : "the expected condition did not become true within " + seconds(row.within));
-}
-
-std::string seconds(tables::Time time) {
-  std::string text = std::to_string(time / tables::kSecond);
-  const tables::Time rest = time % tables::kSecond;
-  if (rest != 0) {
-    std::string digits = std::to_string(tables::kSecond + rest);
-    digits.front() = '.';
-    text += digits.substr(0, digits.find_last_not_of('0') + 1);
-  }
-  return text + " s";
 }
 
 }  // namespace symplant::trace

@@ -8,6 +8,7 @@
 #include "symplant/tables/finding.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
+#include "symplant/trace/words.hpp"
 
 namespace symplant::trace {
 
@@ -38,22 +39,13 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
 /// (inverted), operation ...`.
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
 
-/// `Y0001`, or the symbol's name if it has no address.
-std::string address_or_name(std::uint32_t symbol, const PlantNames& names);
-
 /// `P1`, `P1->P2`, followed by `, stopped midway`, `, disabled` or `, frozen`.
 std::string state_words(std::uint32_t unit, const PlantNames& names, const plant::UnitView& view);
-
-/// `since 1.5 s`, `since the start`.
-std::string since_words(tables::Time changed);
 
 /// What happened, which operations led to it, what to check: one sentence, without the time. What led to the violation
 /// of a requirement is explained by why::Explainer.
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
 /// "requirement violated: `NAME`, its condition must never hold and now holds".
 std::string requirement_words(std::uint32_t requirement, const PlantNames& names);
-
-/// Plant time in seconds: `1.5 s`.
-std::string seconds(tables::Time time);
 
 }  // namespace symplant::trace

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "symplant/tables/malfunction_numbers.hpp"
-#include "symplant/trace/finding_words.hpp"
+#include "symplant/trace/words.hpp"
 
 namespace symplant::trace {
 namespace {

@@ -85,7 +85,7 @@ TEST_CASE("map --format csv has the numbers of the JSON form, the status block a
     json channels = json::array();
     while (std::getline(lines, line)) {
       const std::vector<std::string> cells = cells_of(line);
-      REQUIRE(cells.size() == 18);
+      REQUIRE(cells.size() == 19);
       if ((cells[0] == "symbol" || cells[0] == "status" || cells[0] == "watchdog") && !cells[8].empty()) {
         const std::string name = cells[0] == "watchdog" ? "watchdog" : cells[2];
         found[name] = {cells[8], std::stoul(cells[9]), std::stoul(cells[10])};

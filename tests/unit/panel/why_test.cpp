@@ -33,7 +33,12 @@ PanelPlan plan_of(const Situation& situation) {
 TEST_CASE("The panel and the end of the run give the same explanation") {
   const Situation situation = GENERATE(values<Situation>({
       {"", "L_P_AGV", "(no link and no scenario writes it)"},
-      {"", "L_P_AGV", "(no step of the scenario sets it)", {}, false, R"({"at":"1 h","set":{"L_P_AGV_O_P2":true}})"},
+      {"",
+       "L_P_AGV_O_P1",
+       "no step of the scenario sets it\n",
+       {},
+       false,
+       R"({"at":"1 h","set":{"L_P_AGV_O_P2":true}})"},
       {"", "L_P_AGV_O_P2", "its link set: still waits for its PLC", LinkState::waiting},
       {"", "L_P_AGV_O_P2", "its link set: is lost\n", LinkState::lost},
       {"", "L_P_AGV", "(its link set: is lost)", LinkState::lost},

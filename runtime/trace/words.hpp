@@ -1,0 +1,21 @@
+// Short texts that messages about a run share: times, and names of symbols.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "symplant/tables/time.hpp"
+#include "symplant/trace/plant_names.hpp"
+
+namespace symplant::trace {
+
+/// `Y0001`, or the symbol's name if it has no address.
+std::string address_or_name(std::uint32_t symbol, const PlantNames& names);
+
+/// `since 1.5 s`, `since the start`.
+std::string since_words(tables::Time changed);
+
+/// Plant time in seconds: `1.5 s`.
+std::string seconds(tables::Time time);
+
+}  // namespace symplant::trace
