@@ -167,12 +167,18 @@ std::optional<Outcome> expected(const FileCase& it, Counts& counts) {
     good = good && held;
   };
   const std::vector<std::size_t> numbers = numbers_in_file(it.steps);
-  std::map<std::size_t, bool> steps;  // a repeated step holds if it does in each turn
+  struct Judged {
+    bool held;
+    bool expects;
+  };
+  std::map<std::size_t, Judged> steps;  // a repeated step holds if it does in each turn
   for (const reference::Verdict& verdict : *verdicts) {
-    const auto [step, added] = steps.try_emplace(numbers[verdict.step], verdict.held);
-    if (!added) step->second = step->second && verdict.held;
+    const auto [step, added] = steps.try_emplace(numbers[verdict.step], Judged{verdict.held, verdict.expects});
+    if (!added) step->second.held = step->second.held && verdict.held;
   }
-  for (const auto& [step, held] : steps) add("step " + std::to_string(step + 1), held);
+  for (const auto& [step, judged] : steps) {
+    if (judged.expects || !judged.held) add("step " + std::to_string(step + 1), judged.held);
+  }
   std::vector<bool> violated(plant.requirements.size());
   for (const reference::InstantRecord& instant : reference.instants()) {
     for (const tables::Finding& finding : instant.findings) {

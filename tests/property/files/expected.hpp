@@ -15,8 +15,8 @@ struct Outcome {
   std::string header;                 ///< of the trace; empty: not compared
   std::vector<std::string> trace;     ///< lines after the header
   std::vector<std::string> findings;  ///< the beginning of each line
-  std::vector<std::string>
-      verdicts;  ///< "step 3 held", "requirement: r1 failed": steps that expect or wait, then requirements
+  std::vector<std::string> verdicts;  ///< "step 3 held", "requirement: r1 failed": steps that expect or wait or have
+                                      ///< failed, then requirements
 };
 
 /// Nothing if the case is invalid: a faulty plant, a step with unknown names, too many instants.

@@ -76,13 +76,13 @@ void ScenarioPlayer::wait(const ScenarioStep& step) {
     if (due > last) {
       plant_->advance_to(last);
       cut_ = last < given_up;
-      verdicts_.push_back({number_, false, !cut_, last});
+      verdicts_.push_back({number_, false, !cut_, last, true});
       return;
     }
     plant_->advance_before(due);
     instant();
   }
-  verdicts_.push_back({number_, true, true, plant_->now()});
+  verdicts_.push_back({number_, true, true, plant_->now(), true});
 }
 
 bool ScenarioPlayer::expected(const ScenarioStep& step) const {
@@ -102,12 +102,13 @@ void ScenarioPlayer::play(const ScenarioStep& step) {
     } else if (go_to(step.when == When::at ? std::max(now, *step.time) : plus(now, *step.time))) {
       const bool acted = act(step);
       if (step.expects) instant();
-      if (step.is_checked()) verdicts_.push_back({number_, acted && expected(step), true, plant_->now()});
+      if (step.is_checked())
+        verdicts_.push_back({number_, acted && expected(step), true, plant_->now(), step.is_expectation()});
     }
   }
   const bool reported = !verdicts_.empty() && verdicts_.back().step == number_;
   if (cut_ && !reported && step.is_checked()) {
-    verdicts_.push_back({number_, false, false, until_.value_or(0)});
+    verdicts_.push_back({number_, false, false, until_.value_or(0), step.is_expectation()});
   }
   ++number_;
 }

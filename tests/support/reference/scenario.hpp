@@ -18,6 +18,7 @@ struct Verdict {
   bool held;
   bool reached;  ///< false: `until` came first
   Time time;     ///< when it was checked, met or given up
+  bool expects;  ///< false: it only acts
 };
 
 /// Symbols, units and states are numbered as in the model.
@@ -39,8 +40,9 @@ struct ScenarioStep {
   std::vector<std::pair<std::uint32_t, std::uint64_t>> expect;
   const condition::Tree* expect_condition = nullptr;
 
+  bool is_expectation() const { return expects || when == When::wait; }
   /// Whether it has a verdict.
-  bool is_checked() const { return expects || when == When::wait || !put.empty() || !take.empty() || starts_ordinary; }
+  bool is_checked() const { return is_expectation() || !put.empty() || !take.empty() || starts_ordinary; }
 };
 
 /// Plays the given steps, one after the other, on a plant that has just been reset.
