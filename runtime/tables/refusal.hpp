@@ -5,7 +5,7 @@
 
 namespace symplant::tables {
 
-/// Who refused which request, and why.
+/// The side that refused a request, the request, and the reason.
 struct Refusal {
   enum class Side : std::uint8_t {
     modbus_server,  ///< the link answered a request of the PLC with an exception

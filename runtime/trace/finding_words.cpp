@@ -167,7 +167,23 @@ std::string of_standstill(const FoundThing& found) {
       seconds(found.of.front() * tables::kMillisecond));
 }
 
+<<<<<<< HEAD
 std::string of_link(const FoundThing& found, const PlantNames& names, const History& history) {
+=======
+bool is_of_served_symbol(FindingKind kind) {
+  return kind == FindingKind::not_read || kind == FindingKind::not_sampled || kind == FindingKind::several_writers;
+}
+
+std::string of_served_symbol(const FoundThing& found, const PlantNames& names) {
+  const std::uint32_t symbol = found.of.front();
+  const ServedSymbol served{symbol_words(symbol, names), names.tables().symbols[symbol].inverted()};
+  if (found.kind == FindingKind::several_writers) return several_writers_words(served, found.value);
+  const tables::MissedPulse pulse = tables::unpack_missed_pulse(found.value);
+  return found.kind == FindingKind::not_read ? not_read_words(served, pulse) : not_sampled_words(served, pulse);
+}
+
+std::string of_link(const FoundThing& found, const PlantNames& names) {
+>>>>>>> serverlink
   const PlantNames::Link link = names.link(found.of.front());
   if (found.kind == FindingKind::request_refused) {
     return refused_by_server_words(tables::unpack_refusal(found.value), link.name);
@@ -298,9 +314,7 @@ std::string finding_words(const FoundThing& found, const PlantNames& names, cons
   if (found.kind == FindingKind::event_too_short) return of_event(found, names, history);
   if (found.kind == FindingKind::event_overwritten) return of_overwritten(found, names);
   if (found.kind == FindingKind::clock_restarted) return of_clock(found, names);
-  if (found.kind == FindingKind::not_read) return not_read_words(found, names);
-  if (found.kind == FindingKind::not_sampled) return not_sampled_words(found, names);
-  if (found.kind == FindingKind::several_writers) return several_writers_words(found, names);
+  if (is_of_served_symbol(found.kind)) return of_served_symbol(found, names);
   if (found.kind == FindingKind::instantaneous_loop) {
     return fmt::format(
         "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "

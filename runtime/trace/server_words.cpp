@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string_view>
 #include <utility>
-
-#include "symplant/tables/missed_pulse.hpp"
 
 namespace symplant::trace {
 namespace {
@@ -18,8 +17,8 @@ std::string milliseconds(tables::Time time) {
 }
 
 /// `on for 50 ms`; of an inverted symbol by its meaning, with the bit of the PLC: `off for 50 ms (bit 1)`.
-std::string pulse_words(std::uint32_t symbol, const tables::MissedPulse& pulse, const PlantNames& names) {
-  const bool inverted = names.tables().symbols[symbol].inverted();
+std::string pulse_words(const ServedSymbol& symbol, const tables::MissedPulse& pulse) {
+  const bool inverted = symbol.inverted;
   return fmt::format("{} for {}{}", pulse.on != inverted ? "on" : "off",
                      pulse.length == 0 ? "less than a cycle of the plant" : milliseconds(pulse.length),
                      inverted ? fmt::format(" (bit {})", pulse.on ? 1 : 0) : "");
@@ -64,26 +63,24 @@ std::string exception_text(std::uint16_t code) {
 
 }  // namespace
 
-std::string not_read_words(const FoundThing& found, const PlantNames& names) {
-  const tables::MissedPulse pulse = tables::unpack_missed_pulse(found.value);
+std::string not_read_words(const ServedSymbol& symbol, const tables::MissedPulse& pulse) {
   return fmt::format(
       "not read: {}, was {}, between two reads of the PLC, which reads it {}; check whether the PLC must read it more "
       "often, or whether the sensor is on for longer in the real plant",
-      symbol_words(found.of.front(), names), pulse_words(found.of.front(), pulse, names),
+      symbol.words, pulse_words(symbol, pulse),
       pulse.every == 0 ? "in every cycle of the plant" : "about every " + milliseconds(pulse.every));
 }
 
-std::string not_sampled_words(const FoundThing& found, const PlantNames& names) {
-  const tables::MissedPulse pulse = tables::unpack_missed_pulse(found.value);
+std::string not_sampled_words(const ServedSymbol& symbol, const tables::MissedPulse& pulse) {
   return fmt::format(
       "not sampled: {}, was {}, between two cycles of the plant, so that it had no effect; check how long the program "
       "holds the output, or give a shorter `--cycle`",
-      symbol_words(found.of.front(), names), pulse_words(found.of.front(), pulse, names));
+      symbol.words, pulse_words(symbol, pulse));
 }
 
-std::string several_writers_words(const FoundThing& found, const PlantNames& names) {
-  const std::uint64_t first = found.value >> 32;
-  const std::uint64_t second = found.value & 0xFFFF'FFFF;
+std::string several_writers_words(const ServedSymbol& symbol, std::uint64_t writers) {
+  const std::uint64_t first = writers >> 32;
+  const std::uint64_t second = writers & 0xFFFF'FFFF;
   std::string clients = "two clients";
   if (first != 0 && first == second) clients = "two connections of " + ipv4_text(first);
   if (first != 0 && second != 0 && first != second) {
@@ -92,7 +89,7 @@ std::string several_writers_words(const FoundThing& found, const PlantNames& nam
   return fmt::format(
       "several writers: {}, {} wrote different values to it within a cycle; check which of them is the PLC, and let no "
       "other one write this number",
-      symbol_words(found.of.front(), names), clients);
+      symbol.words, clients);
 }
 
 std::string refused_by_server_words(const tables::Refusal& refusal, std::string_view link) {

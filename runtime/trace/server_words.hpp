@@ -1,20 +1,27 @@
 // The texts of what a server link finds in the requests of its clients.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "symplant/tables/missed_pulse.hpp"
 #include "symplant/tables/refusal.hpp"
-#include "symplant/trace/finding_words.hpp"
 
 namespace symplant::trace {
 
-// Each one sentence, as finding_words() gives it; `found` is of this kind.
+/// The symbol of a finding.
+struct ServedSymbol {
+  std::string words;  ///< `PLC output Y0001, operation P2 of EXLINE_MB_AGV (symbols.csv:4)`
+  bool inverted = false;
+};
 
-std::string not_read_words(const FoundThing& found, const PlantNames& names);
-std::string not_sampled_words(const FoundThing& found, const PlantNames& names);
-std::string several_writers_words(const FoundThing& found, const PlantNames& names);
+// Each is one sentence, as finding_words() gives it.
 
+std::string not_read_words(const ServedSymbol& symbol, const tables::MissedPulse& pulse);
+std::string not_sampled_words(const ServedSymbol& symbol, const tables::MissedPulse& pulse);
+/// `writers`: the IPv4 addresses of two clients, the first one in the upper half; 0: unknown.
+std::string several_writers_words(const ServedSymbol& symbol, std::uint64_t writers);
 /// A request that the server of `link` answered with an exception.
 std::string refused_by_server_words(const tables::Refusal& refusal, std::string_view link);
 

@@ -1,6 +1,7 @@
 // Finds the events that came and went between two reads of their discrete input.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>

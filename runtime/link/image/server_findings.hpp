@@ -1,4 +1,4 @@
-// Findings on their way from the thread of a server to that of the cycle.
+// Findings that the thread of a server passes to that of the cycle.
 #pragma once
 
 #include <atomic>

@@ -1,6 +1,10 @@
 // The block of numbers that a PLC transfers, and writes beyond it.
 #include "symplant/link/transfer_range.hpp"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "unit/link/image_bench.hpp"
 #include "unit/link/symbol_list.hpp"
 
