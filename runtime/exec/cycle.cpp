@@ -46,7 +46,7 @@ class Run {
     write_events(first);
     note_plc_clock();
     deadline_ = clock_.now();
-    while (time_ < options_.until && !over()) {
+    while (time_ < options_.until && !has_waited_enough() && !over()) {
       const tables::Time length = plc_time_ != nullptr ? cycle_ : std::min(cycle_, options_.until - time_);
       deadline_ += length;
       const tables::Time woken = wait_until(deadline_);
@@ -81,6 +81,7 @@ class Run {
     for (Exchange* link : links_) link->read_operations(plant_, link_time_);
     const CycleStatus reported = status();
     meter_.note_standstill(reported.frozen);
+    waited_ = waits_for_plc() ? waited_ + length : 0;
     if (reported.frozen) {
       meter_.frozen.add(static_cast<std::uint64_t>(length));
       if (plc_time_ != nullptr) plc_time_->hold(plant_);
@@ -105,6 +106,14 @@ class Run {
 
   void advance_to(tables::Time to) noexcept {
     stepper_ != nullptr ? stepper_->advance_to(to) : plant_.advance_to(to, observer_);
+  }
+  bool waits_for_plc() const noexcept {
+    return std::any_of(links_.begin(), links_.end(), [](const Exchange* link) { return link->freezes_plant(); }) ||
+           (plc_time_ != nullptr && plc_time_->is_without_plc());
+  }
+  /// Without an end there is no limit.
+  bool has_waited_enough() const noexcept {
+    return options_.until != tables::kNever && waited_ >= std::max(options_.until - time_, kPatience);
   }
   bool over() const noexcept { return stepper_ != nullptr && options_.until == tables::kNever && stepper_->over(); }
 
@@ -149,6 +158,7 @@ class Run {
   tables::Time deadline_ = 0;                 ///< of the last cycle that was due
   tables::Time link_time_ = 0;                ///< the time by which links measure the silence of their PLC
   tables::Time last_start_ = tables::kNever;  ///< start of the last cycle
+  tables::Time waited_ = 0;                   ///< for which the plant has waited for a PLC without a break
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ namespace symplant::exec {
 
 struct CycleOptions {
   tables::Time cycle = 10 * tables::kMillisecond;  ///< from deadline to deadline, > 0
-  tables::Time until = tables::kNever;             ///< plant time of the last cycle, which may be shorter
-  std::int64_t max_catch_up = 10;                  ///< cycles run at once after a delay; the time of the others slips
+  tables::Time until = tables::kNever;  ///< plant time of the last cycle, which may be shorter; see run_cycles()
+  std::int64_t max_catch_up = 10;       ///< cycles run at once after a delay; the time of the others slips
   tables::Time spin = 0;  ///< how long before a deadline the thread stops sleeping and polls the clock; up to `cycle`
 };
 
@@ -43,6 +43,9 @@ struct CycleParts {
   StandstillWatch* standstill = nullptr;
 };
 
+/// How long a plant waits for a PLC at least before `CycleOptions::until` may end the run.
+inline constexpr tables::Time kPatience = 5 * tables::kSecond;
+
 /// Runs the plant in real time from its current time until `parts.stop` or `options.until`.
 ///
 /// First it runs the plant's instant at now() and writes the events to every link. Then, in each cycle, at plant time
@@ -52,6 +55,8 @@ struct CycleParts {
 /// time of the others slips.
 ///
 /// While a link freezes the plant, cycles continue with the links only; plant time does not run and is not caught up.
+/// `options.until` ends such a run, too: when the plant has waited without a break, by a link that freezes it or by a
+/// `plc_time` without its PLC, for the plant time that is left until then, and for kPatience.
 ///
 /// With `plc_time` the clock only decides when cycles run. Plant time is that of `plc_time`, which `options.until`
 /// limits. Deadlines that have passed are skipped: nothing is caught up, and nothing slips.

@@ -20,6 +20,9 @@ struct PlcClockReading {
   tables::Time largest_phase_error = 0;  ///< its largest absolute value
   std::uint64_t waits = 0;               ///< cycles in which plant time waited for the next value
   std::uint64_t restarts = 0;
+
+  /// Whether plant time has run by this clock: it needs two values.
+  bool has_counted() const noexcept { return values > 1; }
 };
 
 /// Vergnano's synchronizer. A value that arrives adds its difference from the last one, d, to the PLC's time. Plant

@@ -25,6 +25,9 @@ class PlcTime {
   void hold(const plant::Plant& plant) noexcept;
 
   const PlcClockReading& reading() const noexcept { return clock_.reading(); }
+  /// Whether plant time cannot run: the counter has not counted yet, or the link is not live. A counter that has
+  /// counted and pauses is a PLC at a breakpoint: plant time waits for it, but this is false.
+  bool is_without_plc() const noexcept { return !reading().has_counted() || link_.state() != LinkState::live; }
 
  protected:
   /// Called when the PLC's clock has restarted.

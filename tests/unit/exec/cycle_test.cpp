@@ -205,6 +205,36 @@ TEST_CASE(
   CHECK(bench.link.entries[8].plant_time == 0);
 }
 
+TEST_CASE("The requested end ends a plant that a link freezes, after as long as it would have run, and after 5 s") {
+  const Time until = GENERATE(1, 60) * kSecond;
+  Bench bench;
+  int reads = 0;
+  bench.link.on_read = [&](plant::Plant&) { bench.link.freezes = ++reads > 2; };
+  const Time begin = bench.clock.now();
+  bench.run({.until = until});
+  CHECK(bench.plant->now() == 20 * kMillisecond);
+  const Time waited = std::max(until - 20 * kMillisecond, exec::kPatience);
+  CHECK(bench.clock.now() - begin == 20 * kMillisecond + waited);
+}
+
+TEST_CASE("Each wait counts for itself: a link that is back in time does not shorten the run") {
+  Bench bench;
+  int reads = 0;
+  bench.link.on_read = [&](plant::Plant&) { bench.link.freezes = ++reads % 450 != 0; };  // 4.5 s each
+  bench.run({.until = 50 * kMillisecond});
+  CHECK(bench.plant->now() == 50 * kMillisecond);
+}
+
+TEST_CASE("A frozen run without a requested end goes on") {
+  Bench bench;
+  int reads = 0;
+  bench.link.on_read = [&](plant::Plant&) {
+    bench.link.freezes = true;
+    bench.stop = ++reads == 100'000;
+  };
+  CHECK(bench.run({}).cycles == 100'000);
+}
+
 TEST_CASE("A link receives the number of cycles, the time, and the end of the run") {
   Bench bench;
   bench.run({.until = 30 * kMillisecond});

@@ -170,6 +170,22 @@ TEST_CASE("A PLC that is not live yet has no clock, and its first value is no re
   CHECK(bench.plc_time.reading().restarts == 0);
 }
 
+TEST_CASE("The requested end ends a run whose PLC never counts, or whose link stays lost") {
+  const bool lost = GENERATE(false, true);
+  PlcBench bench;
+  bench.link.on_read = [&](plant::Plant& plant) {
+    ++bench.reads;
+    if (lost && bench.reads > 100) bench.link.stands = exec::LinkState::lost;
+    if (lost && bench.reads <= 100 && bench.reads % 10 == 0) plant.set_operation_value(0, bench.counter());
+  };
+  const Time begin = bench.clock.now();
+  const auto statistics = bench.run({.until = 8 * kSecond});
+  CHECK(bench.plant->now() < 8 * kSecond);
+  CHECK(statistics.plc_clock->has_counted() == lost);
+  CHECK(bench.clock.now() - begin >= 8 * kSecond - 200 * kMillisecond);
+  CHECK(bench.clock.now() - begin <= 8 * kSecond + 200 * kMillisecond);
+}
+
 TEST_CASE("A plant that another link freezes is not caught up by the PLC's clock") {
   PlcBench bench;
   FakeLink other;
