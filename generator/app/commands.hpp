@@ -1,6 +1,8 @@
 // Adds the commands to the option tree. Each command has a source file.
 #pragma once
 
+#include <string_view>
+
 #include "app/context.hpp"
 
 namespace CLI {
@@ -22,6 +24,8 @@ void add_doctor(CLI::App& app, Context& context);
 void add_convert(CLI::App& app, Context& context);
 void add_diff(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
+/// If the command line that cannot be parsed is that of `run`, its result files are those of a failed run.
+void fail_run(const CLI::App& app, std::string_view error, const Context& context);
 void add_show(CLI::App& app, Context& context);
 void add_schema(CLI::App& app, Context& context);
 void add_completion(CLI::App& app, Context& context);

@@ -73,7 +73,9 @@ int run_tool(int argc, char** argv, Context& context) {
     std::ostringstream said;  // may contain unsafe characters of the user's arguments
     const int code = app.exit(error, context.out, said);
     report_visibly(said.str(), context.err);
-    return code == 0 ? host::kGood : host::kBadInput;
+    if (code == 0) return host::kGood;
+    fail_run(app, error.what(), context);
+    return host::kBadInput;
   } catch (const std::exception& error) {  // out of memory, or an unexpected error of a library
     context.err << "error: " << error.what() << "\n";
     return host::kEnvironment;

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
+#include <utility>
 
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/signals.hpp"
@@ -58,8 +59,14 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
   return text;
 }
 
-Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, bool degraded, bool draws, Console& console)
-    : meter_(meter), console_(console), degraded_(degraded), draws_(draws), manager_(ServiceManager::of_environment()) {
+Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, Waits waits, bool degraded, bool draws,
+                     Console& console)
+    : meter_(meter),
+      console_(console),
+      waits_(std::move(waits)),
+      degraded_(degraded),
+      draws_(draws),
+      manager_(ServiceManager::of_environment()) {
   for (const OpenLink& open : links) {
     links_.push_back(open.controller.empty() ? "link" : open.controller);
     reporting_.push_back(open.link.get());
@@ -71,6 +78,7 @@ Attendant::~Attendant() {
   thread_.request_stop();
   thread_.join();
   report_links();
+  report_waits();
   if (console_.is_taken()) console_.clear();
   report_ready();  // a run may be shorter than a turn
   if (!stopping_) manager_.report("STOPPING=1");
@@ -83,6 +91,7 @@ void Attendant::attend(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     report_manager();
     report_links();
+    report_waits();
     const bool due = draws_ && Clock::now() >= next_line;
     if (due) next_line += kLinePeriod;
     report_user(due);
@@ -107,6 +116,12 @@ void Attendant::report_links() {
     for (const std::string& message : reporting_[i]->take_messages())
       console_.message(links_[i] + ": " + message + "\n");
   }
+}
+
+void Attendant::report_waits() {
+  if (meter_.beats.value() == 0) return;  // the first cycle has not read the states of the links
+  const std::chrono::nanoseconds now = Clock::now() - begin_;
+  for (const std::string& line : waits_.look(now.count(), meter_)) console_.message(line);
 }
 
 void Attendant::report_user(bool line_is_due) {

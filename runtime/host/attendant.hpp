@@ -1,6 +1,7 @@
 // Serves the user and the service manager during a run in real time: status line, SIGUSR1, systemd.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <iosfwd>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include "symplant/host/links.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/host/service_manager.hpp"
+#include "symplant/host/waits.hpp"
 
 namespace symplant::host {
 
@@ -25,11 +27,12 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
 bool can_draw(const RunOptions& options, const std::ostream& out);
 
 /// From construction to destruction, on its own thread: draws a status line on `console` once per second if `draws`,
-/// writes it as a line for each SIGUSR1, writes what links report, and notifies the service manager: READY=1 when the
-/// cycle runs, STOPPING=1 when it is to end, WATCHDOG=1 while it makes progress.
+/// writes it as a line for each SIGUSR1, writes what links report and what the plant waits for, and notifies the
+/// service manager: READY=1 when the cycle runs, STOPPING=1 when it is to end, WATCHDOG=1 while it makes progress.
 class Attendant {
  public:
-  Attendant(const exec::CycleMeter& meter, const Links& links, bool degraded, bool draws, Console& console);
+  Attendant(const exec::CycleMeter& meter, const Links& links, Waits waits, bool degraded, bool draws,
+            Console& console);
   Attendant(const Attendant&) = delete;
   Attendant& operator=(const Attendant&) = delete;
   ~Attendant();
@@ -40,11 +43,14 @@ class Attendant {
   void report_manager();
   void report_user(bool line_is_due);
   void report_links();
+  void report_waits();
 
   const exec::CycleMeter& meter_;
   Console& console_;
   std::vector<std::string> links_;
   std::vector<link::Link*> reporting_;
+  Waits waits_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   bool degraded_;
   bool draws_;
   ServiceManager manager_;

@@ -1,4 +1,4 @@
-// Reports expectations and requirements as JUnit XML.
+// Reports expectations, requirements and what a run is worth as JUnit XML.
 #include "symplant/host/junit.hpp"
 
 #include <fmt/format.h>
@@ -17,25 +17,26 @@ std::string turns_text(const scenario::Scenario& scenario, std::size_t step) {
   return turns == 1 ? "" : fmt::format(" ({} turns)", turns);
 }
 
-std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::Scenario* scenario,
-                               std::span<const scenario::Outcome> outcomes, const Report& report, bool findings,
-                               tables::Time end) {
-  std::vector<TestCase> cases;
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const scenario::Step& step = scenario->steps[i];
+void add_steps(const JUnitInput& input, std::vector<TestCase>& cases) {
+  for (std::size_t i = 0; i < input.outcomes.size(); ++i) {
+    const scenario::Step& step = input.scenario->steps[i];
     if (!step.is_checked()) continue;
     TestCase test{fmt::format("step {}: {} {}", i + 1, step.when == scenario::Step::When::wait ? "wait" : "expect",
-                              scenario::expectation_words(step, names) + turns_text(*scenario, i)),
-                  outcomes[i].time,
+                              scenario::expectation_words(step, input.names) + turns_text(*input.scenario, i)),
+                  input.outcomes[i].time,
+                  {},
                   {}};
-    if (outcomes[i].kind != scenario::Outcome::Kind::held) {
-      test.failure = report.failure(i).empty() ? "failed" : report.failure(i);
+    if (input.outcomes[i].kind != scenario::Outcome::Kind::held) {
+      test.failure = input.report.failure(i).empty() ? "failed" : input.report.failure(i);
     }
     cases.push_back(std::move(test));
   }
-  for (std::uint32_t r = 0; r < names.tables().requirements.size(); ++r) {
-    const Violation& violation = report.violation(r);
-    TestCase test{fmt::format("requirement: {}", names.requirement(r)), end, {}};
+}
+
+void add_requirements(const JUnitInput& input, std::vector<TestCase>& cases) {
+  for (std::uint32_t r = 0; r < input.names.tables().requirements.size(); ++r) {
+    const Violation& violation = input.report.violation(r);
+    TestCase test{fmt::format("requirement: {}", input.names.requirement(r)), input.plant.now(), {}, {}};
     if (violation.count != 0) {
       test.time = violation.first;
       test.failure =
@@ -44,20 +45,31 @@ std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::S
     }
     cases.push_back(std::move(test));
   }
-  if (findings) {
-    TestCase test{"findings", end, {}};
-    if (report.findings() != 0) test.failure = fmt::format("{} findings", report.findings());
-    cases.push_back(std::move(test));
+}
+
+void add_run(const JUnitInput& input, std::vector<TestCase>& cases) {
+  const tables::Time end = input.plant.now();
+  if (input.plcs != nullptr) {
+    cases.push_back({"no PLC", end, input.report.words(tables::FindingKind::no_plc), {}});
+    cases.push_back({"plant time", end, input.plcs->stalled, {}});
   }
-  return cases;
+  if (input.fail_on_findings) {
+    const std::uint64_t findings = input.report.findings();
+    cases.push_back({"findings", end, findings == 0 ? "" : fmt::format("{} findings", findings), {}});
+  }
+  if (input.clean)
+    cases.push_back({"rt-check", end, *input.clean ? "" : "a cycle broke the rule, or was not checked", {}});
+  if (!input.error.empty()) cases.push_back({"run", end, {}, input.error});
 }
 
 }  // namespace
 
-std::string junit_text(const plant::Plant& plant, const trace::PlantNames& names, const scenario::Scenario* scenario,
-                       std::span<const scenario::Outcome> outcomes, const Report& report, bool fail_on_findings) {
-  return trace::junit_xml(names.tables().name,
-                          cases_of(names, scenario, outcomes, report, fail_on_findings, plant.now()), plant.now());
+std::string junit_text(const JUnitInput& input) {
+  std::vector<TestCase> cases;
+  add_steps(input, cases);
+  add_requirements(input, cases);
+  add_run(input, cases);
+  return trace::junit_xml(input.names.tables().name, cases, input.plant.now());
 }
 
 }  // namespace symplant::host

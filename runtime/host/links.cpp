@@ -1,14 +1,18 @@
 // The links of a run.
 #include "symplant/host/links.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/host/words.hpp"
 #include "symplant/link/client_parts.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/modbus/client_map.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/trace/finding_words.hpp"
+#include "symplant/trace/name_index.hpp"
 
 namespace symplant::host {
 
@@ -24,6 +28,14 @@ std::string OpenLink::silence() const {
   }
   return "no valid request that touches the map has come for " + seconds(settings.loss_after) +
          "; check whether the PLC runs and is connected";
+}
+
+std::string OpenLink::absence() const {
+  if (link->status().is_client) {
+    return "the PLC has answered no request; check whether it is switched on and connected, and the URL";
+  }
+  return "no valid request that touches the map has come; check whether the PLC runs, and whether it uses this address "
+         "and these numbers";
 }
 
 bool keeps_plants_links_closed(const RunOptions& options) {
@@ -60,23 +72,36 @@ bool goes_to_plc(const LinkChoices& links) {
   return std::any_of(links.begin(), links.end(), [](const link::LinkChoice& l) { return link::is_client(l.url); });
 }
 
-namespace {
-
-/// What the link carries; nothing if it cannot be opened, which is reported then.
-std::vector<link::IoPoint> points_of(const link::LinkChoice& choice, const tables::PlantTables& tables) {
-  if (!link::is_client(choice.url)) return link::make_io_map(tables, choice.controller, choice.settings).points;
+Coverage coverage_of(const link::LinkChoice& choice, const tables::PlantTables& tables) {
+  if (!link::is_client(choice.url)) {
+    link::IoMap map = link::make_io_map(tables, choice.controller, choice.settings);
+    return {std::move(map.points), link::modbus::unreachable_symbols(map)};
+  }
   auto parts = link::client_parts(choice, tables);
   auto* const good = std::get_if<link::client::ClientParts>(&parts);
-  return good == nullptr ? std::vector<link::IoPoint>() : std::move(good->map.points);
+  if (good == nullptr) return {};
+  return {std::move(good->map.points), std::move(good->unreachable)};
 }
 
-}  // namespace
+std::string left_out_words(const link::LinkChoice& choice, const tables::PlantTables& tables) {
+  constexpr std::size_t kMostOf = 10;
+  if (link::is_loop(choice.url)) return "";
+  const Coverage coverage = coverage_of(choice, tables);
+  const std::size_t all = coverage.points.size() + coverage.left_out.size();
+  if (coverage.left_out.empty() || kMostOf * coverage.left_out.size() < all) return "";
+  const link::client::Unreachable& first = coverage.left_out.front();
+  return fmt::format(
+      "carries {} of {}: `{}` {}{}; `symplant map` lists all symbols", coverage.points.size(),
+      plural(all, "I/O symbol"), shown(trace::NameIndex(tables.symbol_names)[2 * std::size_t{first.symbol}]),
+      first.reason,
+      coverage.left_out.size() == 1 ? "" : fmt::format(", and {} more are left out", coverage.left_out.size() - 1));
+}
 
 std::vector<bool> carried_symbols(const LinkChoices& links, const tables::PlantTables& tables) {
   std::vector<bool> carried(tables.symbols.size());
   for (const link::LinkChoice& choice : links) {
     if (link::is_loop(choice.url)) continue;
-    for (const link::IoPoint& point : points_of(choice, tables)) carried[point.symbol] = true;
+    for (const link::IoPoint& point : coverage_of(choice, tables).points) carried[point.symbol] = true;
   }
   return carried;
 }

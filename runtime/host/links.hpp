@@ -10,6 +10,8 @@
 #include "symplant/host/plant_program.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/link/choice.hpp"
+#include "symplant/link/client/parts.hpp"
+#include "symplant/link/io_map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/plant/plant.hpp"
 
@@ -34,6 +36,18 @@ bool goes_to_plc(const LinkChoices& links);
 /// By symbol: whether it is an operation that a PLC writes through one of the links.
 std::vector<bool> carried_symbols(const LinkChoices& links, const tables::PlantTables& tables);
 
+/// What a link carries and what it leaves out of its controller's I/O symbols; nothing if it cannot be opened, which is
+/// reported then. O(symbols).
+struct Coverage {
+  std::vector<link::IoPoint> points;
+  std::vector<link::client::Unreachable> left_out;
+};
+Coverage coverage_of(const link::LinkChoice& choice, const tables::PlantTables& tables);
+
+/// "carries 2 of 4 I/O symbols: ...", with the first that is left out and why, if a real link leaves out a tenth or
+/// more of its controller's; else empty. O(symbols).
+std::string left_out_words(const link::LinkChoice& choice, const tables::PlantTables& tables);
+
 /// A link of a run.
 struct OpenLink {
   std::string controller;  ///< name of its controller if the plant has several; else empty
@@ -43,6 +57,8 @@ struct OpenLink {
 
   /// Why a loss of it is reported, and what to check.
   std::string silence() const;
+  /// Why `no PLC` is reported, and what to check.
+  std::string absence() const;
   /// `PLC1=URL` or `URL`, with the real port.
   std::string text() const { return (controller.empty() ? "" : controller + "=") + link->url(); }
 };

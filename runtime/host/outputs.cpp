@@ -123,6 +123,7 @@ void Outputs::set_back(std::string_view what, std::string_view name, tables::Tim
 
 void Outputs::drain() {
   const auto lock = panel_ != nullptr ? panel_->lock() : std::unique_lock<std::mutex>();
+  report_.report_hidden(false);
   recorder_.drain([this](const trace::Record& record) { take(record); });
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <iterator>
 #include <numeric>
@@ -74,7 +73,7 @@ std::string Report::found(const trace::FoundThing& found) {
     ++ignored_;
     return words;
   }
-  ++counts_[static_cast<std::size_t>(found.kind)];
+  if (counts_[static_cast<std::size_t>(found.kind)]++ == 0) first_words_[static_cast<std::size_t>(found.kind)] = words;
   if (found.kind == FindingKind::requirement_violated) {
     Violation& violation = violations_[found.of.front()];
     if (violation.count++ == 0) {
@@ -82,11 +81,7 @@ std::string Report::found(const trace::FoundThing& found) {
       violation.words = words;
     }
   }
-  std::string note;
-  if (is_shown(found, note)) {
-    report(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), explanation);
-    if (!note.empty()) console_.message(note);
-  }
+  if (is_shown(found)) report(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), explanation);
   return words;
 }
 
@@ -103,21 +98,23 @@ bool Report::is_ignored(const trace::FoundThing& found) const {
   });
 }
 
-/// The first finding of each kind and thing. A loss of a link and a standstill are shown each time, but at most once in
-/// ten seconds: then `note` says how many were not.
-bool Report::is_shown(const trace::FoundThing& found, std::string& note) {
-  constexpr std::chrono::seconds kQuiet{10};
+/// The first finding of each kind and thing. A loss of a link and a standstill are shown each time, as their limit
+/// allows.
+bool Report::is_shown(const trace::FoundThing& found) {
   if (!trace::is_of_host(found.kind)) return reported_.emplace(found.kind, found.of).second;
-  const bool standstill = found.kind == FindingKind::standstill;
-  Shown& shown = shown_[{found.kind, standstill ? 0 : found.of.front()}];
-  const auto now = std::chrono::steady_clock::now();
-  if (shown.ever && now - shown.last < kQuiet) {
-    ++shown.hidden;
-    return false;
+  return limits_[{found.kind, trace::name_of(found, names_)}].admits(LineLimit::Clock::now());
+}
+
+void Report::report_hidden(bool at_end) {
+  if (limits_.empty()) return;
+  const auto now = LineLimit::Clock::now();
+  for (auto& [subject, limit] : limits_) {
+    const std::uint64_t hidden = limit.take_hidden(now, at_end);
+    if (hidden == 0) continue;
+    console_.message(fmt::format("{}: {}: {}, {} more within {} s are not shown\n", severity(subject.first),
+                                 trace::finding_name(subject.first), shown(subject.second), hidden,
+                                 LineLimit::kWindow.count()));
   }
-  if (shown.hidden != 0) note = fmt::format("    {} more since the last line\n", shown.hidden);
-  shown = {now, 0, true};
-  return true;
 }
 
 void Report::failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands) {
@@ -128,7 +125,7 @@ void Report::failed(std::uint32_t step, std::uint64_t turn, tables::Time time, s
   report(location(step) + ": error: ", explanation);
 }
 
-std::uint64_t Report::findings() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
+std::uint64_t Report::findings() const { return std::accumulate(counts_.begin(), counts_.end(), lost_); }
 
 std::size_t Report::requirements_violated() const {
   return static_cast<std::size_t>(
@@ -146,7 +143,7 @@ void Report::report_unreached(const plant::Plant& plant, std::span<const scenari
   }
 }
 
-void Report::report_findings(std::uint64_t lost, std::ostream& out) const {
+void Report::report_findings(std::ostream& out) const {
   std::string text;
   for (std::size_t kind = 0; kind < counts_.size(); ++kind) {
     if (counts_[kind] == 0) continue;
@@ -155,7 +152,7 @@ void Report::report_findings(std::uint64_t lost, std::ostream& out) const {
   }
   if (!text.empty()) out << "findings: " << text << "\n";
   if (ignored_ != 0) out << fmt::format("findings: {} ignored, as plant.json says\n", ignored_);
-  if (lost != 0) out << fmt::format("findings: {} more are lost, since they came too fast to be written\n", lost);
+  if (lost_ != 0) out << fmt::format("findings: {} more are lost, since they came too fast to be written\n", lost_);
 }
 
 void Report::report_requirements(const plant::Plant& plant, std::ostream& out) const {
@@ -183,6 +180,8 @@ void Report::report_disarmed(const plant::Plant& plant, std::ostream& out) const
 
 void Report::sum_up(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
                     std::ostream& out) {
+  report_hidden(true);
+  lost_ = lost_findings;
   if (scenario_ != nullptr) {
     report_unreached(plant, outcomes);
     const scenario::Verdict verdict = scenario::verdict_of(*scenario_, outcomes);
@@ -190,7 +189,7 @@ void Report::sum_up(const plant::Plant& plant, std::span<const scenario::Outcome
                        verdict.unreached);
   }
   report_requirements(plant, out);
-  report_findings(lost_findings, out);
+  report_findings(out);
   report_disarmed(plant, out);
 }
 

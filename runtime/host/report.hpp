@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <ostream>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "symplant/host/console.hpp"
+#include "symplant/host/line_limit.hpp"
 #include "symplant/host/plant_program.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/scenario/player.hpp"
@@ -44,9 +44,17 @@ class Report {
   /// The first failure of a step is reported. `turn`: how often the step was done before.
   void failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands);
 
+  /// Whether an entry of `ignored` matches it today.
+  bool is_ignored(const trace::FoundThing& found) const;
+  /// Reports how many findings of links and standstills were not shown: of those whose ten seconds are over, or of all
+  /// `at_end`. To be called from time to time.
+  void report_hidden(bool at_end);
+
   std::uint64_t count(tables::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
-  /// Without those that are ignored.
+  /// Without those that are ignored, with those that came too fast to be written, which sum_up() gets.
   std::uint64_t findings() const;
+  /// The first finding of a kind that is not ignored; empty if there is none.
+  const std::string& words(tables::FindingKind kind) const { return first_words_[static_cast<std::size_t>(kind)]; }
   const Violation& violation(std::uint32_t requirement) const { return violations_[requirement]; }
   /// Why a step failed; empty if it did not fail.
   const std::string& failure(std::size_t step) const { return failures_[step]; }
@@ -60,12 +68,11 @@ class Report {
 
  private:
   void report_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes);
-  void report_findings(std::uint64_t lost, std::ostream& out) const;
+  void report_findings(std::ostream& out) const;
   void report_requirements(const plant::Plant& plant, std::ostream& out) const;
   void report_disarmed(const plant::Plant& plant, std::ostream& out) const;
   std::string location(std::size_t step) const;
-  bool is_ignored(const trace::FoundThing& found) const;
-  bool is_shown(const trace::FoundThing& found, std::string& note);
+  bool is_shown(const trace::FoundThing& found);
   why::Explanation words_of(const trace::FoundThing& found) const;
   /// Writes each sentence as a line: the first after `head`, the others indented.
   void report(std::string head, const why::Explanation& explanation);
@@ -79,13 +86,11 @@ class Report {
   std::vector<IgnoredFinding> ignored_entries_;  ///< those that count today
   Console& console_;
   std::uint64_t ignored_ = 0;
-  struct Shown {
-    std::chrono::steady_clock::time_point last;
-    std::uint64_t hidden = 0;  ///< since then
-    bool ever = false;
-  };
-  std::map<std::pair<tables::FindingKind, std::uint32_t>, Shown> shown_;  ///< by kind and link
+  std::map<std::pair<tables::FindingKind, std::string>, LineLimit>
+      limits_;  ///< of the host's findings, by kind and name
   std::array<std::uint64_t, tables::kAllFindingKinds> counts_{};
+  std::array<std::string, tables::kAllFindingKinds> first_words_;
+  std::uint64_t lost_ = 0;
   std::set<std::pair<tables::FindingKind, std::vector<std::uint32_t>>> reported_;
   std::vector<Violation> violations_;
   std::vector<std::string> failures_;

@@ -17,6 +17,8 @@
 #include "symplant/host/load_scenario.hpp"
 #include "symplant/host/panel_run.hpp"
 #include "symplant/host/plc_clock.hpp"
+#include "symplant/host/plc_verdict.hpp"
+#include "symplant/host/result_files.hpp"
 #include "symplant/host/rt_check.hpp"
 #include "symplant/host/run_paced.hpp"
 #include "symplant/host/run_real.hpp"
@@ -31,59 +33,26 @@
 namespace symplant::host {
 namespace {
 
-/// The files that are written at the end. They are opened at the start, so that an error shows before a long run.
-class LastFiles {
- public:
-  LastFiles(const RunOptions& options, std::ostream& out) : out_(out) {
-    open(junit_, "JUnit file", options.junit);
-    open(stats_, "statistics", options.stats);
-  }
-
-  bool are_well(std::ostream& err) const {
-    bool well = true;
-    for (const auto* file : {&junit_, &stats_}) {
-      if (!*file || (*file)->error().empty()) continue;
-      err << "error: " << (*file)->error() << "\n";
-      well = false;
-    }
-    return well;
-  }
-
-  template <class Text>
-  void junit(Text text) {
-    write(junit_, text);
-  }
-  template <class Text>
-  void stats(Text text) {
-    write(stats_, text);
-  }
-
- private:
-  void open(std::optional<trace::OutputFile>& file, const char* what, const std::string& path) {
-    if (path.empty()) return;
-    if (is_standard_output(path)) {
-      file.emplace(what, out_);
-    } else {
-      file.emplace(what, path);
-    }
-  }
-  template <class Text>
-  static void write(std::optional<trace::OutputFile>& file, Text text) {
-    if (!file) return;
-    file->put(text());
-    file->flush();
-  }
-
-  std::ostream& out_;
-  std::optional<trace::OutputFile> junit_;
-  std::optional<trace::OutputFile> stats_;
+/// The results of a run that has ended.
+struct Ended {
+  const std::optional<scenario::Verdict>& verdict;  ///< nothing: without a scenario
+  const PlcVerdict* plcs;                           ///< null: without a link to a PLC
+  bool clean;                                       ///< --rt-check found nothing
 };
 
-int exit_code(const RunOptions& options, const Report& report, const std::optional<scenario::Verdict>& verdict) {
-  const bool expected = !verdict || verdict->failed + verdict->unreached == 0;
+/// Whether the run is to show something, so that it has failed if no PLC came or plant time did not run.
+bool is_test(const RunOptions& options) {
+  return !options.scenario.empty() || !options.junit.empty() || options.fail_on_findings;
+}
+
+/// That of a run without an error.
+int exit_code(const RunOptions& options, const Report& report, const Ended& ended) {
+  const bool expected = !ended.verdict || ended.verdict->failed + ended.verdict->unreached == 0;
   const bool required = report.requirements_violated() == 0;
   const bool found = options.fail_on_findings && report.findings() != 0;
-  return expected && required && !found ? kGood : kFindings;
+  const bool exchanged = ended.plcs == nullptr || !is_test(options) ||
+                         (report.count(tables::FindingKind::no_plc) == 0 && ended.plcs->stalled.empty());
+  return ended.clean && expected && required && !found && exchanged ? kGood : kFindings;
 }
 
 /// Warns of given options without effect in this run.
@@ -167,13 +136,10 @@ bool read_resumed(const Stage& stage, const RunOptions& options, const scenario:
   return true;
 }
 
-/// Writes the state at the end, if that is asked for. False, with a message on `err`, on error.
-bool save_end(const Stage& stage, const RunOptions& options, std::ostream& err) {
-  if (options.save.empty()) return true;
-  const std::string error =
-      trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));
-  if (!error.empty()) err << "error: " << error << "\n";
-  return error.empty();
+/// Writes the state at the end, if that is asked for. Returns the error; empty if there is none.
+std::string save_end(const Stage& stage, const RunOptions& options) {
+  if (options.save.empty()) return "";
+  return trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));
 }
 
 /// What a run plays.
@@ -188,58 +154,70 @@ struct Played {
   bool real;                    ///< in real time
   const PlcClockChoice* clock;  ///< null: the wall clock
   const Resumed* resumed;       ///< null: from the initial state
+  ResultFiles& files;
 };
 
-/// Runs the plant from time 0 to the end. Returns the exit code.
-int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
+/// Reports what the plant is, and what this run does not do with it.
+void report_plant(const Played& played, const Links& links, const Stage& stage, const RunStreams& streams) {
   const PlantProgram& program = played.program;
-  const RunOptions& options = played.options;
-  // So that links answer from the plant's initial state, or what was written to a saved one takes effect.
-  stage.advance_to(stage.plant.now());
-  Links links;
-  const int opened = open_links(played.links, program.tables, stage.plant, links, streams.err);
-  if (opened != kGood) return opened;
-  std::vector<trace::PlantNames::Link> named;
-  for (const OpenLink& open : links) named.push_back({open.text(), open.silence()});
-  played.names.name_links(std::move(named));
-  LastFiles last(options, streams.out);
-  if (!stage.outputs.open(stage.plant.model_hash(), streams.err) || !last.are_well(streams.err)) return kEnvironment;
-  if (played.resumed != nullptr) stage.outputs.set_back("restored", played.resumed->name, stage.plant.now());
-  resort.begun();
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << behaviour_lines(program.tables, program.behaviours);
   if (!played.real) streams.report << cut_link_lines(program.tables);
-  if (played.scenario != nullptr) streams.report << scenario_summary(options.scenario, *played.scenario);
-  if (options.links.empty() && keeps_plants_links_closed(options) &&
+  if (played.scenario != nullptr) streams.report << scenario_summary(played.options.scenario, *played.scenario);
+  if (played.options.links.empty() && keeps_plants_links_closed(played.options) &&
       !(program.links.empty() && program.default_link.empty())) {
     streams.report << "links of the plant are not opened in virtual time; to open them, use --clock real\n";
   }
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::string left_out = left_out_words(played.links[i], program.tables);
+    if (!left_out.empty()) streams.err << "warning: link " << links[i].text() << " " << left_out << "\n";
+  }
+}
 
-  std::unique_ptr<panel::Panel> panel;
-  const int served = open_panel(
-      {program, options, played.names, played.carried, played.scenario, links, has_real_link(played.links),
-       played.clock != nullptr, played.real, played.resumed != nullptr ? played.resumed->name : std::string()},
-      stage, streams.report, streams.err, panel);
-  if (served != kGood) return served;
+/// Opens the links and the files. Returns the exit code of the first failure, with a message on `streams.err`, or 0.
+int open_all(Stage& stage, const Played& played, Links& links, const RunStreams& streams) {
+  const int opened = open_links(played.links, played.program.tables, stage.plant, links, streams.err);
+  if (opened != kGood) return opened;
+  std::vector<trace::PlantNames::Link> named;
+  for (const OpenLink& open : links) named.push_back({open.text(), open.silence(), open.absence()});
+  played.names.name_links(std::move(named));
+  const bool outputs = stage.outputs.open(stage.plant.model_hash(), streams.err);
+  if (!played.files.open(played.program.tables.name, streams.err) || !outputs) return kEnvironment;
+  if (played.resumed != nullptr) stage.outputs.set_back("restored", played.resumed->name, stage.plant.now());
+  return kGood;
+}
 
+/// What the run itself has shown.
+struct Shown {
+  std::optional<RealRun> real;  ///< only in real time
+  std::optional<bool> clean;    ///< with --rt-check: whether it found nothing
+  tables::Time wall = 0;        ///< its duration, in ns
+};
+
+Shown run_to_end(Stage& stage, const Played& played, const Links& links, panel::Panel* panel,
+                 const RunStreams& streams) {
+  const RunOptions& options = played.options;
+  Shown shown;
   const auto begin = std::chrono::steady_clock::now();
-  std::optional<RealRun> real_run;
-  bool clean = true;
   if (played.real) {
-    real_run = run_real(stage, options, links, played.clock, panel.get(), streams);
-    clean = !report_missing_cycles(real_run->cycles.cycles, options, streams.report) && real_run->clean;
+    shown.real = run_real(stage, options, links, played.clock, panel, streams);
+    if (options.rt_check) {
+      shown.clean = !report_missing_cycles(shown.real->cycles.cycles, options, streams.report) && shown.real->clean;
+    }
   } else if (options.rt_check) {
-    clean = run_rt_check(stage, options, links, streams.report);
+    shown.clean = run_rt_check(stage, options, links, streams.report);
   } else if (panel != nullptr) {
     run_paced(stage, options, *panel, streams.report);
   } else {
     run_virtual(stage, options, streams.report);
   }
-  const std::chrono::nanoseconds wall = std::chrono::steady_clock::now() - begin;
-  stage.outputs.drain();
-  stage.outputs.hide();
-  panel.reset();
+  shown.wall = (std::chrono::steady_clock::now() - begin).count();
+  return shown;
+}
 
+/// Sums up a run that has ended, and writes its results. Returns the exit code.
+int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& shown, const RunStreams& streams) {
+  const RunOptions& options = played.options;
   if (stage.player) stage.player->end();
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   stage.outputs.finish(stage.plant.now(), streams.err);
@@ -248,20 +226,55 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   streams.report << answers_text(answers);
   std::optional<scenario::Verdict> verdict;
   if (played.scenario != nullptr) verdict = scenario::verdict_of(*played.scenario, outcomes);
-  last.junit([&] {
-    return junit_text(stage.plant, played.names, played.scenario, outcomes, stage.report, options.fail_on_findings);
-  });
-  last.stats([&] {
-    return stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, played.clock, links,
-                       answers, played.names, tables::Time{wall.count()}});
-  });
-  if (!last.are_well(streams.err) || !save_end(stage, options, streams.err)) return kEnvironment;
-  return clean ? exit_code(options, stage.report, verdict) : kFindings;
+  const PlcVerdict* const plcs = shown.real && has_real_link(played.links) ? &shown.real->plcs : nullptr;
+  const int code = exit_code(options, stage.report, {verdict, plcs, shown.clean.value_or(true)});
+  if (plcs != nullptr && !plcs->stalled.empty()) {
+    streams.err << (is_test(options) ? "error: " : "warning: ") << plcs->stalled << "\n";
+  }
+
+  std::string errors;
+  const auto note = [&](const std::string& error) {
+    if (error.empty()) return;
+    streams.err << "error: " << error << "\n";
+    errors += (errors.empty() ? "" : "\n") + error;
+  };
+  if (plcs != nullptr) note(plcs->unreached);
+  note(played.files.write_stats(stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, shown.real,
+                                            played.clock, links, answers, played.names, shown.wall})));
+  note(save_end(stage, options));
+  note(played.files.write_junit(junit_text({stage.plant, played.names, played.scenario, outcomes, stage.report,
+                                            options.fail_on_findings, shown.clean, plcs, errors})));
+  return errors.empty() ? code : kEnvironment;
 }
 
-}  // namespace
+/// Runs the plant from time 0 to the end. Returns the exit code.
+int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
+  // So that links answer from the plant's initial state, or what was written to a saved one takes effect.
+  stage.advance_to(stage.plant.now());
+  Links links;
+  const int opened = open_all(stage, played, links, streams);
+  if (opened != kGood) return opened;
+  resort.begun();
+  report_plant(played, links, stage, streams);
 
-int run(const PlantProgram& program, const RunOptions& options, std::ostream& out, std::ostream& err) {
+  std::unique_ptr<panel::Panel> panel;
+  const int served = open_panel({played.program, played.options, played.names, played.carried, played.scenario, links,
+                                 has_real_link(played.links), played.clock != nullptr, played.real,
+                                 played.resumed != nullptr ? played.resumed->name : std::string()},
+                                stage, streams.report, streams.err, panel);
+  if (served != kGood) return served;
+  const Shown shown = run_to_end(stage, played, links, panel.get(), streams);
+  stage.outputs.drain();
+  stage.outputs.hide();
+  panel.reset();
+  return sum_up(stage, played, links, shown, streams);
+}
+
+/// run(), with its result files.
+int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& options, std::ostream& out,
+             std::ostream& err) {
+  if (!files_are_apart(options, program.inputs, err)) return kBadInput;
+  files.replace_unless_among(program.inputs);
   const auto planned = links_of(program, options);
   if (const auto* error = std::get_if<link::LinkError>(&planned)) {
     err << "error: " << error->message << "\n";
@@ -280,7 +293,6 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   }
   if (!chosen_clock.warning.empty()) err << "warning: " << chosen_clock.warning << "\n";
   const PlcClockChoice* const clock = chosen_clock.clock ? &*chosen_clock.clock : nullptr;
-  if (!files_are_apart(options, program.inputs, err)) return kBadInput;
   trace::PlantNames names(program.tables);
   const std::vector<bool> carried = carried_symbols(chosen, program.tables);
   const auto questions = questions_of(options.why, names, err);
@@ -315,10 +327,17 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
     return kBadInput;
   }
   const Resumed* const from = resumed ? &*resumed : nullptr;
-  const int code =
-      play(stage, {program, options, names, played, chosen, carried, *questions, real, clock, from}, resort, streams);
+  const int code = play(stage, {program, options, names, played, chosen, carried, *questions, real, clock, from, files},
+                        resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
+}
+
+}  // namespace
+
+int run(const PlantProgram& program, const RunOptions& options, std::ostream& out, std::ostream& err) {
+  return with_results(options, program.tables.name, out, err,
+                      [&](ResultFiles& files) { return run_with(files, program, options, out, err); });
 }
 
 }  // namespace symplant::host

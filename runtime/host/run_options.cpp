@@ -84,7 +84,8 @@ void add_files(CLI::App& app, RunOptions& options) {
          "rename a trace or VCD file of this size to FILE.1 and start a new one; 1k or more (default: no limit)")
       ->type_name("SIZE");
   app.add_option("--findings", options.findings, "write all findings to this file, as JSON lines")->type_name("FILE");
-  app.add_option("--junit", options.junit, "report expectations and requirements to this file, as JUnit XML")
+  app.add_option("--junit", options.junit,
+                 "report expectations, requirements, and whether a PLC came, to this file, as JUnit XML")
       ->type_name("FILE");
   app.add_option("--stats", options.stats, "write statistics of the run to this file, as JSON")->type_name("FILE");
   app.add_option("--save", options.save, "write the state of the plant at the end to this file, for --resume")
@@ -215,7 +216,8 @@ void add_run_options(CLI::App& app, RunOptions& options) {
              throw CLI::ValidationError("--until", "`" + text + "` is too late: write at most 876000h (100 years)");
            }
          },
-         "end at this plant time, after its events; not with --rt-check")
+         "end at this plant time, after its events; also when the plant has waited as long for a PLC, and for 5 s; not "
+         "with --rt-check")
       ->type_name("T");
   app.add_option_function<std::string>(
          "--cycle",
@@ -253,7 +255,19 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       ->type_name("NAME")
       ->allow_extra_args(false);
   app.add_flag("--fail-on-findings", options.fail_on_findings,
-               "any finding gives exit code 1, not only failed expectations and violated requirements");
+               "any finding gives exit code 1, notes included, not only failed expectations and violated requirements");
+}
+
+RunOptions result_files_of(const CLI::App& app) {
+  const auto file = [&](const char* name) {
+    const CLI::Option* const option = app.get_option_no_throw(name);
+    return option == nullptr || option->results().empty() ? std::string() : option->results().back();
+  };
+  RunOptions options;
+  options.junit = file("--junit");
+  options.findings = file("--findings");
+  options.stats = file("--stats");
+  return options;
 }
 
 std::optional<std::int64_t> parse_late(const std::string& text) {

@@ -55,6 +55,10 @@ struct RunOptions {
 /// Adds the options to a command; `options` must outlive the parsing.
 void add_run_options(CLI::App& app, RunOptions& options);
 
+/// The result files (--junit, --findings, --stats) of a command line with these options that could not be parsed: as
+/// far as it was read.
+RunOptions result_files_of(const CLI::App& app);
+
 /// Adds only the options of where the panel serves: --panel, --panel-token.
 void add_address_options(CLI::App& app, RunOptions& options, const std::string& purpose);
 

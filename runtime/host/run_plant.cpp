@@ -4,10 +4,10 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <exception>
 #include <iostream>
 
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/host/result_files.hpp"
 #include "symplant/host/run.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/host/summary.hpp"
@@ -25,21 +25,18 @@ int run_plant(int argc, char** argv, const PlantProgram& program) {
       "  record what happens:   --until 10s --trace trace.jsonl\n"
       "  play a scenario:       --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
       "  find out why:          --until 10s --why LINE_P1_CLAMP1\n"
-      "Exit codes: 0 good, 1 a failed expectation or requirement, 2 bad input or usage, 3 the environment (a port in\n"
-      "use, no permission).");
+      "Exit codes: 0 good, 1 a failed expectation or requirement, or no PLC in a test, 2 bad input or usage, 3 the\n"
+      "environment (a port in use, no permission, a PLC that cannot be reached).");
   RunOptions options;
   add_run_options(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kGood : kBadInput;
+    if (app.exit(error) == 0) return kGood;
+    fail_unread_run(result_files_of(app), program.inputs, tables.name, error.what(), std::cout);
+    return kBadInput;
   }
-  try {
-    return run(program, options, std::cout, std::cerr);
-  } catch (const std::exception& error) {  // out of memory, for example
-    std::cerr << "error: " << error.what() << "\n";
-    return kEnvironment;
-  }
+  return run(program, options, std::cout, std::cerr);
 }
 
 }  // namespace symplant::host

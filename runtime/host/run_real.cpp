@@ -13,6 +13,7 @@
 #include "symplant/host/panel_run.hpp"
 #include "symplant/host/rt_check.hpp"
 #include "symplant/host/signals.hpp"
+#include "symplant/host/waits.hpp"
 #include "symplant/host/watched_link.hpp"
 #include "symplant/host/words.hpp"
 #include "symplant/link/io_map.hpp"
@@ -93,6 +94,18 @@ std::string text_of(const exec::PlcClockReading& clock) {
   return fmt::format("the PLC's clock: {}, phase error {:.1f} ms, at most {:.1f} ms, {}, {}\n",
                      plural(clock.values, "value"), ms(clock.phase_error), ms(clock.largest_phase_error),
                      plural(clock.waits, "wait"), plural(clock.restarts, "restart"));
+}
+
+/// The links, as the user is to read of them during the run.
+Waits waits_of(const Stage& stage, const Links& links, const PlcClockChoice* clock) {
+  std::vector<WaitedLink> waited;
+  for (std::uint32_t i = 0; i < links.size(); ++i) {
+    const bool ignored = stage.report.is_ignored({0, tables::FindingKind::no_plc, {i}});
+    waited.push_back({"link " + links[i].text(), ignored ? "" : links[i].absence(),
+                      links[i].settings.plant_on_loss == link::PlantOnLoss::freeze,
+                      clock != nullptr && clock->link == i});
+  }
+  return {std::move(waited), clock != nullptr ? clock->name : ""};
 }
 
 void report_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
@@ -181,7 +194,8 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
     const Untied untied(err);
     stage.outputs.start_thread();
     {
-      const Attendant attendant(meter, links, !run.refused.empty(), can_draw(options, out), streams.console);
+      const Attendant attendant(meter, links, waits_of(stage, links, clock), !run.refused.empty(),
+                                can_draw(options, out), streams.console);
       thread.go();
       thread.join();
       let_end_be_read(links);
@@ -192,6 +206,8 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
 
   run.cycles = meter.statistics();
   run.faults = thread.faults();
+  const bool ended_early = cycle.until != tables::kNever && stage.plant.now() < cycle.until;
+  run.plcs = judge_plcs(stage, links, clock, run.cycles, ended_early && !stop_requested().load());
   report_end(stage, run, links, out);
   if (options.rt_check) run.clean = report_rt_check(thread.report(), run.faults, run.cycles.cycles, stage, out);
   return run;

@@ -8,6 +8,7 @@
 #include "symplant/exec/thread_faults.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/plc_clock.hpp"
+#include "symplant/host/plc_verdict.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/host/stage.hpp"
 
@@ -20,6 +21,7 @@ struct RealRun {
   bool asked = false;                  ///< whether a real-time setting was requested
   std::vector<exec::Refusal> refused;  ///< settings that the system refused
   bool clean = true;                   ///< with --rt-check: the guard found nothing
+  PlcVerdict plcs;
 };
 
 /// Runs from the current plant time to `--until`, else to the last step of the scenario, or to a signal; with

@@ -31,6 +31,7 @@ struct LinkStatus {
   std::uint32_t losses = 0;          ///< how often the link was lost
   bool end_unread = false;           ///< leave() was called, and the PLC does not have it yet
   bool is_client = false;            ///< the link goes to the PLC, which is a server
+  bool reached = false;              ///< a client link: it has had a connection since the start
   bool armed = true;                 ///< a client link: it may write events
 };
 

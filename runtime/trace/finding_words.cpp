@@ -167,6 +167,7 @@ std::string of_link(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::link_back) {
     return fmt::format("link back: {}, what the PLC writes takes effect again", link.name);
   }
+  if (found.kind == FindingKind::no_plc) return fmt::format("no PLC: {}, {}", link.name, link.absence);
   return fmt::format("link lost: {}, {}", link.name, link.silence);
 }
 

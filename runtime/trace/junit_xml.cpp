@@ -60,20 +60,23 @@ std::string xml_text(std::string_view text) {
 
 std::string junit_xml(std::string_view suite, std::span<const TestCase> cases, tables::Time end) {
   std::size_t failures = 0;
+  std::size_t errors = 0;
   std::string lines;
   const std::string name = xml_text(suite);
   for (const TestCase& test : cases) {
     lines += fmt::format(R"(    <testcase classname="{}" name="{}" time="{}")", name, xml_text(test.name),
                          time_text(test.time));
-    if (test.failure.empty()) {
+    if (test.failure.empty() && test.error.empty()) {
       lines += "/>\n";
       continue;
     }
-    ++failures;
-    lines += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", xml_text(test.failure));
+    const bool failed = test.error.empty();
+    ++(failed ? failures : errors);
+    lines += fmt::format(">\n      <{} message=\"{}\"/>\n    </testcase>\n", failed ? "failure" : "error",
+                         xml_text(failed ? test.failure : test.error));
   }
   const std::string counts =
-      fmt::format(R"(tests="{}" failures="{}" errors="0" time="{}")", cases.size(), failures, time_text(end));
+      fmt::format(R"(tests="{}" failures="{}" errors="{}" time="{}")", cases.size(), failures, errors, time_text(end));
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {1}>\n  <testsuite name=\"{0}\" {1}>\n{2}"
       "  </testsuite>\n</testsuites>\n",

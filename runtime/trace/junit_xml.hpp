@@ -11,8 +11,9 @@ namespace symplant::trace {
 
 struct TestCase {
   std::string name;
-  tables::Time time = 0;  ///< plant time
-  std::string failure;    ///< empty: passed
+  tables::Time time = 0;   ///< plant time
+  std::string failure;     ///< why it failed; empty: it did not
+  std::string error = {};  ///< why it has no result; empty: it has one
 };
 
 /// One suite of these test cases, which ended at plant time `end`.

@@ -44,6 +44,7 @@ class PlantNames {
   struct Link {
     std::string name;
     std::string silence;  ///< why a loss is reported, and what to check
+    std::string absence;  ///< why `no PLC` is reported, and what to check
   };
   /// The link with this index; empty without name_links().
   Link link(std::uint32_t link) const { return link < links_.size() ? links_[link] : Link(); }

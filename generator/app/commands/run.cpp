@@ -6,13 +6,17 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/panel_view.hpp"
 #include "base/large_memory.hpp"
+#include "symplant/host/result_files.hpp"
 #include "symplant/host/run_options.hpp"
 
 namespace symplant::app {
@@ -116,6 +120,22 @@ class Prepared {
   std::vector<host::IgnoredFinding> ignored_;
 };
 
+/// What a plant may be read from, as far as it shows before it is read: itself, the naming rule, and each result file
+/// whose name is in the text of a plant.json, which may have faults.
+std::vector<std::string> possible_inputs(const Context& context, const std::string& plant, const std::string& naming,
+                                         const host::RunOptions& run) {
+  std::vector<std::string> files;
+  if (!plant.empty()) files.push_back(plant);
+  if (!naming.empty()) files.push_back(naming);
+  if (std::filesystem::path(plant).extension() != ".json") return files;
+  const auto text = context.files.read(plant);
+  for (const std::string& file : {run.junit, run.findings, run.stats}) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    if (text && !name.empty() && text->find(name) != std::string::npos) files.push_back(file);
+  }
+  return files;
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, Context& context) {
@@ -132,13 +152,35 @@ void add_run(CLI::App& app, Context& context) {
       "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
       "  symplant run symbols.csv --scenario first_cycle.json --why LINE_P1_CLAMP1 --why LINE_P1_CLAMP1_I_CLOSED");
   command->callback([options, &context] {
-    auto compiled = compile_for(context, options->plant, options->plant_options);
+    std::optional<Compiled> compiled;
+    const std::vector<std::string> possible =
+        possible_inputs(context, options->plant, options->plant_options.naming, options->run);
+    const std::vector<std::string_view> inputs(possible.begin(), possible.end());
+    context.exit_code =
+        host::with_results(options->run, options->plant, context.out, context.err, [&](host::ResultFiles& files) {
+          files.replace_unless_among(inputs);
+          compiled = compile_for(context, options->plant, options->plant_options);
+          return context.exit_code;
+        });
     if (!compiled) return;
     const Prepared prepared(std::move(*compiled));
     compiled.reset();
     base::return_freed_memory();
     context.exit_code = host::run(prepared.program(), options->run, context.out, context.err);
   });
+}
+
+void fail_run(const CLI::App& app, std::string_view error, const Context& context) {
+  const CLI::App* const command = app.get_subcommand("run");
+  if (!command->parsed()) return;
+  const auto first = [&](const char* name) {
+    const auto& results = command->get_option(name)->results();
+    return results.empty() ? std::string() : results.front();
+  };
+  const host::RunOptions files = host::result_files_of(*command);
+  const std::vector<std::string> possible = possible_inputs(context, first("PLANT"), first("--naming"), files);
+  const std::vector<std::string_view> inputs(possible.begin(), possible.end());
+  host::fail_unread_run(files, inputs, "symplant run", error, context.out);
 }
 
 }  // namespace symplant::app

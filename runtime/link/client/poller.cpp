@@ -61,6 +61,7 @@ LinkStatus Poller::status() const noexcept {
   status.connections = connections_.load(std::memory_order_relaxed);
   status.losses = losses_.load(std::memory_order_relaxed);
   status.is_client = true;
+  status.reached = reached_.load(std::memory_order_relaxed);
   status.armed = armed_.load(std::memory_order_relaxed);
   status.end_unread = status.armed && status.connections != 0 && leaving_.load(std::memory_order_relaxed) &&
                       !left_.load(std::memory_order_relaxed);
@@ -86,6 +87,7 @@ void Poller::run(const std::stop_token& stop) {
     if (opened) {
       passed_ = false;
       connections_.store(1, std::memory_order_relaxed);
+      reached_.store(true, std::memory_order_relaxed);
       fault = talk(stop);
       connections_.store(0, std::memory_order_relaxed);
       dialog_->close();

@@ -71,6 +71,7 @@ class Poller {
   std::atomic<std::uint64_t> signs_{0};
   std::atomic<std::uint32_t> losses_{0};
   std::atomic<std::uint32_t> connections_{0};
+  std::atomic<bool> reached_{false};
   std::atomic<std::uint32_t> overwritten_{tables::kNone};
   std::atomic<bool> armed_{false};
   std::atomic<bool> leaving_{false};

@@ -127,7 +127,7 @@ TEST_CASE("Ready is sent when the cycle runs, the watchdog while it runs, the en
   exec::CycleMeter meter;
   {
     host::Console console(std::cout, std::cerr);
-    const host::Attendant attendant(meter, {}, false, false, console);
+    const host::Attendant attendant(meter, {}, {{}, ""}, false, false, console);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
     CHECK(systemd.next().empty());  // no cycle yet
     meter.beats.add(1);
