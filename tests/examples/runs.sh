@@ -28,7 +28,26 @@ for scenario in good bad; do
     [[ $scenario$code == good0 || $scenario$code == bad2 ]] || fail "$kind: exit code $code with a $scenario scenario"
   done
 done
-for file in vcd xml findings; do cmp "$work/binary.$file" "$work/tool.$file" || fail "$file: the files differ"; done
+for file in vcd xml; do cmp "$work/binary.$file" "$work/tool.$file" || fail "$file: the files differ"; done
+for kind in binary tool; do
+  grep -q '<error message=".*bad\.json:1' "$work/$kind.xml" || fail "$kind: the JUnit file lacks the error of the last run"
+  [[ ! -e $work/$kind.findings ]] || fail "$kind: the findings of an earlier run are left"
+done
+
+# An error of the options or of the plant is in the JUnit file, too; a file that the plant may need stays.
+for kind in binary tool; do
+  command=("$binary")
+  [[ $kind == binary ]] || command=("$tool" run "$list")
+  echo old >"$work/$kind.xml"
+  "${command[@]}" --junit "$work/$kind.xml" --until never >"$work/usage.log" 2>&1 && fail "an until that is no time is taken"
+  grep -q '<error message=".*never' "$work/$kind.xml" || fail "$kind: the JUnit file lacks the wrong option"
+done
+echo '<testsuites/>' >"$work/plant.xml"
+echo '{ "symbols": ["list.csv"' >"$work/plant.json"
+echo name >"$work/list.csv"
+"$tool" run "$work/plant.json" --junit "$work/plant.xml" --stats "$work/list.csv" >"$work/plant.log" 2>&1 && fail "half a plant runs"
+grep -q '<error message=".*plant\.json:' "$work/plant.xml" || fail "the JUnit file lacks the error of the plant"
+[[ $(cat "$work/list.csv") == name ]] || fail "an input is replaced"
 
 # The same explanation of a symbol that is on at the start.
 symbol=$(sed -n 's/.*"symbol":"\([^"]*\)".*/\1/p' "$work/compiled.jsonl" | head -n 1)

@@ -22,7 +22,8 @@ The following holds for every input below, and is tested:
 - It ends with one of the exit codes of [the command line](command-line.md): 0 good, 1 findings, 2 refused. It never crashes.
 - A refusal names the file and, if there is one, the location. [Checking](checking.md) and `symplant explain` describe each rule in the
   tables.
-- A refused command writes nothing: it creates no file, and it does not change an existing one.
+- A refused command writes nothing: it creates no file, and it does not change an existing one. Only `run`
+  writes its error into the file of `--junit`, and removes [the results of an earlier run](#what-makes-a-run-red).
 - Output to a terminal contains no control sequences.
 - Generated code is printable ASCII and compiles without a warning with g++ and clang. Traces contain every name byte for byte.
 
@@ -53,6 +54,30 @@ An input that causes a fault becomes a file in `tests/fuzz/crashes`, which every
 | SIGTERM, SIGINT, SIGHUP: while waiting, in a cycle of an hour, shortly before a cycle, in a long catch-up | the run ends within a second, with its statistics; if no program reads its output, within a second with exit code 3 | `ctest --test-dir build/release -R 'rt: A signal'` |
 | no program reads its output any more | the plant continues, and ends with exit code 3 | the same test |
 | the cycle hangs under systemd | the program sends no keep-alive, so that systemd restarts it | `build/release/tests/unit/host/test_host` |
+
+## What makes a run red
+
+An exit code other than 0, each with the line on the terminal and the test case in the file of `--junit`. `tests/docs/red_runs.sh` makes each of them
+happen. Exit code 3 is stronger than 1: a failed run with an error gives 3.
+
+| what happens | exit code | with | on the terminal | case of `--junit` |
+|---|---|---|---|---|
+| an `expect` or `wait` fails, or a `put` or `take` cannot be done | 1 | `--scenario` | `error: expected` | `step 1` fails |
+| an `expect`, `wait`, `put` or `take` is not reached before the end | 1 | `--scenario` | `was not reached` | `step 2` fails |
+| a requirement is violated | 1 | any options | `requirement violated` | `requirement: apart` fails |
+| a finding, notes included, that plant.json does not ignore | 1 | `--fail-on-findings` | `findings: conflicting operations (1)` | `findings` fails |
+| no PLC exchanges anything through a link, except `loop:` | 1 | `--scenario`, `--junit` or `--fail-on-findings` | `no PLC: modbus-tcp-server` | `no PLC` fails |
+| a lost link freezes the plant until `--until` ends the run | 1 | `--scenario`, `--junit` or `--fail-on-findings` | `error: plant time waited` | `plant time` fails |
+| the PLC's clock has not counted | 1 | `--scenario`, `--junit` or `--fail-on-findings` | `has not counted` | `plant time` fails |
+| a cycle breaks a rule of the guard, or a signal ends the run before all cycles are checked | 1 | `--rt-check` | `cycles were not checked` | `rt-check` fails |
+| a link that goes to the PLC never has a connection | 3 | any options | `never had a connection` | `run` is an error |
+| an option, the symbol list, plant.json, the scenario or a snapshot is wrong | 2 | any options | `error: ` | `run` is an error |
+| a file cannot be written, a port is in use, a permission is missing | 3 | any options | `error: cannot write` | `run` is an error |
+| a second signal, or a blocked output after a signal, ends the process; it is killed | 3, or that of the signal | any options | nothing, if it is killed | `run` is an error |
+
+Findings are also in the file of `--findings`, and counted in that of `--stats`. Results of an earlier run never survive a run that fails: these three
+files are removed at the start. A run that fails before its first cycle leaves no file of findings and of statistics, and a JUnit file with its error.
+Only a file that may be an input, because an option names it by mistake, is left as it is.
 
 )";
 

@@ -94,7 +94,8 @@ void judge_files(const std::map<std::string, std::string>& before, const std::ma
     if (path.ends_with(".tmp")) faults.push_back("it left " + path);
     const auto old = before.find(path);
     const bool same = old != before.end() && old->second == content;
-    if (refused && !same) faults.push_back("it was refused, and wrote " + path);
+    const bool reports = path.ends_with("/junit") && content.find("<error message=") != content.npos;
+    if (refused && !same && !reports) faults.push_back("it was refused, and wrote " + path);
   }
   if (!refused) return;
   for (const auto& [path, content] : before) {
