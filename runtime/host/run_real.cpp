@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "symplant/exec/cycle.hpp"
 #include "symplant/host/attendant.hpp"
@@ -190,12 +191,13 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
   run.refused = thread.refused();
   for (const exec::Refusal& refusal : run.refused) err << "warning: " << refusal.message << "\n";
   err.flush();
+  Waits waits = waits_of(stage, links, clock);  // before another thread uses the report
   {
     const Untied untied(err);
     stage.outputs.start_thread();
     {
-      const Attendant attendant(meter, links, waits_of(stage, links, clock), !run.refused.empty(),
-                                can_draw(options, out), streams.console);
+      const Attendant attendant(meter, links, std::move(waits), !run.refused.empty(), can_draw(options, out),
+                                streams.console);
       thread.go();
       thread.join();
       let_end_be_read(links);
