@@ -111,7 +111,7 @@ void Report::report_hidden(bool at_end) {
   for (auto& [subject, limit] : limits_) {
     const std::uint64_t hidden = limit.take_hidden(now, at_end);
     if (hidden == 0) continue;
-    console_.message(fmt::format("{}: {}: {}, {} more within {} s are not shown\n", severity(subject.first),
+    console_.message(fmt::format("{}: {}: {}, {} more within {} s, not shown\n", severity(subject.first),
                                  trace::finding_name(subject.first), shown(subject.second), hidden,
                                  LineLimit::kWindow.count()));
   }

@@ -181,8 +181,8 @@ TEST_CASE("Every loss of a link is on the terminal: five lines, then the number 
   run.report.report_hidden(false);
   CHECK(run.lines("not shown") == 0);
   run.report.report_hidden(true);
-  CHECK(run.lines("warning: link lost: URL, 2 more within 10 s are not shown\n") == 1);
-  CHECK(run.lines("note: link back: URL, 2 more within 10 s are not shown\n") == 1);
+  CHECK(run.lines("warning: link lost: URL, 2 more within 10 s, not shown\n") == 1);
+  CHECK(run.lines("note: link back: URL, 2 more within 10 s, not shown\n") == 1);
 }
 
 TEST_CASE("All findings count, notes and lost ones included") {
