@@ -167,9 +167,6 @@ std::string of_standstill(const FoundThing& found) {
       seconds(found.of.front() * tables::kMillisecond));
 }
 
-<<<<<<< HEAD
-std::string of_link(const FoundThing& found, const PlantNames& names, const History& history) {
-=======
 bool is_of_served_symbol(FindingKind kind) {
   return kind == FindingKind::not_read || kind == FindingKind::not_sampled || kind == FindingKind::several_writers;
 }
@@ -182,8 +179,7 @@ std::string of_served_symbol(const FoundThing& found, const PlantNames& names) {
   return found.kind == FindingKind::not_read ? not_read_words(served, pulse) : not_sampled_words(served, pulse);
 }
 
-std::string of_link(const FoundThing& found, const PlantNames& names) {
->>>>>>> serverlink
+std::string of_link(const FoundThing& found, const PlantNames& names, const History& history) {
   const PlantNames::Link link = names.link(found.of.front());
   if (found.kind == FindingKind::request_refused) {
     return refused_by_server_words(tables::unpack_refusal(found.value), link.name);
