@@ -212,7 +212,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   MadeNames made;
   derive_units(derived, made, faults);
   add_relations(plant, made, faults);
-  made.report(faults);
+  report_made_names(plant, made, faults);
   report_lacks(plant, faults);
   evidence.driven_twice = find_shared_addresses(plant);
   resolve_malfunctions(plant, faults);

@@ -1,4 +1,4 @@
-// Which transitions of patterns a unit lacks, since their conditions make names that the plant lacks.
+// Which entries of patterns a unit lacks, since they make names that the plant lacks.
 #include "model/made_transitions.hpp"
 
 #include <algorithm>
@@ -48,13 +48,22 @@ void leave_out(PlantModel& plant, Unit& unit, const PlantNames& names, MadeNames
       made.takes(here);
       std::string message = missing_in(text, matched, names);
       if (message.empty()) return;
-      made.lacks(here, unit.path, std::move(message));
+      made.lacks(here, unit.path, std::move(message), text);
       lacking = true;
     };
     look_at(given[i].when, pointer / i / "when");
     look_at(given[i].during, pointer / i / "while");
     if (lacking) unit.left_out.push_back(i);
   }
+}
+
+/// Whether the plant has what a text of the entry at `at` names for a unit: a device for `disables`, else a condition.
+bool has_made(const PlantModel& plant, const PlantNames& names, const Unit& unit, const description::Pointer& at,
+              const std::string& text) {
+  const MatchedNames matched = MatchedNames::of(plant, unit, at.pattern_text());
+  if (at.key() != DeviceKey::disables) return missing_in(text, matched, names).empty();
+  const std::string device = matched.replace(text).text;
+  return names.unit(device, {}).has_value() || !names.facets(device).empty();
 }
 
 }  // namespace
@@ -70,6 +79,16 @@ void leave_out_unknown(PlantModel& plant, MadeNames& made, const description::Fa
     if (unit.described == nullptr || !has_braces(*unit.described)) continue;
     if (unit.described->entry_of(DeviceKey::transitions).is_pattern()) leave_out(plant, unit, names, made);
   }
+}
+
+void report_made_names(const PlantModel& plant, const MadeNames& made, description::Faults& faults) {
+  std::optional<PlantNames> names;
+  made.report(faults, [&](const description::Pointer& at, const std::string& text) {
+    if (!names) names.emplace(plant, faults);
+    return std::any_of(plant.units.begin(), plant.units.end(), [&](const Unit& unit) {
+      return at.pattern()->matches(unit.path, unit.device_path()) && has_made(plant, *names, unit, at, text);
+    });
+  });
 }
 
 }  // namespace symplant::model

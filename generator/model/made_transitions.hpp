@@ -1,4 +1,4 @@
-// Which transitions of patterns a unit lacks, since their conditions make names that the plant lacks.
+// Which entries of patterns a unit lacks, since they make names that the plant lacks.
 #pragma once
 
 #include "description/faults.hpp"
@@ -13,5 +13,9 @@ bool makes_names(const description::Description& description);
 /// Fills Unit::left_out with the transitions of patterns whose conditions name what the plant lacks. The states of all
 /// units must be known. O(symbols and conditions).
 void leave_out_unknown(PlantModel& plant, MadeNames& made, const description::Faults& faults);
+
+/// Reports the names that entries make and the plant lacks: as errors if every device that the pattern matches lacks
+/// them, whether it takes the entry or overrides it.
+void report_made_names(const PlantModel& plant, const MadeNames& made, description::Faults& faults);
 
 }  // namespace symplant::model

@@ -68,16 +68,23 @@ std::string MatchedNames::choices() const {
   return text;
 }
 
-void MadeNames::lacks(const description::Pointer& at, std::string_view path, std::string message) {
+void MadeNames::lacks(const description::Pointer& at, std::string_view path, std::string message,
+                      std::string_view text) {
   Entry& entry = entries_[at.text()];
-  if (entry.lacking++ == 0) entry.message = std::move(message);
+  if (entry.lacking++ == 0) {
+    entry.message = std::move(message);
+    entry.text = text;
+    if (at.pattern() != nullptr) entry.pattern = at;
+  }
   if (entry.paths.size() < kMostNamed) entry.paths.emplace_back(path);
 }
 
-void MadeNames::report(description::Faults& faults) const {
+void MadeNames::report(description::Faults& faults, const SomeHave& some_have) const {
   for (const auto& [at, entry] : entries_) {
     if (entry.lacking == 0) continue;
-    if (entry.lacking == entry.takers) {
+    // A match that overrides the entry may have what it names.
+    const bool all_lack = entry.lacking == entry.takers;
+    if (all_lack && !(entry.pattern && some_have(*entry.pattern, entry.text))) {
       std::string message = entry.message;
       if (entry.takers == 2) message += " (the other match lacks it too)";
       if (entry.takers > 2) message += " (the other " + std::to_string(entry.takers - 1) + " matches lack it too)";
@@ -93,8 +100,12 @@ void MadeNames::report(description::Faults& faults) const {
     if (entry.lacking > entry.paths.size()) {
       message.append(" and ").append(std::to_string(entry.lacking - entry.paths.size())).append(" more");
     }
-    message.append(", ").append(std::to_string(entry.lacking)).append(" of the ");
-    message.append(std::to_string(entry.takers)).append(" matches");
+    if (all_lack) {
+      message += "; the other matches override it";
+    } else {
+      message.append(", ").append(std::to_string(entry.lacking)).append(" of the ");
+      message.append(std::to_string(entry.takers)).append(" matches");
+    }
     faults.warn(description::Pointer(at), std::move(message), description::FaultKind::left_out);
   }
 }

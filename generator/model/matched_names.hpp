@@ -1,7 +1,9 @@
 // What names in braces mean in the entry of a pattern.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,14 +36,16 @@ class MatchedNames {
 };
 
 /// Names that entries of patterns make and that the plant may lack. An entry is left out, with a warning, for the
-/// devices that lack it; if all lack it, that is an error.
+/// devices that lack it; if all that the pattern matches lack it, that is an error.
 class MadeNames {
  public:
   /// A device, or symbol, takes the entry at `at`.
   void takes(const description::Pointer& at) { ++entries_[at.text()].takers; }
-  /// ... and lacks what it names: `message` says what is missing.
-  void lacks(const description::Pointer& at, std::string_view path, std::string message);
-  void report(description::Faults& faults) const;
+  /// ... and lacks what it names: `message` says what is missing. `text` is what the entry of a device has at `at`.
+  void lacks(const description::Pointer& at, std::string_view path, std::string message, std::string_view text = {});
+  /// Whether the plant has what `text` names for any device that the pattern of `at` matches.
+  using SomeHave = std::function<bool(const description::Pointer& at, const std::string& text)>;
+  void report(description::Faults& faults, const SomeHave& some_have) const;
 
  private:
   struct Entry {
@@ -49,6 +53,8 @@ class MadeNames {
     std::size_t lacking = 0;
     std::vector<std::string> paths;  ///< of the first few
     std::string message;             ///< for the first one
+    std::string text;
+    std::optional<description::Pointer> pattern;  ///< of the entry, if it is one of a device
   };
   std::map<std::string, Entry> entries_;  ///< by location
 };

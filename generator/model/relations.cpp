@@ -139,7 +139,7 @@ class Relations {
         resolve(given[i].second, here, tree);
       }
       if (!lacking.empty()) {
-        made_.lacks(here, unit.path, std::move(lacking));
+        made_.lacks(here, unit.path, std::move(lacking), given[i].second);
         continue;
       }
       if (unit.described->behaviour.empty()) continue;
@@ -192,7 +192,7 @@ class Relations {
         std::string message =
             description::missing("device " + description::ticked(device), names_.nearest_device(device, {}));
         if (is_made) {
-          made_.lacks(here / i, plant_.units[by].path, std::move(message));
+          made_.lacks(here / i, plant_.units[by].path, std::move(message), entry.devices[i]);
         } else {
           faults_.add(here / i, std::move(message), description::FaultKind::unknown_name);
         }

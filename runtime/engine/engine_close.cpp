@@ -164,7 +164,7 @@ void Engine::close_instant() noexcept {
     if (observer_ != nullptr) changed_events = report_start();
   }
   if (observer_ != nullptr &&
-      (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
+      (static_cast<std::uint32_t>(reported_any_ || malfunctions_.pending()) | touched_.size | operation_changes_.size |
        static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size | event_slot_changes_.size |
        static_cast<std::uint32_t>(flow_.changes().size() | flow_.moved_tracks().size())) != 0) {
     observer_->instant({head_->now, touched_.view(), operation_changes_.view(), changed_events,

@@ -59,8 +59,8 @@ struct Instant {
   std::span<const MalfunctionChange> malfunctions;  ///< in the order in which they happened
 };
 
-/// Receives every instant with a change, and every finding. It is called during advance_to() and advance_before(): its
-/// functions must be bounded.
+/// Receives every instant with a change, every one that a further instant at the same time follows, and every finding.
+/// It is called during advance_to() and advance_before(): its functions must be bounded.
 class Observer {
  public:
   /// It may read the plant and must not act on it.

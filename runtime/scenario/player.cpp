@@ -41,9 +41,7 @@ tables::Time Player::next() const noexcept {
 
 void Player::instant(const engine::Instant& instant) noexcept {
   recorder_.instant(instant);
-  if (!position_.waiting || position_.met || instant.time > position_.deadline) return;
-  position_.met = holds(*scenario_.steps[position_.at].expect, plant_);
-  position_.met_time = instant.time;
+  end_met_waits(instant.time);
 }
 
 /// Something of a step was refused, by the value of a kHandNote.
@@ -131,22 +129,6 @@ void Player::go_on() noexcept {
   }
 }
 
-/// Checks the current wait after the instant at now() has run; false while it continues.
-bool Player::wait_on() noexcept {
-  const Step& step = scenario_.steps[position_.at];
-  if (!position_.waiting) {
-    position_.waiting = true;
-    position_.deadline = position_.moment + step.time;
-    position_.met = holds(*step.expect, plant_);
-    position_.met_time = plant_.now();
-  }
-  if (!position_.met && plant_.now() < position_.deadline) return false;
-  position_.waiting = false;
-  decide(position_.met ? Outcome::Kind::held : Outcome::Kind::failed,
-         position_.met ? position_.met_time : position_.deadline);
-  return true;
-}
-
 /// Runs the instants up to `time`, then adds the notes that wait for them.
 void Player::advance_plant(tables::Time time) noexcept {
   plant_.advance_to(time, this);
@@ -156,13 +138,42 @@ void Player::advance_plant(tables::Time time) noexcept {
   hands_ = 0;
 }
 
+void Player::begin_wait() noexcept {
+  position_.waiting = true;
+  position_.deadline = position_.moment + scenario_.steps[position_.at].time;
+}
+
+/// At the end of an instant: ends the current wait if its condition holds, and then each wait that follows it. The
+/// instants in which a wait begins count even if its time has passed.
+void Player::end_met_waits(tables::Time time) noexcept {
+  while (position_.waiting && (wait_begins_ || time <= position_.deadline)) {
+    if (!holds(*scenario_.steps[position_.at].expect, plant_)) return;
+    position_.waiting = false;
+    decide(Outcome::Kind::held, time);
+    if (!over() && scenario_.steps[position_.at].when == Step::When::wait) begin_wait();
+  }
+}
+
+/// The current step is a wait: runs the instants up to `time`; false if a wait continues after them.
+bool Player::wait_until(tables::Time time) noexcept {
+  wait_begins_ = !position_.waiting;
+  if (wait_begins_) begin_wait();
+  advance_plant(time);
+  end_met_waits(time);  // a condition that held before is not part of an instant with a change
+  wait_begins_ = false;
+  if (!position_.waiting) return true;
+  if (time < position_.deadline) return false;
+  position_.waiting = false;
+  decide(Outcome::Kind::failed, position_.deadline);
+  return true;
+}
+
 void Player::advance_to(tables::Time time) noexcept {
   plant_.advance_before(time, this);
   while (!over()) {
     const Step& step = scenario_.steps[position_.at];
     if (step.when == Step::When::wait) {
-      advance_plant(time);
-      if (!wait_on()) break;
+      if (!wait_until(time)) break;
       continue;
     }
     const tables::Time due = time_of(step);

@@ -84,8 +84,6 @@ class Player final : public engine::Observer, public exec::Stepper {
     tables::Time moment = 0;    ///< time of the previous step
     bool waiting = false;       ///< step `at` is a wait, and has begun
     tables::Time deadline = 0;  ///< of the current wait
-    bool met = false;           ///< the current wait is met
-    tables::Time met_time = 0;  ///< the time at which it was met
   };
   struct State {
     Position position;
@@ -117,7 +115,9 @@ class Player final : public engine::Observer, public exec::Stepper {
   void refuse(std::uint64_t which) noexcept;
   void advance_plant(tables::Time time) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
-  bool wait_on() noexcept;
+  void begin_wait() noexcept;
+  void end_met_waits(tables::Time time) noexcept;
+  bool wait_until(tables::Time time) noexcept;
   void go_on() noexcept;
 
   const Scenario& scenario_;
@@ -134,7 +134,8 @@ class Player final : public engine::Observer, public exec::Stepper {
   std::vector<LateNote> late_notes_;
   std::size_t hands_ = 0;  ///< parts put and taken since the last instant
   Position position_;
-  std::uint32_t turn_ = 0;  ///< of the step that acted last
+  bool wait_begins_ = false;  ///< the current wait begins in the instants at the plant's time
+  std::uint32_t turn_ = 0;    ///< of the step that acted last
   bool notes_steps_ = false;
   bool notes_failures_ = true;
 };

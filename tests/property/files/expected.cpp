@@ -119,6 +119,7 @@ class CountingRun {
       player.play(*resolved);
       count(step, start, player.cut());
       if (player.verdicts().size() > before) count_verdict(step, plant_, player.verdicts().back(), start, counts_);
+      if (player.met_before_a_further_instant()) ++counts_[Seen::waits_met_before_a_further_instant];
     }
     counts_[Seen::until_cut] += player.cut() ? 1 : 0;
     player.end();

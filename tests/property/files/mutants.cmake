@@ -41,16 +41,25 @@ symplant_planted_bug(description once_is_not_read
   "    if (!BUG) given.once = flag_member(value, \"once\");")
 
 symplant_planted_bug(scenario last_instant_of_a_wait_not_looked_at
-  "  if (!position_.waiting || position_.met || instant.time > position_.deadline) return;"
-  "  if (!position_.waiting || position_.met || instant.time > position_.deadline - (BUG ? 1 : 0)) return;")
+  "  while (position_.waiting && (wait_begins_ || time <= position_.deadline)) {"
+  "  while (position_.waiting && (wait_begins_ || time <= position_.deadline - (BUG ? 1 : 0))) {")
+
+symplant_planted_bug(scenario instants_in_which_a_wait_begins_not_looked_at
+  "  if (wait_begins_) begin_wait();"
+  "  if (BUG && wait_begins_) advance_plant(time);
+  if (wait_begins_) begin_wait();")
+
+symplant_planted_bug(scenario present_instant_of_the_next_wait_not_looked_at
+  "scenario_.steps[position_.at].when == Step::When::wait) begin_wait();"
+  "scenario_.steps[position_.at].when == Step::When::wait && !BUG) begin_wait();")
 
 symplant_planted_bug(scenario past_at_counts_from_its_own_time
   "  return step.when == Step::When::at ? std::max(step.time, position_.moment) : position_.moment + step.time;"
   "  return step.when == Step::When::at ? (BUG ? step.time : std::max(step.time, position_.moment)) : position_.moment + step.time;")
 
 symplant_planted_bug(scenario plus_counts_from_the_start_of_a_wait
-  "position_.met ? position_.met_time : position_.deadline);"
-  "position_.met ? position_.met_time : BUG ? position_.moment : position_.deadline);")
+  "  decide(Outcome::Kind::failed, position_.deadline);"
+  "  decide(Outcome::Kind::failed, BUG ? position_.moment : position_.deadline);")
 
 symplant_planted_bug(scenario release_before_force
   "  for (const std::uint32_t symbol : step.release) release(symbol, plant, recorder);"

@@ -89,6 +89,7 @@ class ScenarioDrawer {
 
   void step() {
     if (dice_.percent(12)) return wait();
+    if (!condition_before_a_further_instant().empty() && dice_.percent(50)) return wait();
     Step step;
     timing(step);
     const tables::Time nominal = step.when == When::at ? *step.time : earliest_ + *step.time;
@@ -209,7 +210,8 @@ class ScenarioDrawer {
   void wait() {
     Step step;
     step.when = When::wait;
-    step.wait = some_condition();
+    step.wait = condition_before_a_further_instant();
+    if (step.wait.empty()) step.wait = some_condition();
     if (step.wait.empty()) return;
     if (dice_.percent(75)) step.time = wait_time(step);
     // Without `fails_` every wait is met.
@@ -230,6 +232,20 @@ class ScenarioDrawer {
     player_ = before;
     if (!met) return static_cast<tables::Time>(dice_.below(3)) * 15 * kMillisecond;
     return took > 0 && dice_.percent(25) ? took - 1 : took;
+  }
+
+  /// What the first of several instants at the present time shows and the last one does not; empty if there is nothing.
+  std::string condition_before_a_further_instant() {
+    const reference::World world = reference_.save();
+    std::vector<reference::World> ends;
+    reference_.advance_to(reference_.now(), &ends);
+    reference_.restore(world);
+    for (std::uint32_t i = 0; ends.size() > 1 && i < plant_.symbols.size(); ++i) {
+      const std::uint64_t first = reference::effective(ends.front().symbols[i]);
+      if (plant_.symbols[i].type != tables::DataType::boolean) continue;
+      if (first != reference::effective(ends.back().symbols[i])) return (first != 0 ? "'" : "not '") + name(i) + "'";
+    }
+    return {};
   }
 
   std::string some_condition() {

@@ -219,13 +219,17 @@ void Plant::advance_before(Time time) {
   if (time > world_.time) pass(world_, time);
 }
 
-void Plant::advance_to(Time time) {
+void Plant::advance_to(Time time, std::vector<World>* ends) {
   const Time to = std::max(time, world_.time);
   advance_before(to);
-  if (world_.written_pending || next_due() <= to) run_instant(*rules_, world_, true, counters, instants_);
+  const auto instant = [&](bool sample) {
+    run_instant(*rules_, world_, sample, counters, instants_);
+    if (ends != nullptr) ends->push_back(world_);
+  };
+  if (world_.written_pending || next_due() <= to) instant(true);
   while (world_.malfunctions.pending) {
     ++counters[Counted::further_instant];
-    run_instant(*rules_, world_, false, counters, instants_);
+    instant(false);
   }
 }
 

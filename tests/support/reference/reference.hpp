@@ -78,7 +78,8 @@ class Plant {
   bool start_malfunction(std::uint32_t number, engine::MalfunctionChange::By by);
   bool stop_malfunction(std::uint32_t number, engine::MalfunctionChange::By by);
 
-  void advance_to(Time time);
+  /// `ends`: the worlds at the end of each instant at `time` are added there.
+  void advance_to(Time time, std::vector<World>* ends = nullptr);
   void advance_before(Time time);
   Time now() const;
   Time next_due() const;

@@ -27,7 +27,9 @@ bool equal(tables::DataType type, std::uint64_t a, std::uint64_t b) {
 /// Everything due now, with the actions done now.
 void ScenarioPlayer::instant() {
   --left_;
-  plant_->advance_to(plant_->now());
+  ends_.clear();
+  plant_->advance_to(plant_->now(), &ends_);
+  if (ends_.empty()) ends_.push_back(plant_->save());
 }
 
 /// Every instant before the time; the one at the time is still to run, so that steps act before its rounds.
@@ -66,12 +68,19 @@ bool ScenarioPlayer::act(const ScenarioStep& step) {
   return all;
 }
 
+/// At the end of one of the instants at the present time, which is the first one that the next wait looks at.
+bool ScenarioPlayer::is_met(const condition::Tree& condition) {
+  const auto met = std::find_if(ends_.begin(), ends_.end(), [&](const World& end) { return holds(condition, end); });
+  ends_.erase(ends_.begin(), met);
+  return !ends_.empty();
+}
+
 void ScenarioPlayer::wait(const ScenarioStep& step) {
   const Time start = plant_->now();
   const Time given_up = plus(start, step.time.value_or(kWaits));
   const Time last = until_ ? std::min(given_up, *until_) : given_up;
-  instant();
-  while (!holds(*step.wait, plant_->save()) && !exhausted()) {
+  if (ends_.empty()) instant();
+  while (!is_met(*step.wait) && !exhausted()) {
     const Time due = plant_->next_due();
     if (due > last) {
       plant_->advance_to(last);
@@ -106,6 +115,7 @@ void ScenarioPlayer::play(const ScenarioStep& step) {
         verdicts_.push_back({number_, acted && expected(step), true, plant_->now(), step.is_expectation()});
     }
   }
+  if (step.when != When::wait) ends_.clear();
   const bool reported = !verdicts_.empty() && verdicts_.back().step == number_;
   if (cut_ && !reported && step.is_checked()) {
     verdicts_.push_back({number_, false, false, until_.value_or(0), step.is_expectation()});

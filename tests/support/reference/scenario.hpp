@@ -61,12 +61,15 @@ class ScenarioPlayer {
   /// `until` has come; no further step acts.
   bool cut() const { return cut_; }
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
+  /// The last step is a wait that was met, and a further instant of the same time came after.
+  bool met_before_a_further_instant() const { return ends_.size() > 1; }
 
  private:
   bool go_to(Time time);
   /// False if a part had no room, or there was none to take, or too many malfunctions are active.
   bool act(const ScenarioStep& step);
   void wait(const ScenarioStep& step);
+  bool is_met(const condition::Tree& condition);
   bool expected(const ScenarioStep& step) const;
   void instant();
 
@@ -77,6 +80,7 @@ class ScenarioPlayer {
   bool cut_ = false;
   std::size_t number_ = 0;
   std::vector<Verdict> verdicts_;
+  std::vector<World> ends_;  ///< of the instants at the present time that the next wait looks at
 };
 
 }  // namespace symplant::reference

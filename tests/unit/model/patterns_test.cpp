@@ -163,6 +163,26 @@ TEST_CASE("A name is no slip if a matched device has it but takes the key from e
         "is left out for `L_P_S1`, `L_P_S2`");
 }
 
+TEST_CASE("A name in braces is no slip if a matched device has what it makes but takes the key from elsewhere") {
+  const auto wide = [](const std::string& when) {
+    DeviceDescription pattern = with("L_P_*", {transition("ADV", "RET", "", when)});
+    pattern.disables = {{"ADV", {"{self}X"}}};
+    return pattern;
+  };
+  DeviceDescription exact = with("L_P_M", {transition("RUN1", "END2")});
+  exact.disables = {{"RUN1", {"L_P_S1"}}};
+  const Analysed list = described(kStoppers, {exact, wide("not {self}.RUN1")});
+  CHECK(warnings(list) ==
+        "/devices/L_P_*/transitions/0/when: state `RUN1` of `L_P_S1` not found; the entry is left out for `L_P_S1`, "
+        "`L_P_S2`; the other matches override it");
+  CHECK(unit_of(list, "L_P_S1").left_out == std::vector<std::uint32_t>{0});
+  // Nothing has the name of a device that the entry of `disables` makes.
+  CHECK(faults(list).starts_with("/devices/L_P_*/disables/ADV/0: device `L_P_S1X` not found"));
+  const Analysed slip = described(kStoppers, {exact, wide("not {self}.RUN")});
+  CHECK(contains(faults(slip), "/devices/L_P_*/transitions/0/when: state `RUN` of `L_P_S1` not found"));
+  CHECK(warnings(slip) == "");
+}
+
 TEST_CASE("An initial state, a rest state, outputs and disables are omitted, too") {
   DeviceDescription d = device("L_P_*");
   d.initial = "RET";

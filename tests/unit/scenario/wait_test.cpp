@@ -1,5 +1,6 @@
 // Waiting: when a wait is met, when it fails, and what counts from it.
 #include "scenario_support.hpp"
+#include "support/malfunction_bench.hpp"
 
 namespace symplant::test {
 namespace {
@@ -72,6 +73,51 @@ TEST_CASE("In real time a wait is met at its own instant between two cycles, and
   const Play late(tables, steps + R"({"wait":"L_P_AGV.P2","within":"1.2s"},{"plus":"0s"})", 5 * kSecond, 300 * kMs);
   CHECK(late.outcomes() == "ddhd");
   CHECK(late.time_of(2) == 1300);
+}
+
+/// A malfunction that starts in a further instant of the time at which the vehicle is in P2, and a part at the sensor.
+const FaultyTables& vehicle_at_a_blind_eye() {
+  static const FaultyTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1", "PE_I_PART"},
+                                   R"({"name":"eye","force":{"L_P_PE_I_PART":true},"when":"L_P_AGV.P2"})");
+  return tables;
+}
+
+TEST_CASE(
+    "A wait is met at the end of its first instant although a further instant at that time changes its condition") {
+  const Play by_hand(vehicle_at_a_blind_eye(),
+                     R"({"at":"1s","state":{"L_P_AGV":"P2"}},{"wait":"L_P_AGV.P2 and not L_P_PE_I_PART","within":"2s"},
+                        {"plus":"0s","expect":"L_P_PE_I_PART"})");
+  CHECK(by_hand.outcomes() == "dhh");
+  CHECK(by_hand.time_of(1) == 1000);
+  const Play moving(
+      vehicle_at_a_blind_eye(),
+      R"({"at":"0s","set":{"L_P_AGV_O_P2":true}},{"wait":"L_P_AGV.P2 and not L_P_PE_I_PART","within":"2s"})");
+  CHECK(moving.outcomes() == "dh");
+  CHECK(moving.time_of(1) == 1000);
+}
+
+TEST_CASE("A wait that begins in the first instant of a plant is met there, also if nothing changes in it") {
+  const FaultyTables tables(std::vector<Row>{{"EYE", "X0"}, {"GATE", "X1"}},
+                            R"({"name":"eye","force":{"EYE":true},"when":"not GATE"})");
+  const Play play(tables, R"({"wait":"not EYE","within":"2s"},{"wait":"EYE","within":"2s"})");
+  CHECK(play.outcomes() == "hh");
+  CHECK(play.time_of(1) == 0);
+}
+
+TEST_CASE("The instant in which a wait is met is the first one of the next wait") {
+  const Play play(vehicle_at_a_blind_eye(),
+                  R"({"at":"1s","state":{"L_P_AGV":"P2"}},{"wait":"L_P_AGV.P2","within":"2s"},
+                     {"wait":"not L_P_PE_I_PART","within":"2s"},{"wait":"L_P_PE_I_PART","within":"2s"},
+                     {"wait":"not L_P_PE_I_PART","within":"2s"})");
+  CHECK(play.outcomes() == "dhhhf");
+  CHECK(play.time_of(3) == 1000);
+  CHECK(play.time_of(4) == 3000);
+}
+
+TEST_CASE("A check ends the instants of its time: a wait after it does not see the earlier ones") {
+  const Play play(vehicle_at_a_blind_eye(), R"({"at":"1s","state":{"L_P_AGV":"P2"},"expect":"L_P_PE_I_PART"},
+                                               {"wait":"not L_P_PE_I_PART","within":"2s"})");
+  CHECK(play.outcomes() == "hf");
 }
 
 }  // namespace
