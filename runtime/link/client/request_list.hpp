@@ -35,8 +35,8 @@ class RequestList {
 
   /// `users` has
   ///   Fault send(const Request&, bool first, Answer&): `first`: it was not refused before;
-  ///   std::vector<Request> exact(const Request&): a request over gaps without them;
-  ///   std::vector<Request> halves(const Request&): empty if it cannot be divided;
+  ///   std::vector<Request> parts(const Request&, Answer): of one that was answered over_gaps the same without gaps, of
+  ///     one that was refused its halves; empty if it cannot be divided;
   ///   void leave_out(const Request&): the PLC refuses it for good.
   /// The result is `rejected` if the PLC accepted none, or if it is still to be found out which.
   template <class Users>
@@ -74,11 +74,11 @@ class RequestList {
   /// True if the request was replaced by its parts.
   template <class Users>
   bool refuse(std::size_t i, tables::Time now, Answer answer, Users& users) {
-    if (answer == Answer::over_gaps) return replace(i, users.exact(entries_[i].request), {});
+    if (answer == Answer::over_gaps) return replace(i, users.parts(entries_[i].request, answer), {});
     Retry& retry = entries_[i].retry;
     retry.refuse(now, answer);
     if (answer == Answer::busy) return false;
-    if (retry.refusals() == 2 && replace(i, users.halves(entries_[i].request), Retry::suspect())) {
+    if (retry.refusals() == 2 && replace(i, users.parts(entries_[i].request, answer), Retry::suspect())) {
       if (!std::exchange(divided_, true)) {
         join_at_ = now + whole_for_;
         whole_for_ = std::min(2 * whole_for_, kLastWhole);

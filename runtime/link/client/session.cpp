@@ -188,6 +188,14 @@ void Session::report(const LinkFinding& finding) {
   if (reported_.emplace(finding.kind, key).second) to_report_.push_back(finding);
 }
 
+std::optional<LinkFinding> Session::take_finding() noexcept {
+  const LinkFinding* const oldest = findings_.front();
+  if (oldest == nullptr) return std::nullopt;
+  const LinkFinding finding = *oldest;
+  findings_.pop();
+  return finding;
+}
+
 void Session::offer() noexcept {
   const auto left = std::find_if_not(to_report_.begin(), to_report_.end(),
                                      [&](const LinkFinding& finding) { return findings_.put(finding); });

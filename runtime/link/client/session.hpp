@@ -3,17 +3,20 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
-#include "symplant/link/client/finding_queue.hpp"
 #include "symplant/link/client/messages.hpp"
 #include "symplant/link/client/outbox.hpp"
 #include "symplant/link/client/parts.hpp"
 #include "symplant/link/client/write_retries.hpp"
 #include "symplant/link/image/images.hpp"
+#include "symplant/link/link.hpp"
+#include "symplant/share/ring.hpp"
 
 namespace symplant::link::client {
 
@@ -42,7 +45,7 @@ class Session {
   /// Any thread.
   Messages& messages() noexcept { return messages_; }
   /// What the PLC does that it should not. Wait-free; for one other thread.
-  std::optional<LinkFinding> take_finding() noexcept { return findings_.take(); }
+  std::optional<LinkFinding> take_finding() noexcept;
 
  private:
   bool may_write(const Identity& identity);
@@ -73,9 +76,9 @@ class Session {
   bool passed_ = false;
   bool wrote_ = false;  ///< the latest pass
   Messages messages_;
-  std::vector<LinkFinding> to_report_;                                ///< for which the queue had no room
+  std::vector<LinkFinding> to_report_;                                ///< for which the ring had no room
   std::set<std::pair<tables::FindingKind, std::uint64_t>> reported_;  ///< by symbol, or by packed refusal
-  FindingQueue findings_;
+  share::Ring<LinkFinding> findings_{64};
   std::atomic<std::uint64_t> signs_{0};
   std::atomic<bool> armed_{false};
   std::atomic<bool> left_{false};

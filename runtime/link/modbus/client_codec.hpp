@@ -37,6 +37,11 @@ struct ClientHeader {
   std::uint8_t unit = 0;
 };
 
+inline constexpr std::uint8_t kIllegalFunction = 1;  ///< exception
+
+/// Whether the PLC may do the same request soon, after this exception.
+constexpr bool is_busy(std::uint8_t exception) { return exception == 5 || exception == 6; }
+
 using FrameBuffer = std::span<std::uint8_t, kMaxFrame>;
 
 /// Function 1 to 6, 15, 16 or 43.

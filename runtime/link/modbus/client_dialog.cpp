@@ -2,8 +2,6 @@
 #include "symplant/link/modbus/client_dialog.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 
 #include "symplant/link/client/parts.hpp"
 #include "symplant/link/image/table_view.hpp"
@@ -14,12 +12,8 @@ namespace symplant::link::modbus {
 
 namespace {
 
-constexpr std::uint8_t kIllegalFunction = 1;
 constexpr std::uint8_t kIllegalAddress = 2;
 constexpr std::uint16_t kWholeLane = 0xFFFF;
-
-/// The PLC may answer the same request otherwise soon.
-bool is_busy(std::uint8_t code) { return code == 5 || code == 6; }
 
 std::uint16_t reversed(std::uint16_t bits) noexcept {
   std::uint32_t value = bits;
@@ -27,10 +21,6 @@ std::uint16_t reversed(std::uint16_t bits) noexcept {
   value = (value >> 2 & 0x3333) | (value & 0x3333) << 2;
   value = (value >> 4 & 0x0F0F) | (value & 0x0F0F) << 4;
   return static_cast<std::uint16_t>(value >> 8 | value << 8);
-}
-
-ClientRequest request_of(ClientRequest::Kind kind, Area area, const AddressRange& range) {
-  return {kind, area, static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.count)};
 }
 
 }  // namespace
@@ -188,17 +178,14 @@ class ModbusDialog::Reading {
     return {};
   }
 
-  std::vector<ClientRequest> exact(const ClientRequest& request) const {
-    return requests(request.area, items_in(direction_, request), false);
-  }
-
-  std::vector<ClientRequest> halves(const ClientRequest& request) const {
+  std::vector<ClientRequest> parts(const ClientRequest& request, client::Answer answer) const {
+    if (answer == client::Answer::over_gaps) return exact(request);
     const auto items = items_in(direction_, request);
     if (items.size() < 2) return {};
-    std::vector<ClientRequest> parts = requests(request.area, items.first(items.size() / 2), true);
+    std::vector<ClientRequest> halves = requests(request.area, items.first(items.size() / 2), true);
     const auto others = requests(request.area, items.subspan(items.size() / 2), true);
-    parts.insert(parts.end(), others.begin(), others.end());
-    return parts;
+    halves.insert(halves.end(), others.begin(), others.end());
+    return halves;
   }
 
   /// Events are not left out because they cannot be read back.
@@ -207,6 +194,11 @@ class ModbusDialog::Reading {
   }
 
  private:
+  /// Without addresses between the items.
+  std::vector<ClientRequest> exact(const ClientRequest& request) const {
+    return requests(request.area, items_in(direction_, request), false);
+  }
+
   static std::vector<ClientRequest> requests(Area area, std::span<const AddressRange> items, bool over_gaps) {
     std::vector<ClientRequest> requests;
     for (const PlannedRange& one : plan_ranges(items, kMostBitsRead, over_gaps)) {
@@ -284,146 +276,6 @@ std::uint16_t ModbusDialog::on_wire(std::uint16_t value) const noexcept {
 
 std::uint16_t ModbusDialog::in_order(std::uint16_t bits) const noexcept {
   return settings_.bit_order == BitOrder::low_first ? bits : reversed(bits);
-}
-
-/// The changed coils, and mapped ones between two of them if that joins their requests: a lane has all its values.
-void ModbusDialog::add_coils(std::span<const client::LaneChange> changes) {
-  const std::uint32_t offset = placement(Table::discrete_input).offset;
-  std::uint32_t lane = 0;
-  std::uint16_t bits = 0;    // of the lane
-  std::uint16_t before = 0;  // of the change before it
-  const auto add = [&](std::uint32_t number) {
-    const std::uint16_t values = number / kBitsInRegister == lane ? bits : before;
-    pieces_.push_back({{offset + number, 1}, {static_cast<std::uint16_t>(values >> number % kBitsInRegister & 1)}});
-  };
-  const auto is_owned = [&](std::uint32_t number) {
-    return (owned_[number / kBitsInRegister] >> number % kBitsInRegister & 1) != 0;
-  };
-  std::uint32_t end = 0;  // the number after the latest piece
-  for (const client::LaneChange& one : changes) {
-    lane = one.lane.number;
-    before = std::exchange(bits, one.value);
-    for (std::uint32_t mask = one.mask; mask != 0; mask &= mask - 1) {
-      const std::uint32_t number = kBitsInRegister * lane + static_cast<std::uint32_t>(std::countr_zero(mask));
-      const bool near = end != 0 && (end - 1) / kBitsInRegister + 1 >= lane;
-      std::uint32_t joined = end;
-      while (near && joined < number && is_owned(joined)) ++joined;
-      for (std::uint32_t between = end; near && joined == number && between < number; ++between) add(between);
-      add(number);
-      end = number + 1;
-    }
-  }
-}
-
-/// The changed registers. Those of one number stay together; packed bits are written as a whole register.
-void ModbusDialog::add_registers(std::span<const client::LaneChange> changes) {
-  std::uint32_t previous = std::numeric_limits<std::uint32_t>::max();  // the input register before
-  for (const client::LaneChange& change : changes) {
-    const std::uint32_t lane = change.lane.number;
-    const std::uint32_t address = placement(change.lane.table).offset + lane;
-    if (change.lane.table == Table::discrete_input) {
-      const std::uint16_t value = on_wire(in_order(static_cast<std::uint16_t>(change.value & owned_[lane])));
-      pieces_.push_back({{address, 1}, {value}});
-      continue;
-    }
-    const bool joins = previous + 1 == lane && continues_[lane];
-    if (!joins) pieces_.push_back({{address, 0}, {}});
-    Piece& piece = pieces_.back();
-    piece.values[piece.range.count++] = on_wire(change.value);
-    previous = lane;
-  }
-}
-
-client::Fault ModbusDialog::write(std::span<const client::LaneChange> changes,
-                                  std::vector<client::Unwritten>& unwritten) {
-  const auto begin_of_numbers = std::find_if(changes.begin(), changes.end(), [](const client::LaneChange& change) {
-    return change.lane.table == Table::input_register;
-  });
-  const auto bits = changes.first(static_cast<std::size_t>(begin_of_numbers - changes.begin()));
-  const auto numbers = changes.subspan(bits.size());
-  const bool coils = !bits.empty() && has_bits(placement(Table::discrete_input).area);
-  if (coils) {
-    add_coils(bits);
-    if (client::Fault fault = write_area(Area::coils, kMostBitsWritten, {bits, unwritten})) return fault;
-  }
-  add_registers(coils ? numbers : changes);
-  return write_area(Area::holding_registers, kMostRegistersWritten, {coils ? numbers : changes, unwritten});
-}
-
-/// Writes the pieces and forgets them.
-client::Fault ModbusDialog::write_area(Area area, std::uint32_t most, const Writing& writing) {
-  std::sort(pieces_.begin(), pieces_.end(),
-            [](const Piece& a, const Piece& b) { return a.range.first < b.range.first; });
-  ranges_.clear();
-  values_.clear();
-  for (const Piece& piece : pieces_) {
-    ranges_.push_back(piece.range);
-    values_.insert(values_.end(), piece.values.begin(), piece.values.begin() + piece.range.count);
-  }
-  pieces_.clear();
-  for (const PlannedRange& planned : plan_ranges(ranges_, most, false)) {
-    if (client::Fault fault = write_range(area, planned, writing)) return fault;
-  }
-  return {};
-}
-
-/// By function 15 or 16; if the PLC does not have it, by 5 or 6 from then on.
-client::Fault ModbusDialog::write_range(Area area, const PlannedRange& planned, const Writing& writing) {
-  if (singly_[static_cast<std::size_t>(area)]) return write_pieces(area, planned, writing);
-  const ClientRequest request = request_of(ClientRequest::Kind::write, area, planned.range);
-  ClientReply reply;
-  if (client::Fault fault = transact(request, std::span(values_).subspan(planned.item, planned.range.count), reply)) {
-    return fault;
-  }
-  if (reply.exception == kIllegalFunction) {
-    singly_[static_cast<std::size_t>(area)] = true;
-    return write_pieces(area, planned, writing);
-  }
-  if (reply.exception != 0) refuse(request, reply.exception, planned.range, writing);
-  return {};
-}
-
-/// Each piece alone. A number of several registers still needs function 16: by 6 the PLC could see a half of it. If
-/// the PLC does not have the function for one value either, the other one is tried again the next time.
-client::Fault ModbusDialog::write_pieces(Area area, const PlannedRange& planned, const Writing& writing) {
-  const auto before = [](const AddressRange& piece, std::uint32_t address) { return piece.first < address; };
-  std::size_t item = planned.item;
-  for (auto piece = std::lower_bound(ranges_.begin(), ranges_.end(), planned.range.first, before);
-       piece != ranges_.end() && piece->first < planned.range.end(); ++piece) {
-    const auto values = std::span(values_).subspan(item, piece->count);
-    item += piece->count;
-    const bool one = piece->count == 1;
-    ClientRequest request = request_of(one ? ClientRequest::Kind::write_one : ClientRequest::Kind::write, area, *piece);
-    request.value = values.front();
-    ClientReply reply;
-    if (client::Fault fault = transact(request, values, reply)) return fault;
-    if (one && reply.exception == kIllegalFunction) singly_[static_cast<std::size_t>(area)] = false;
-    if (reply.exception != 0) refuse(request, reply.exception, *piece, writing);
-  }
-  return {};
-}
-
-/// Notes the changes at these addresses, which the PLC did not take.
-void ModbusDialog::refuse(const ClientRequest& request, std::uint8_t code, const AddressRange& range,
-                          const Writing& writing) {
-  const client::Answer answer = is_busy(code) ? client::Answer::busy : client::Answer::refused;
-  rejected_.fetch_add(1, std::memory_order_relaxed);
-  const tables::Refusal refusal = note_rejection(request, code);
-  for (const client::LaneChange& change : writing.changes) {
-    client::LaneChange part = change;
-    for (std::uint32_t bit = 0; bit < client::kLaneBits; ++bit) {
-      const std::uint32_t address = address_in(change, bit);
-      const bool written = address >= range.first && address < range.end();
-      if (!written) part.mask = static_cast<std::uint16_t>(part.mask & ~(1U << bit));
-    }
-    if (part.mask != 0) writing.unwritten.push_back({part, answer, refusal});
-  }
-}
-
-/// The address at which a bit of a change is written.
-std::uint32_t ModbusDialog::address_in(const client::LaneChange& change, std::uint32_t bit) const {
-  const Placement& placed = placement(change.lane.table);
-  return placed.offset + (has_bits(placed.area) ? client::kLaneBits * change.lane.number + bit : change.lane.number);
 }
 
 /// "needs functions 1 and 3 to read, and 15 or 5 to write coils; the PLC has 1, 3 and 5, not 15".

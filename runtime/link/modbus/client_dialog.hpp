@@ -47,6 +47,9 @@ class ModbusDialog final : public client::Dialog {
   std::uint64_t rejected() const noexcept override { return rejected_.load(std::memory_order_relaxed); }
 
  private:
+  static ClientRequest request_of(ClientRequest::Kind kind, Area area, const AddressRange& range) {
+    return {kind, area, static_cast<std::uint16_t>(range.first), static_cast<std::uint16_t>(range.count)};
+  }
   using Items = std::vector<AddressRange>;
   /// The two tables of one direction: what is mapped in each area, and the requests that read it.
   struct Direction {

@@ -18,6 +18,9 @@ struct Cell {
   friend bool operator<(const Cell& a, const Cell& b) { return a.kind != b.kind ? a.kind < b.kind : a.word < b.word; }
 };
 
+inline constexpr std::uint32_t kBitsInCell = 16;
+inline constexpr std::uint16_t kWholeCell = 0xFFFF;  ///< a mask of its bits
+
 /// A bit device.
 struct Bit {
   Kind kind = 0;

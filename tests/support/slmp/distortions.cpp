@@ -2,6 +2,7 @@
 #include "support/slmp/distortions.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "support/slmp/plc_fields.hpp"
 
@@ -67,6 +68,9 @@ Bytes in_other_code(const Exchange& exchange) {
   return encode_reply(exchange.request, other, exchange.end_code, data.bytes());
 }
 
+/// Of requests that can never succeed, that may not now, and that may soon.
+constexpr std::array<std::uint16_t, 7> kEndCodes = {0x0055, 0x4031, 0xC051, 0xC056, 0xC05B, 0xC05F, 0x4ABC};
+
 Bytes with_other_size(const Exchange& exchange, const ReplyLayout& layout, bool is_more) {
   Bytes reply = exchange.reply;
   const std::size_t change = 2 * layout.unit;
@@ -121,6 +125,8 @@ Bytes distorted(Distortion kind, const Exchange& exchange, Draws& draws) {
       return reply;
     case Distortion::garbage:
       return random_bytes(1 + draws.below(200), draws);
+    case Distortion::end_code:
+      return encode_reply(exchange.request, exchange.code, kEndCodes[draws.below(kEndCodes.size())], {});
     case Distortion::bare_error:
       return error_with(exchange, layout, 0);
     case Distortion::short_error:

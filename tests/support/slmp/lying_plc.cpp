@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, kDistortions> kDistortionNames = {
     "honest",           "late",           "held",           "doubled",         "bytewise",    "halved",
     "truncated",        "reset_within",   "foreign_serial", "wrong_subheader", "wrong_route", "length_too_long",
     "length_too_short", "length_huge",    "garbage",        "bare_error",      "short_error", "extra_data",
-    "missing_data",     "trailing_bytes", "other_code",     "silent",          "reset",       "refused"};
+    "missing_data",     "trailing_bytes", "other_code",     "silent",          "reset",       "end_code",
+    "closed",           "refused"};
 static_assert(static_cast<std::size_t>(Distortion::refused) + 1 == kDistortions);
 
 }  // namespace
@@ -116,6 +117,10 @@ Delivery LyingPlc::Liar::delivery_of(Distortion kind, const Exchange& exchange) 
       delivery.resets = true;
       break;
     case Distortion::reset:
+      delivery.resets = true;
+      break;
+    case Distortion::closed:
+      add(reply);
       delivery.resets = true;
       break;
     default:

@@ -41,9 +41,11 @@ enum class Distortion : std::uint8_t {
   other_code,        ///< the reply in the other code: ASCII for binary
   silent,            ///< none
   reset,             ///< a reset of the connection instead of a reply (over UDP none)
+  end_code,          ///< a random end code instead of what was asked for
+  closed,            ///< whole and right, then the end of the connection
   refused,           ///< as `reset`, and connection attempts are refused for `refuses_for`
 };
-inline constexpr std::size_t kDistortions = 24;
+inline constexpr std::size_t kDistortions = 26;
 
 std::string_view name_of(Distortion distortion);
 /// Whether a client can take the reply for what it asked: the bytes come in time, whole and in order.

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "support/catch.hpp"
+#include "support/modbus/modbus_plc.hpp"
 #include "support/raw_client.hpp"
 #include "support/slmp/slmp_plc.hpp"
 #include "support/tool.hpp"
@@ -131,6 +132,17 @@ TEST_CASE("The doctor names a wrong family and a silent port") {
       doctor({"--link", url(plc, "family=iqr&events=direct&code=ascii&timer=0s&timeout=200ms"), "--for", "0s"});
   CHECK(silent.code == 3);
   CHECK_THAT(silent.out, ContainsSubstring("does not answer") && ContainsSubstring("code=binary"));
+}
+
+TEST_CASE("The doctor of a Modbus client lists functions, and goes on where a server closes on function 43") {
+  test::modbus::ModbusPlc plc({.abilities = {.functions = {1, 5}, .closing_functions = {43}}});
+  const auto run = doctor({"--link", "modbus-tcp://127.0.0.1:" + std::to_string(plc.port()) + "?events=coils:100",
+                           "--format", "json", "--for", "0s", "--write-test"});
+  const Json report = json_of(run);
+  CHECK_THAT(entry(report.at("steps"), "step", "identity").at("text"), Contains("does not identify itself"));
+  CHECK_THAT(entry(report.at("steps"), "step", "write test").at("text"), Contains("2 events of 2 written"));
+  CHECK_THAT(entry(report.at("steps"), "step", "functions").at("text"),
+             Contains("15 or 5 to write coils") && Contains("the PLC has 1, 5; it does not have 15"));
 }
 
 TEST_CASE("The doctor of a server link reports what the PLC touched") {

@@ -169,7 +169,7 @@ TEST_CASE("generate: The settings of the links are in the tables") {
   MemoryFileSystem files = plant(R"("map": [{"symbol": "SPEED", "number": 7}], "status": "off", "keep": ["::1"])");
   CHECK(run_tool({"generate", "plant.json", "-o", "out"}, files).code == 0);
   const std::string& tables = files.files["out/tables_gen.cpp"];
-  CHECK(contains(tables, "    {2, 7, link::WordOrder::low_first, link::OnLoss::as_link},  // SPEED\n"));
+  CHECK(contains(tables, "    {2, 7, link::WordOrder::as_link, link::OnLoss::as_link},  // SPEED\n"));
   CHECK(contains(tables,
                  "    {.rows = links::kLinkRows0, .word_order = link::WordOrder::low_first, .status_block = "
                  "link::kNowhere, .keep = links::kKeep0},\n"));

@@ -1,6 +1,7 @@
 // The paper's cell with a link to a PLC, cycled by a thread, and the program of that PLC.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -62,8 +63,10 @@ class LinkedCell {
   exec::LinkState state() const { return state_; }
   /// Cycles with the link lost, so far.
   std::uint64_t cycles_lost() const { return cycles_lost_; }
+  /// Findings of a kind, so far.
+  std::uint64_t count(tables::FindingKind kind) const { return found_[static_cast<std::size_t>(kind)]; }
   /// Symbols that the PLC overwrites, so far.
-  std::uint64_t overwritten() const { return overwritten_; }
+  std::uint64_t overwritten() const { return count(tables::FindingKind::event_overwritten); }
   /// All messages so far, each with a line end.
   std::string messages() {
     for (const std::string& message : link_->take_messages()) messages_ += message + "\n";
@@ -79,7 +82,7 @@ class LinkedCell {
     while (!stop_) {
       link_->read_operations(*plant_, plant_->now());
       while (const auto found = link_->take_finding()) {
-        if (found->kind == tables::FindingKind::event_overwritten) ++overwritten_;
+        ++found_[static_cast<std::size_t>(found->kind)];
       }
       plant_->advance_to(plant_->now() + tables::kMillisecond);
       write();
@@ -96,7 +99,7 @@ class LinkedCell {
   std::atomic<bool> stop_{false};
   std::atomic<exec::LinkState> state_{exec::LinkState::waiting};
   std::atomic<std::uint64_t> cycles_lost_{0};
-  std::atomic<std::uint64_t> overwritten_{0};
+  std::array<std::atomic<std::uint64_t>, tables::kAllFindingKinds> found_{};
   std::thread cycling_;
 };
 

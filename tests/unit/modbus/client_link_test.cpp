@@ -95,6 +95,34 @@ TEST_CASE("The paper's cell closes the loop through every area of a Modbus serve
   }
 }
 
+TEST_CASE("The paper's cell closes the loop with a PLC that has only functions 1 to 6") {
+  PlcSetup setup = cell_setup(coil_input, coil_output);
+  setup.abilities.functions = {1, 2, 3, 4, 5, 6};
+  ModbusPlc plc(std::move(setup));
+  LinkedCell cell(url_of(plc, "events=coils:100"), armed());
+  CHECK(finishes_rounds(plc, 2));
+  CHECK(cell.count(tables::FindingKind::request_refused) == 0);
+}
+
+TEST_CASE("The paper's cell closes the loop with a PLC that closes after each answer") {
+  PlcSetup setup = cell_setup(coil_input, coil_output);
+  setup.abilities.closes_after = 1;
+  ModbusPlc plc(std::move(setup));
+  const LinkedCell cell(url_of(plc, "events=coils:100"), armed());
+  CHECK(finishes_rounds(plc, 1));
+}
+
+TEST_CASE("Writes that a PLC refuses are a finding, and its symbols are left out") {
+  PlcSetup setup = cell_setup(coil_input, coil_output);
+  setup.memory.holes = {{PlcArea::coils, 102}};
+  ModbusPlc plc(std::move(setup));
+  LinkedCell cell(url_of(plc, "events=coils:100"), armed());
+  CHECK(plc.wait_until([&](PlcMemory&) { return cell.count(tables::FindingKind::request_refused) > 0; }));
+  CHECK(plc.wait_until([&](PlcMemory&) { return cell.count(tables::FindingKind::symbol_left_out) > 0; }));
+  CHECK(plc.wait_until([](PlcMemory& memory) { return memory.coils[103] != 0; }));
+  CHECK(cell.count(tables::FindingKind::symbol_left_out) == 1);
+}
+
 TEST_CASE("A Modbus client link reads, but writes only when it is armed") {
   ModbusPlc plc(cell_setup(coil_input, coil_output));
   LinkedCell cell(url_of(plc, "events=coils:100"));

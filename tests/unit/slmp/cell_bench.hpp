@@ -34,7 +34,13 @@ class CellClient : public LinkedCell {
  public:
   CellClient(std::uint16_t port, const std::string& parameters, const link::LinkSettings& settings = {},
              tables::Time loss_after = kStaysLive)
-      : LinkedCell("slmp://127.0.0.1:" + std::to_string(port) + "?" + parameters, settings, loss_after) {}
+      : LinkedCell("slmp://127.0.0.1:" + std::to_string(port) + "?" + patient(parameters), settings, loss_after) {}
+
+ private:
+  /// A slow machine is no loss: the default timeout would be one where many tests run at once.
+  static std::string patient(const std::string& parameters) {
+    return parameters + (parameters.find("timeout=") == std::string::npos ? "&timeout=20s&retry=10ms" : "");
+  }
 };
 
 }  // namespace symplant::test

@@ -143,7 +143,7 @@ TEST_CASE("A link goes on through end codes that come and go") {
     return count > 20 && count % 7 == 0 ? refused(exchange, codes[count / 7 % codes.size()]) : honest(exchange);
   });
   const test::CellClient client(plc.port(), "family=iqr&events=direct&poll=1ms");
-  CHECK(plc.wait_until([&] { return plc.memory().word("D", 0) >= 5; }));
+  CHECK(plc.wait_until([&] { return plc.memory().word("D", 0) >= 2; }));
 }
 
 TEST_CASE("An SLMP server that closes after each answer is served") {

@@ -142,6 +142,26 @@ TEST_CASE("A violated requirement is reported as one that must never hold, or th
         "0.7 s: requirement violated: `soon`, the expected condition did not become true within 0.5 s\n");
 }
 
+TEST_CASE("What a PLC refuses is reported with the request, its address and the code in words") {
+  using Side = tables::Refusal::Side;
+  const BenchTables tables(kAgv);
+  trace::PlantNames names(tables.rows);
+  names.name_links({{"PLC1", ""}});
+  const trace::History history(names);
+  const auto words = [&](tables::FindingKind kind, std::uint32_t of, const tables::Refusal& refusal) {
+    return trace::finding_words({0, kind, {of}, tables::pack(refusal)}, names, history);
+  };
+  CHECK(contains(words(tables::FindingKind::request_refused, 0, {Side::modbus_client, 15, 2, 800}),
+                 "request refused: PLC1, the PLC refused function 15 (write coils) from 800 on: exception 02 (illegal "
+                 "data address)"));
+  CHECK(contains(words(tables::FindingKind::request_refused, 0, {Side::slmp_client, 0x11, 0x4031, 0xA8000064}),
+                 "request refused: PLC1, the PLC refused writing from D100 on: end code 4031"));
+  const std::string left_out =
+      words(tables::FindingKind::symbol_left_out, 2, {Side::slmp_client, 0x80, 0x4031, 0x9D000008});
+  CHECK(contains(left_out, "symbol left out: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), the PLC"));
+  CHECK(contains(left_out, "it refused reading from Y10 on: end code 4031"));
+}
+
 TEST_CASE("Times are printed exactly, without trailing zeros") {
   CHECK(trace::seconds(0) == "0 s");
   CHECK(trace::seconds(1) == "0.000000001 s");
