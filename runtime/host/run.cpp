@@ -216,10 +216,10 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   }
 
   std::unique_ptr<panel::Panel> panel;
-  const int served = open_panel(
-      {program, options, played.names, played.carried, played.scenario, links, has_real_link(played.links),
-       played.clock != nullptr, played.real, played.resumed != nullptr ? played.resumed->name : std::string()},
-      stage, streams.report, streams.err, panel);
+  const int served = open_panel({program, options, played.names, played.carried, played.scenario, links,
+                                 has_real_link(played.links), played.clock != nullptr, played.real,
+                                 played.resumed != nullptr ? played.resumed->name : std::string(), streams.console},
+                                stage, streams.report, streams.err, panel);
   if (served != kGood) return served;
 
   const auto begin = std::chrono::steady_clock::now();
