@@ -56,25 +56,29 @@ int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::os
   if (!make_folder(input.options.panel->files, err)) return kEnvironment;
   std::vector<panel::LinkName> links;
   for (const OpenLink& open : input.links) links.push_back({open.link->url(), open.controller, open.carries});
-  auto opened = panel::Panel::open(*input.options.panel, {.names = input.names,
-                                                          .plant = stage.plant,
-                                                          .recorder = stage.recorder,
-                                                          .history = stage.history,
-                                                          .explainer = stage.explainer,
-                                                          .behaviours = input.program.behaviours,
-                                                          .carried = input.carried,
-                                                          .scenario = input.scenario,
-                                                          .player = stage.player ? &*stage.player : nullptr,
-                                                          .scenario_name = stem(input.options.scenario),
-                                                          .exercises = std::move(exercises),
-                                                          .links = std::move(links),
-                                                          .view = input.program.view,
-                                                          .seed = input.options.seed,
-                                                          .cycle = input.real ? input.options.cycle : 0,
-                                                          .with_plc = input.with_plc,
-                                                          .by_plc_clock = input.by_plc_clock,
-                                                          .paced = !input.real,
-                                                          .resumed = input.resumed});
+  auto opened =
+      panel::Panel::open(*input.options.panel, {.names = input.names,
+                                                .plant = stage.plant,
+                                                .recorder = stage.recorder,
+                                                .history = stage.history,
+                                                .explainer = stage.explainer,
+                                                .behaviours = input.program.behaviours,
+                                                .carried = input.carried,
+                                                .scenario = input.scenario,
+                                                .player = stage.player ? &*stage.player : nullptr,
+                                                .scenario_name = stem(input.options.scenario),
+                                                .exercises = std::move(exercises),
+                                                .links = std::move(links),
+                                                .view = input.program.view,
+                                                .seed = input.options.seed,
+                                                .cycle = input.real ? input.options.cycle : 0,
+                                                .with_plc = input.with_plc,
+                                                .by_plc_clock = input.by_plc_clock,
+                                                .paced = !input.real,
+                                                .resumed = input.resumed,
+                                                .log = [&console = input.console](const std::string& message) {
+                                                  console.message("warning: " + message + "\n");
+                                                }});
   if (const auto* error = std::get_if<link::LinkError>(&opened)) {
     err << "error: panel: " << error->message << "\n";
     return error->kind == link::LinkError::Kind::usage ? kBadInput : kEnvironment;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "symplant/exec/cycle_meter.hpp"
+#include "symplant/host/console.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/stage.hpp"
 #include "symplant/panel/panel.hpp"
@@ -26,6 +27,7 @@ struct PanelInput {
   bool by_plc_clock;
   bool real;            ///< in real time; else the panel sets the speed
   std::string resumed;  ///< the name of the snapshot; empty: none
+  Console& console;     ///< for messages while it serves
 };
 
 /// Opens the panel and prints its link on `out`; 0, or the exit code of a failure with a message on `err`. Nothing

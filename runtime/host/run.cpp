@@ -258,7 +258,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   std::unique_ptr<panel::Panel> panel;
   const int served = open_panel({played.program, played.options, played.names, played.carried, played.scenario, links,
                                  has_real_link(played.links), played.clock != nullptr, played.real,
-                                 played.resumed != nullptr ? played.resumed->name : std::string()},
+                                 played.resumed != nullptr ? played.resumed->name : std::string(), streams.console},
                                 stage, streams.report, streams.err, panel);
   if (served != kGood) return served;
   Shown shown = run_to_end(stage, played, links, panel.get(), streams);

@@ -20,6 +20,7 @@
 #include "symplant/panel/picture/describe.hpp"
 #include "symplant/panel/stepping.hpp"
 #include "symplant/panel/view.hpp"
+#include "symplant/panel/web/guard.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/trace/finding_words.hpp"
@@ -50,6 +51,7 @@ struct PanelPlant {
   bool by_plc_clock = false;  ///< plant time follows a PLC's clock
   bool paced = false;         ///< the run asks speed()
   std::string resumed;        ///< the name of the snapshot with which the run began; empty: none
+  PanelLog log;               ///< gets errors of symplant that requests caused; from several threads
 };
 
 /// The plant was set to another state, which the history now has.

@@ -14,13 +14,14 @@ namespace symplant::panel {
 std::optional<link::LinkError> show(const PanelOptions& options, trace::ReadTrace trace, const trace::PlantNames& names,
                                     const View& view, std::uint64_t model_hash,
                                     const std::function<void(const std::string& link)>& begun,
-                                    const std::function<bool()>& stop) {
+                                    const std::function<bool()>& stop, PanelLog log) {
   auto opened = open_port(options);
   if (auto* error = std::get_if<link::LinkError>(&opened)) return std::move(*error);
   auto& open = std::get<OpenPort>(opened);
   Recording recording(std::move(trace), names, view, model_hash);
   Routes routes(recording, open.access);
-  const Server server(std::move(open.listener), routes, recording, options.patience, [] {});
+  Guard guard(std::move(log));
+  const Server server(std::move(open.listener), routes, recording, guard, options.patience, [] {});
   begun(open.access.url() + "#token=" + open.access.token());
   while (!stop()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return std::nullopt;

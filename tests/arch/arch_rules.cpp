@@ -63,6 +63,7 @@ constexpr std::array kThirdParties = {
     ThirdParty{"<kainjow/", {"generator/emit/"}},
     ThirdParty{"<valijson/", {"runtime/json/"}},
     ThirdParty{"<uchardet", {"generator/text/"}},
+    ThirdParty{"<zlib.h>", {"runtime/panel/web/"}},
     ThirdParty{"<zip.h>", {"generator/read/cells/", "generator/convert/"}},
     ThirdParty{"<pugixml", {"generator/read/xml/", "generator/read/cells/"}},
 };

@@ -23,6 +23,7 @@ case $target in
     "$here"/corpus/list/* ;;
   plant_json) copy "$root"/tests/golden/check/*/plant.json "$root"/examples/{,gallery/}*/plant.json \
     "$here"/corpus/plant_json/* ;;
+  http) copy "$here"/corpus/http/* ;;
 esac
 if [[ -e $here/corpus/$target.txt ]]; then
   number=0

@@ -34,7 +34,7 @@ There are five kinds of tests, all of them in `.ci/run`:
 | what | how to repeat it |
 |---|---|
 | the tables of this page | `ctest --test-dir build/release -R hostile` |
-| the fuzz targets: symbol lists, plant.json, conditions, names, Modbus requests, replies to clients, URLs of links; each also checks its results | `scripts/fuzz --seconds 120` |
+| the fuzz targets: symbol lists, plant.json, conditions, names, Modbus requests, replies to clients, URLs of links, requests to the panel; each also checks its results | `scripts/fuzz --seconds 120` |
 | the tests with the address and the undefined-behavior sanitizer and the assertions of the library | `scripts/test --sanitize` |
 | links, cycle and the running program, all threads at once, with the thread sanitizer | `scripts/test --threads` |
 | inputs that caused a fault before, and a small list cut at every byte | `ctest --test-dir build/release -R 'fuzz:\|cut'` |
@@ -49,6 +49,9 @@ An input that causes a fault becomes a file in `tests/fuzz/crashes`, which every
 | 60 s at 1 ms next to a busy program, 10,000 devices, two PLCs (10 minutes with `--campaign`) | the guard finds nothing: no heap, no lock, no system call except the sleep, no page fault | the same test, after the planted faults |
 | priority, processor or locked memory is refused; memory is at its limit | one warning each with what to do, the plant runs, `"rt":"degraded"` | `ctest --test-dir build/release -R 'rt: '` |
 | a cycle takes longer than its period: once, three times, always | every overrun is counted, plant time catches up or slips, overruns do not accumulate | `build/release/tests/unit/exec/test_exec` |
+| a request to the panel makes symplant throw an error | the client gets 500, the terminal one message in 10 s, the plant runs on | `ctest --test-dir build/release -R 'panel: '` |
+| 100,000 random requests to the panel (1,000 without `--campaign`) | each gets an answer of the [interface](panel-interface.md), or the connection ends; none ends the process | `build/release/tests/unit/panel/test_panel "Random requests*"` |
+| 64 clients of the panel never read their answers, 8 never read their streams | memory is bounded, others are served, the silent ones are closed | `ctest --test-dir build/release -R 'panel: '` |
 | the process is stopped for 5 s | ten cycles are caught up, the other ones are skipped and counted | `ctest --test-dir build/release -R 'rt: A process'` |
 | the time of day jumps by an hour and a day at every call (a test clock replaces the system's) | cycles, plant time and skipped cycles are the same | `ctest --test-dir build/release -R 'rt: '` |
 | SIGTERM, SIGINT, SIGHUP: while waiting, in a cycle of an hour, shortly before a cycle, in a long catch-up | the run ends within a second, with its statistics; if no program reads its output, within a second with exit code 3 | `ctest --test-dir build/release -R 'rt: A signal'` |

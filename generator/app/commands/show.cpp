@@ -89,8 +89,10 @@ void show(ShowOptions options, Context& context) {
                                trace::seconds(trace.end - trace.begin), link);
     context.out.flush();
   };
-  const auto error = panel::show(options.panel.panel.value_or(panel::PanelOptions{}), trace, names, view.view(),
-                                 model_hash, begun, [] { return host::stop_requested().load(); });
+  const auto error = panel::show(
+      options.panel.panel.value_or(panel::PanelOptions{}), trace, names, view.view(), model_hash, begun,
+      [] { return host::stop_requested().load(); },
+      [&](const std::string& message) { context.err << "warning: " + message + "\n"; });
   if (!error) return;
   context.err << "error: panel: " << error->message << "\n";
   context.exit_code = error->kind == link::LinkError::Kind::usage ? host::kBadInput : host::kEnvironment;

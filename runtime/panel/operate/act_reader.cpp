@@ -2,6 +2,7 @@
 #include "symplant/panel/operate/act_reader.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "symplant/scenario/act.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "symplant/scenario/step_reader.hpp"
+#include "symplant/tables/nearest.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -46,11 +48,60 @@ constexpr NamedCommand kNamed[] = {
     {"snapshot", Kind::snapshot}, {"save", Kind::save},         {"restore", Kind::restore},
     {"forget", Kind::forget},     {"exercise", Kind::exercise}, {"session", Kind::session},
 };
+constexpr std::string_view kSpeed = "speed";
+/// Keys of steps that are acts; one act may have several of them.
+constexpr std::string_view kOfStep[] = {"set", "state", "put", "take", "force", "release", "start", "stop"};
 /// Keys of steps that are not acts.
 constexpr std::string_view kNotActs[] = {"at",      "plus",  "wait",    "within", "expect",
                                          "include", "steps", "instant", "text",   "repeat"};
 
 ReadActs form_error(std::string error) { return {{}, std::move(error), true}; }
+
+template <class Keys>
+bool is_one_of(const Keys& keys, std::string_view key) {
+  return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
+}
+
+/// The keys of commands, which are alone in their act.
+const std::vector<std::string_view>& command_keys() {
+  static const std::vector<std::string_view> keys = [] {
+    std::vector<std::string_view> all{kSpeed};
+    for (const Command& each : kCommands) all.push_back(each.key);
+    for (const NamedCommand& each : kNamed) all.push_back(each.key);
+    return all;
+  }();
+  return keys;
+}
+
+/// "`forse` is not `of`; did you mean `force`?"
+template <class... Lists>
+std::string unknown_key(const std::string& key, std::string_view of, const Lists&... known) {
+  tables::NearestName nearest(key);
+  (std::for_each(std::begin(known), std::end(known), [&](std::string_view name) { nearest.offer(name); }), ...);
+  std::string error = "`" + key + "` is not " + std::string(of);
+  if (!nearest.name().empty()) error += "; did you mean `" + std::string(nearest.name()) + "`?";
+  return error;
+}
+
+/// What is wrong with the keys of an act; empty if nothing is.
+std::string key_error(const Json& act) {
+  for (const auto& [key, value] : act.items()) {
+    const bool is_command = is_one_of(command_keys(), key);
+    if (is_command && act.size() > 1) return "`" + key + "` is alone in an act; put the other keys into separate acts";
+    if (!is_command && !is_one_of(kOfStep, key) && !is_one_of(kNotActs, key)) {
+      return unknown_key(key, "the key of an act", kOfStep, command_keys());
+    }
+  }
+  return "";
+}
+
+/// The first key of an act that has no effect, since its value is an empty array or object; empty if each key has one.
+std::string idle_key(const Json& act) {
+  for (const auto& [key, value] : act.items()) {
+    if ((value.is_array() || value.is_object()) && value.empty()) return key;
+  }
+  return "";
+}
 
 }  // namespace
 
@@ -84,7 +135,7 @@ struct ActReader::Parts {
       error = "`" + key + "` has the value " + value.dump() + ", which is not one of its values";
       return act;
     }
-    if (key == "speed") return speed(value, error);
+    if (key == kSpeed) return speed(value, error);
     for (const NamedCommand& each : kNamed) {
       if (key != each.key) continue;
       act.kind = each.kind;
@@ -114,6 +165,9 @@ struct ActReader::Parts {
       if (json.contains(key)) error = "`" + std::string(key) + "` is not an act: acts have no time and no expectation";
     }
     if (json.empty()) error = "an act without keys";
+    if (const std::string key = idle_key(json); error.empty() && !key.empty()) {
+      error = "`" + key + "` is empty and does nothing; name what it is for";
+    }
     if (!error.empty()) return act;
     const bool all = json.contains("release") && json["release"] == "all";
     if (all) json["release"] = Json::array();
@@ -149,8 +203,14 @@ ReadActs ActReader::read(std::string_view body) {
     return form_error(document.faults.empty() ? "the body is not JSON" : document.faults.front().message);
   }
   const Json& root = *document.root;
+  constexpr std::string_view kBody[] = {"acts", "until"};
+  if (root.is_object()) {
+    for (const auto& [key, value] : root.items()) {
+      if (!is_one_of(kBody, key)) return form_error(unknown_key(key, "a key of the body", kBody));
+    }
+  }
   const bool has_until = root.is_object() && root.contains("until");
-  if (!root.is_object() || root.size() != (has_until ? 2 : 1) || !root.contains("acts") || !root["acts"].is_array()) {
+  if (!root.is_object() || !root.contains("acts") || !root["acts"].is_array()) {
     return form_error("the body is an object with the key `acts`, an array, and maybe `until`");
   }
   if (has_until && !root["until"].is_number_integer()) return form_error("`until` is an integer");
@@ -160,6 +220,7 @@ ReadActs ActReader::read(std::string_view body) {
   std::size_t changes = 0;
   for (const Json& json : root["acts"]) {
     if (!json.is_object()) return form_error("an act is an object");
+    if (std::string error = key_error(json); !error.empty()) return form_error(std::move(error));
     std::optional<Act> act = parts_->command(json, read.error);
     if (!act) act = parts_->step(json, read.error);
     if (!read.error.empty()) return {{}, std::move(read.error), false};

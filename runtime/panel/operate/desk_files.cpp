@@ -56,7 +56,9 @@ Answer Desk::session_file(std::string_view kind) {
   if (setup_.with_plc) {
     return error_answer(422, "with a PLC the session cannot be played again: only the acts at the panel are known");
   }
-  if (!session_.is_complete()) return error_answer(422, "the session has more than 100000 acts on the plant");
+  if (!session_.is_complete()) {
+    return error_answer(422, "the session has more than 100000 acts on the plant, or more than 32 MiB of them");
+  }
   return {200, session_.scenario("session.start.snapshot", operator_.now())};
 }
 

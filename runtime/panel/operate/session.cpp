@@ -11,6 +11,9 @@ namespace symplant::panel {
 namespace {
 
 constexpr std::size_t kMostDeeds = 10'000;
+constexpr std::size_t kMostDeedBytes = std::size_t{16} << 20;
+
+std::size_t bytes_of(const Deed& deed) { return deed.by.size() + deed.json.size() + deed.actions.size(); }
 
 /// A time as a scenario writes it, exact.
 std::string time_text(tables::Time time) {
@@ -23,15 +26,18 @@ std::string time_text(tables::Time time) {
 }  // namespace
 
 void Session::add(Deed deed) {
+  const std::size_t bytes = bytes_of(deed);
   if (!deed.actions.empty()) {
-    if (steps_.size() < kMostSteps) {
+    is_complete_ = is_complete_ && steps_.size() < kMostSteps && step_bytes_ + bytes <= kMostStepBytes;
+    if (is_complete_) {
+      step_bytes_ += bytes;
       steps_.push_back(deed);
-    } else {
-      is_complete_ = false;
     }
   }
+  deed_bytes_ += bytes;
   deeds_.push_back(std::move(deed));
-  if (deeds_.size() > kMostDeeds) {
+  while (deeds_.size() > kMostDeeds || (deed_bytes_ > kMostDeedBytes && deeds_.size() > 1)) {
+    deed_bytes_ -= bytes_of(deeds_.front());
     deeds_.pop_front();
     ++first_;
   }
@@ -39,6 +45,7 @@ void Session::add(Deed deed) {
 
 void Session::begin_again(std::shared_ptr<const KeptState> from) {
   steps_.clear();
+  step_bytes_ = 0;
   is_complete_ = true;
   from_ = std::move(from);
 }

@@ -1,6 +1,7 @@
 // What was done in a session, so that it can be played again.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -26,7 +27,8 @@ struct Deed {
 /// The acts since the start of a run. Used by one thread at a time.
 class Session {
  public:
-  static constexpr std::size_t kMostSteps = 100'000;  ///< of the scenario; more are not kept
+  static constexpr std::size_t kMostSteps = 100'000;                    ///< of the scenario; more are not kept
+  static constexpr std::size_t kMostStepBytes = std::size_t{32} << 20;  ///< of their texts
 
   Session(const trace::PlantNames& names, std::uint64_t seed) : names_(names), seed_(seed) {}
 
@@ -38,7 +40,7 @@ class Session {
   const std::shared_ptr<const KeptState>& from() const { return from_; }
   /// A scenario that does the same, until `end`. `restore`: the name of the file of from(). O(acts).
   std::string scenario(std::string_view restore, tables::Time end) const;
-  /// False if there were more than kMostSteps steps, so that scenario() is not complete.
+  /// False if there were more than kMostSteps steps or kMostStepBytes, so that scenario() is not complete.
   bool is_complete() const { return is_complete_; }
 
   /// Appends the acts from number `from` on, for the stream.
@@ -51,7 +53,9 @@ class Session {
   std::uint64_t seed_;
   std::deque<Deed> deeds_;   ///< the latest, of any kind
   std::uint64_t first_ = 0;  ///< the number of the first of them
+  std::size_t deed_bytes_ = 0;
   std::vector<Deed> steps_;  ///< since the plant began again
+  std::size_t step_bytes_ = 0;
   bool is_complete_ = true;
   std::shared_ptr<const KeptState> from_;
 };

@@ -6,20 +6,17 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <random>
 
 #include "symplant/link/net/host_port.hpp"
 #include "symplant/panel/picture/json_text.hpp"
+#include "symplant/panel/web/header_text.hpp"
 
 namespace symplant::panel {
 namespace {
 
 constexpr std::size_t kShortestToken = 32;
-
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
-}
 
 bool is_ip_address(std::string_view text) {
   std::array<unsigned char, sizeof(in6_addr)> bytes{};
@@ -31,18 +28,23 @@ bool is_loopback_host(std::string_view host) {
   return equal_ignoring_case(host, "localhost") || host == "::1" || (is_ip_address(host) && host.starts_with("127."));
 }
 
-/// A header `Host` as name and port; an IPv6 address is in brackets.
+/// A header `Host` as name and port.
 struct HostHeader {
   std::string_view name;
   std::string_view port;
 };
 
-HostHeader split_host(std::string_view header) {
-  const std::size_t bracket = header.starts_with('[') ? header.find(']') : header.npos;
-  const std::size_t colon = header.find(':', bracket == header.npos ? 0 : bracket);
-  HostHeader split{header.substr(0, colon), colon == header.npos ? "80" : header.substr(colon + 1)};
-  if (bracket != header.npos) split.name = header.substr(1, bracket - 1);
-  return split;
+/// NAME, NAME:PORT, [IPv6] or [IPv6]:PORT; nothing for any other text.
+std::optional<HostHeader> split_host(std::string_view header) {
+  const bool is_bracketed = header.starts_with('[');
+  const std::size_t end = is_bracketed ? header.find(']') : std::min(header.find(':'), header.size());
+  if (end == header.npos) return std::nullopt;
+  const std::string_view name = is_bracketed ? header.substr(1, end - 1) : header.substr(0, end);
+  const std::string_view rest = header.substr(is_bracketed ? end + 1 : end);
+  if (is_bracketed && name.find(':') == name.npos) return std::nullopt;
+  if (rest.empty()) return HostHeader{name, "80"};
+  if (!rest.starts_with(':')) return std::nullopt;
+  return HostHeader{name, rest.substr(1)};
 }
 
 std::string machine_name() {
@@ -65,8 +67,8 @@ bool Access::is_known_host(std::string_view name) const {
 }
 
 bool Access::is_own(const Claim& claim) const {
-  const HostHeader host = split_host(claim.host);
-  if (!is_known_host(host.name) || host.port != std::to_string(port_)) return false;
+  const std::optional<HostHeader> host = split_host(claim.host);
+  if (!host || !is_known_host(host->name) || host->port != std::to_string(port_)) return false;
   return claim.origin.empty() || equal_ignoring_case(claim.origin, "http://" + std::string(claim.host));
 }
 

@@ -1,11 +1,20 @@
 // One connection of the panel's web server.
 #include "symplant/panel/web/connection.hpp"
 
+#include <linux/sockios.h>
+#include <sys/ioctl.h>
+
 #include <algorithm>
+#include <atomic>
 #include <boost/asio/post.hpp>
-#include <boost/asio/write.hpp>
 #include <chrono>
+#include <string>
 #include <utility>
+#include <variant>
+
+#include "symplant/panel/web/gzip.hpp"
+#include "symplant/panel/web/request.hpp"
+#include "symplant/panel/web/response_head.hpp"
 
 namespace symplant::panel::web {
 namespace {
@@ -13,14 +22,11 @@ namespace {
 namespace asio = boost::asio;
 namespace http = boost::beast::http;
 
-constexpr std::size_t kMostStreams = 8;
 constexpr std::uint32_t kLongestHeader = 8 * 1024;
 constexpr std::uint64_t kLongestBody = 64 * 1024;
-constexpr std::size_t kMostWaiting = std::size_t{4} << 20;  ///< bytes that a client has not read
-
-constexpr std::string_view kPolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+constexpr std::size_t kMostWaiting = std::size_t{4} << 20;  ///< bytes of events that a client has not read
+constexpr std::size_t kLeastPacked = 1024;
+constexpr int kSendBuffer = 256 * 1024;  ///< of the system: what it takes is not known to have arrived
 
 /// Whether a client sent something else than HTTP; not whether it closed, or was too slow.
 bool is_malformed(const Error& error) {
@@ -28,56 +34,88 @@ bool is_malformed(const Error& error) {
          error != http::error::end_of_stream && error != http::error::partial_message;
 }
 
-template <class Message>
-void set_headers(Message& message, std::string_view content_type) {
-  const auto set = [&](const char* name, std::string_view value) {
-    message.set(name, boost::beast::string_view(value.data(), value.size()));
-  };
-  set("Content-Type", content_type);
-  set("Content-Security-Policy", kPolicy);
-  set("Cache-Control", "no-store");
-  set("X-Content-Type-Options", "nosniff");
-  set("Referrer-Policy", "no-referrer");
-  set("Cross-Origin-Resource-Policy", "same-origin");
-  set("Cross-Origin-Opener-Policy", "same-origin");
-}
-
-std::string_view text_of(boost::beast::string_view text) { return {text.data(), text.size()}; }
+Answer failed_answer() { return error_answer(500, "an error of symplant, which its log describes; the plant runs on"); }
 
 }  // namespace
+
+/// An answer that comes later, from any thread: the first one counts. If none comes, the client gets an error.
+class Connection::Pledge {
+ public:
+  explicit Pledge(std::shared_ptr<Connection> to) : to_(std::move(to)) {}
+  ~Pledge() {
+    to_->shared_.guard.run("an answer", [this] { give(failed_answer()); });
+  }
+  Pledge(const Pledge&) = delete;
+  Pledge& operator=(const Pledge&) = delete;
+
+  void give(Answer answer) {
+    if (given_.exchange(true)) return;
+    asio::post(to_->shared_.context, [to = to_, done = std::move(answer)]() mutable {
+      to->reply({Reply::Kind::now, std::move(done)});
+    });
+  }
+  void withdraw() { given_ = true; }
+
+ private:
+  std::shared_ptr<Connection> to_;
+  std::atomic<bool> given_{false};
+};
 
 void Connection::start() {
   Error ignored;
   stream_.socket().set_option(Tcp::no_delay(true), ignored);
+  stream_.socket().set_option(asio::socket_base::send_buffer_size(kSendBuffer), ignored);
   read();
 }
 
 void Connection::close() {
   if (std::exchange(state_, State::closed) == State::closed) return;
-  if (counted_) --shared_.streams;
+  if (place_) shared_.places.leave(*place_);
   Error ignored;
   stream_.socket().shutdown(Tcp::socket::shutdown_both, ignored);
   stream_.close();
   shared_.connections.remove(shared_from_this());
 }
 
-std::shared_ptr<const std::string> Shared::picture() {
-  if (picture_ == nullptr) {
-    picture_ = std::make_shared<const std::string>("event: picture\ndata: " + source.picture() + "\n\n");
-  }
-  return picture_;
+void Connection::abandon() {
+  Error ignored;
+  stream_.socket().set_option(asio::socket_base::linger(true, 0), ignored);
+  close();
 }
 
-void Connection::send(const std::shared_ptr<const std::string>& event) {
+void Connection::send(const Bytes& event) {
   if (is_late_) return;
-  events_.push_back(event);
-  waiting_ += event->size();
-  if (waiting_ > kMostWaiting) {
+  out_.add(event);
+  if (out_.size() > kMostWaiting) {
     is_late_ = true;
-    events_.clear();
-    waiting_ = 0;
+    out_.drop();
   }
   write_next();
+}
+
+/// The bytes that the client's system has acknowledged.
+std::uint64_t Connection::acknowledged() const {
+  int waiting = 0;
+  const int socket = const_cast<boost::beast::tcp_stream&>(stream_).socket().native_handle();
+  if (::ioctl(socket, SIOCOUTQ, &waiting) != 0) return taken_;
+  return taken_ - std::min(taken_, static_cast<std::uint64_t>(waiting));
+}
+
+void Connection::look(Clock::time_point now) {
+  if (state_ != State::answering && state_ != State::streaming) return;
+  const std::uint64_t acknowledged_now = acknowledged();
+  if (acknowledged_now != acknowledged_ || (out_.empty() && acknowledged_now == taken_)) {
+    acknowledged_ = acknowledged_now;
+    heard_ = now;
+  } else if (now - heard_ >= shared_.patience) {
+    abandon();
+  }
+}
+
+std::optional<double> Connection::rate(Clock::time_point now) const {
+  const std::chrono::duration<double> age = now - begun_;
+  if (state_ != State::answering || out_.empty() || age < std::chrono::seconds(1)) return std::nullopt;
+  return static_cast<double>(acknowledged() - before_) / age.count();
 }
 
 void Connection::read() {
@@ -94,80 +132,91 @@ void Connection::read() {
 
 void Connection::read_done(Error error) {
   if (state_ == State::closed) return;
-  if (error == http::error::header_limit || error == http::error::body_limit) {
-    const bool header = error == http::error::header_limit;
-    keep_alive_ = false;
-    return reply({Reply::Kind::now,
-                  error_answer(header ? 431 : 413, header ? "the header is over 8 KiB" : "the body is over 64 KiB")});
-  }
+  stream_.expires_never();
+  begun_ = heard_ = Clock::now();
+  before_ = acknowledged();
+  state_ = State::answering;
+  if (error == http::error::header_limit) return refuse(error_answer(431, "the header is over 8 KiB"));
+  if (error == http::error::body_limit) return refuse(error_answer(413, "the body is over 64 KiB"));
   if (error && !is_malformed(error)) return close();
-  if (error) {
-    keep_alive_ = false;
-    return reply({Reply::Kind::now, error_answer(400, "this is not a request of HTTP/1.1")});
-  }
-  const auto& message = parser_->get();
-  keep_alive_ = message.keep_alive();
-  answer();
+  if (error) return refuse(error_answer(400, "this is not a request of HTTP/1.1"));
+  const Message& message = parser_->get();
+  auto read = read_request(message);
+  if (auto* answer = std::get_if<Answer>(&read)) return refuse(std::move(*answer));
+  keep_alive_ = message.version() == 11 && message.keep_alive();
+  answer(std::get<Request>(read));
 }
 
-void Connection::answer() {
-  state_ = State::answering;
-  const auto& message = parser_->get();
-  const Request request{text_of(message.method_string()),
-                        text_of(message.target()),
-                        {text_of(message[http::field::host]), text_of(message[http::field::origin]),
-                         text_of(message[http::field::authorization])},
-                        text_of(message["X-Symplant-Run"]),
-                        text_of(message[http::field::content_type]),
-                        message.body()};
-  const auto later = [self = shared_from_this()](Answer done) {
-    asio::post(self->shared_.context, [self, done = std::move(done)]() mutable {
-      self->reply({Reply::Kind::now, std::move(done)});
-    });
-  };
-  Reply found = shared_.routes.answer(request, later);
-  if (found.kind == Reply::Kind::stream) return begin_stream();
-  if (found.kind == Reply::Kind::now) reply(std::move(found));
+/// Answers, and closes: it is not known where the next request begins.
+void Connection::refuse(Answer answer) {
+  keep_alive_ = false;
+  reply({Reply::Kind::now, std::move(answer)});
+}
+
+void Connection::answer(const Request& request) {
+  accepts_gzip_ = request.accepts_gzip;
+  const auto pledge = std::make_shared<Pledge>(shared_from_this());
+  Reply found;
+  const std::string name = std::string(request.method) + " " + std::string(request.target);
+  const bool is_found = shared_.guard.run(
+      name, [&] { found = shared_.routes.answer(request, [pledge](Answer done) { pledge->give(std::move(done)); }); });
+  if (!is_found) return pledge->give(failed_answer());
+  if (found.kind == Reply::Kind::later) return;
+  pledge->withdraw();
+  found.kind == Reply::Kind::stream ? begin_stream(found.has_token) : reply(std::move(found));
 }
 
 void Connection::reply(Reply found) {
   if (state_ == State::closed) return;
-  state_ = State::answering;
-  const bool is_file = !found.content.empty();
-  response_.emplace(static_cast<http::status>(found.answer.status), 11);
-  set_headers(*response_, found.content_type);
-  if (!found.file_name.empty()) {
-    response_->set(http::field::content_disposition, "attachment; filename=\"" + found.file_name + "\"");
-  }
-  response_->body() = is_file ? std::string(found.content) : std::move(found.answer.body);
-  response_->keep_alive(keep_alive_);
-  response_->prepare_payload();
-  stream_.expires_after(shared_.patience);
-  http::async_write(stream_, *response_, [self = shared_from_this()](Error error, std::size_t) {
-    if (error || !self->keep_alive_) return self->close();
-    self->read();
+  const std::size_t size = found.content != nullptr ? found.content->plain()->size() : found.answer.body.size();
+  const bool by_encoding = size >= kLeastPacked;
+  const bool packed = by_encoding && accepts_gzip_;
+  Bytes body;
+  const bool is_made = shared_.guard.run("an answer", [&] {
+    if (found.content != nullptr) {
+      body = packed ? found.content->packed() : found.content->plain();
+    } else {
+      body = shared_.outgoing.share(packed ? gzip(found.answer.body) : std::move(found.answer.body));
+    }
   });
+  if (!is_made) return close();
+  const bool is_much = found.content == nullptr && shared_.outgoing.size() > Outgoing::kMost;
+  if (is_much && body->size() < shared_.outgoing.size() && !shared_.relieve(body->size(), Clock::now())) {
+    found = {Reply::Kind::now, error_answer(503, "too many answers wait to be read; try again")};
+    body = shared_.outgoing.share(std::move(found.answer.body));
+    return write_answer(found, body, false, false);
+  }
+  write_answer(found, body, packed, by_encoding);
 }
 
-void Connection::begin_stream() {
-  if (shared_.streams >= kMostStreams) {
-    return reply({Reply::Kind::now, error_answer(503, "8 clients look already; close one of them")});
+void Connection::write_answer(const Reply& found, const Bytes& body, bool packed, bool by_encoding) {
+  const std::string_view type = found.content != nullptr ? found.content->type() : found.content_type;
+  out_.add(std::make_shared<const std::string>(
+      text_of({found.answer.status, type, body->size(), keep_alive_, packed, by_encoding, found.file_name})));
+  out_.add(body);
+  write_next();
+}
+
+void Connection::begin_stream(bool has_token) {
+  const Clock::time_point now = Clock::now();
+  if (shared_.places.is_full(has_token)) {
+    shared_.probe(now);
+    return reply({Reply::Kind::now, error_answer(503, has_token ? "8 clients look already; close one of them"
+                                                                : "4 clients without the token look already; close "
+                                                                  "one of them, or use the link with the token")});
   }
+  Bytes picture;
+  if (!shared_.guard.run("GET /api/v1/stream", [&] { picture = shared_.picture(); })) {
+    return reply({Reply::Kind::now, failed_answer()});
+  }
+  shared_.places.take(has_token);
+  place_ = has_token;
   state_ = State::streaming;
-  ++shared_.streams;
-  counted_ = true;
-  header_.emplace(http::status::ok, 11);
-  set_headers(*header_, "text/event-stream");
-  header_->keep_alive(false);
-  serializer_.emplace(*header_);
-  writing_ = true;
-  stream_.expires_after(shared_.patience);
-  http::async_write_header(stream_, *serializer_, [self = shared_from_this()](Error error, std::size_t) {
-    self->writing_ = false;
-    self->is_late_ = true;
-    error ? self->close() : self->write_next();
-  });
+  out_.add(std::make_shared<const std::string>(text_of({.content_type = "text/event-stream"})));
+  out_.add(std::move(picture));
+  write_next();
   watch();
+  if (shared_.places.is_full(has_token)) shared_.probe(now);
 }
 
 /// A client that closes, or sends more, ends its stream.
@@ -177,21 +226,26 @@ void Connection::watch() {
 }
 
 void Connection::write_next() {
-  if (state_ != State::streaming || writing_ || (!is_late_ && events_.empty())) return;
-  std::shared_ptr<const std::string> event = is_late_ ? shared_.picture() : events_.front();
-  if (!std::exchange(is_late_, false)) {
-    waiting_ -= event->size();
-    events_.pop_front();
-  }
+  if (writing_ || state_ == State::closed) return;
+  if (out_.empty()) return written();
   writing_ = true;
-  stream_.expires_after(shared_.patience);
-  const asio::const_buffer bytes = asio::buffer(*event);
-  asio::async_write(stream_, bytes, [self = shared_from_this(), event = std::move(event)](Error error, std::size_t) {
-    self->writing_ = false;
-    if (error) return self->close();
-    self->stream_.expires_never();
-    self->write_next();
-  });
+  const std::string_view next = out_.next();
+  stream_.async_write_some(asio::buffer(next.data(), next.size()),
+                           [self = shared_from_this()](Error error, std::size_t count) {
+                             self->writing_ = false;
+                             if (error) return self->close();
+                             self->taken_ += count;
+                             self->out_.taken(count);
+                             self->write_next();
+                           });
+}
+
+/// The system has taken everything.
+void Connection::written() {
+  if (state_ == State::answering) return keep_alive_ ? read() : close();
+  if (!std::exchange(is_late_, false)) return;
+  if (!shared_.guard.run("GET /api/v1/stream", [this] { out_.add(shared_.picture()); })) return close();
+  write_next();
 }
 
 }  // namespace symplant::panel::web

@@ -1,7 +1,9 @@
 // From a request to its answer.
 #include "symplant/panel/web/routes.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/panel/web/page_files.hpp"
@@ -14,6 +16,12 @@ constexpr int kMostPosts = 100;  ///< in a second
 constexpr std::string_view kApi = "/api/v1/";
 
 Reply error_reply(int status, std::string_view what) { return {Reply::Kind::now, error_answer(status, what)}; }
+
+Reply nothing_there() { return error_reply(404, "there is nothing at this address"); }
+
+Reply content_reply(std::shared_ptr<Content> content) {
+  return {.kind = Reply::Kind::now, .content = std::move(content)};
+}
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -39,14 +47,6 @@ bool decode(std::string_view text, bool plus_is_blank, std::string& decoded) {
   return true;
 }
 
-const PageFile* page_file(std::string_view path) {
-  if (path == "/") path = "/index.html";
-  for (const PageFile& file : page_files()) {
-    if (path.substr(1) == file.name) return &file;
-  }
-  return nullptr;
-}
-
 std::string_view content_type_of(std::string_view name) {
   if (name.ends_with(".html")) return "text/html; charset=utf-8";
   if (name.ends_with(".css")) return "text/css; charset=utf-8";
@@ -58,7 +58,7 @@ std::string_view content_type_of(std::string_view name) {
 
 bool split_target(std::string_view target, std::string& path, std::map<std::string, std::string>& query) {
   const std::size_t mark = target.find('?');
-  if (!decode(target.substr(0, mark), false, path)) return false;
+  if (!decode(target.substr(0, mark), false, path) || !path.starts_with('/')) return false;
   std::string_view rest = mark == target.npos ? std::string_view() : target.substr(mark + 1);
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('&'), rest.size());
@@ -74,7 +74,8 @@ bool split_target(std::string_view target, std::string& path, std::map<std::stri
   return true;
 }
 
-Routes::Routes(Source& source, const Access& access) : source_(source), access_(access), run_(random_token()) {}
+Routes::Routes(Source& source, const Access& access, std::string run)
+    : source_(source), access_(access), run_(std::move(run)) {}
 
 Reply Routes::answer(const Request& request, const Answered& later) {
   if (!access_.is_own(request.claim)) {
@@ -86,36 +87,50 @@ Reply Routes::answer(const Request& request, const Answered& later) {
 }
 
 Reply Routes::description() {
-  std::string json = "{\"symplant-panel\":1";
-  put_member(json, "version", tables::version());
-  put_member(json, "run", run_);
-  source_.put_description(json);
-  return {Reply::Kind::now, {200, json + "}"}};
+  if (description_ == nullptr) {
+    std::string json = "{\"symplant-panel\":1";
+    put_member(json, "version", tables::version());
+    put_member(json, "run", run_);
+    source_.put_description(json);
+    description_ = std::make_shared<Content>("application/json", json + "}");
+  }
+  return content_reply(description_);
+}
+
+/// 404 if the page has no such file.
+Reply Routes::page_file(std::string_view path) {
+  const std::string_view name = path == "/" ? "index.html" : path.substr(1);
+  const auto files = page_files();
+  const auto file = std::find_if(files.begin(), files.end(), [&](const PageFile& each) { return each.name == name; });
+  if (file == files.end()) return nothing_there();
+  std::shared_ptr<Content>& kept = page_[file->name];
+  if (kept == nullptr) kept = std::make_shared<Content>(content_type_of(file->name), std::string(file->text));
+  return content_reply(kept);
 }
 
 Reply Routes::get(const Request& request, const Answered& later) {
   std::string path;
   std::map<std::string, std::string> query;
-  if (!split_target(request.target, path, query)) return error_reply(400, "the address has an invalid escape");
-  if (const PageFile* file = page_file(path)) {
-    return {Reply::Kind::now, {200, ""}, content_type_of(file->name), file->text};
+  if (!split_target(request.target, path, query)) {
+    return error_reply(400, "the address does not begin with `/`, or has an invalid escape");
   }
-  if (!path.starts_with(kApi)) return error_reply(404, "there is nothing at this address");
-  if (access_.look_needs_token() && !access_.has_token(request.claim)) {
+  if (!path.starts_with(kApi)) return page_file(path);
+  const bool has_token = access_.has_token(request.claim);
+  if (access_.look_needs_token() && !has_token) {
     return error_reply(401, "looking needs the token: use the link that the program printed");
   }
   const std::string_view what = std::string_view(path).substr(kApi.size());
   if (what == "plant") return description();
-  if (what == "stream") return {Reply::Kind::stream, {}};
+  if (what == "stream") return {.kind = Reply::Kind::stream, .has_token = has_token};
   if (what == "picture") return {Reply::Kind::now, {200, source_.picture()}};
-  if (what == "openapi.json") return {Reply::Kind::now, {200, ""}, "application/json", openapi()};
+  if (what == "openapi.json") return {Reply::Kind::now, {200, std::string(openapi())}};
   std::optional<Reply> reply = source_.get(what, query, later);
-  return reply ? std::move(*reply) : error_reply(404, "there is nothing at this address");
+  return reply ? std::move(*reply) : nothing_there();
 }
 
 Reply Routes::post(const Request& request, const Answered& later) {
   const std::string_view path = request.target;
-  if (path != "/api/v1/acts" && path != "/api/v1/check") return error_reply(404, "there is nothing at this address");
+  if (path != "/api/v1/acts" && path != "/api/v1/check") return nothing_there();
   if (!request.content_type.starts_with("application/json")) {
     return error_reply(400, "the Content-Type of an act is application/json");
   }

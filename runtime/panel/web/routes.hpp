@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "symplant/panel/answer.hpp"
 #include "symplant/panel/web/access.hpp"
+#include "symplant/panel/web/content.hpp"
 
 namespace symplant::panel {
 
@@ -19,27 +21,29 @@ struct Request {
   std::string_view run;  ///< X-Symplant-Run
   std::string_view content_type;
   std::string_view body;
+  bool accepts_gzip = false;
 };
 
 /// What a request gets.
 struct Reply {
   enum class Kind : std::uint8_t {
-    now,     ///< `answer`, with `content_type`
+    now,     ///< `content`, or else `answer` with `content_type`
     later,   ///< the function given to answer() is called
     stream,  ///< the stream of the plant's state
   };
   Kind kind = Kind::now;
   Answer answer = {};
   std::string_view content_type = "application/json";
-  std::string_view content = {};  ///< a file of the page, instead of `answer.body`
-  std::string file_name = {};     ///< to be stored under this name; empty: shown
+  std::shared_ptr<Content> content = {};  ///< the same for all clients; may be null
+  std::string file_name = {};             ///< to be stored under this name; empty: shown
+  bool has_token = false;                 ///< of a stream: its client has the token
 };
 
 /// The interface of docs/panel-interface.md over a desk, or over a recording.
 class Source {
  public:
   virtual ~Source() = default;
-  /// The answer of GET /api/v1/plant without its first keys, which are the same for all.
+  /// The answer of GET /api/v1/plant without its first keys, which are the same for all. It never changes.
   virtual void put_description(std::string& json) = 0;
   virtual bool acts() const = 0;
   /// Any other path of the interface; nothing if there is none.
@@ -56,27 +60,29 @@ class Source {
 /// Checks access, and finds what a request asks for. For the panel's thread.
 class Routes {
  public:
-  Routes(Source& source, const Access& access);
+  /// `run`: another text after each start.
+  Routes(Source& source, const Access& access, std::string run = random_token());
 
-  /// `later` may be called by another thread, once, if the reply says so; also before answer() returns.
+  /// `later` may be called by another thread, once, if the reply says so; also before answer() returns. Throws what the
+  /// source throws.
   Reply answer(const Request& request, const Answered& later);
-
-  /// Another text after each start.
-  const std::string& run() const { return run_; }
 
  private:
   Reply get(const Request& request, const Answered& later);
   Reply post(const Request& request, const Answered& later);
   Reply description();
+  Reply page_file(std::string_view path);
 
   Source& source_;
   const Access& access_;
   std::string run_;
-  std::int64_t second_ = 0;  ///< of the clock, in which `acts_` were asked for
+  std::shared_ptr<Content> description_;                       ///< null until it is asked for
+  std::map<std::string_view, std::shared_ptr<Content>> page_;  ///< the files that were asked for, by their names
+  std::int64_t second_ = 0;                                    ///< of the clock, in which `acts_` were asked for
   int acts_ = 0;
 };
 
-/// Divides a target into its path and its query, decoded; false if an escape is not valid.
+/// Divides a target into its path, which begins with `/`, and its query, both decoded; false if it is not of this form.
 bool split_target(std::string_view target, std::string& path, std::map<std::string, std::string>& query);
 
 }  // namespace symplant::panel

@@ -27,8 +27,9 @@ constexpr auto kPeriod = milliseconds(40);  ///< of the stream
 }  // namespace
 
 struct Server::Parts {
-  Parts(link::net::Listener listener, Routes& routes, Source& source, int patience, std::function<void()> every_second)
-      : shared(routes, source, patience),
+  Parts(link::net::Listener listener, Routes& routes, Source& source, Guard& guard, int patience,
+        std::function<void()> every_second)
+      : shared(routes, source, guard, patience),
         acceptor(shared.context),
         timer(shared.context),
         each_second(std::move(every_second)) {
@@ -38,7 +39,7 @@ struct Server::Parts {
     acceptor.assign(storage.ss_family == AF_INET6 ? web::Tcp::v6() : web::Tcp::v4(), ::dup(listener.socket.get()));
     accept();
     tick(std::chrono::steady_clock::now());
-    thread = std::thread([this] { shared.context.run(); });
+    thread = std::thread([this] { serve(); });
   }
 
   ~Parts() {
@@ -47,6 +48,12 @@ struct Server::Parts {
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
+
+  /// Until the context is stopped. What no other guard catches ends one connection at most.
+  void serve() {
+    while (!shared.guard.run("a connection", [this] { shared.context.run(); })) {
+    }
+  }
 
   void accept() {
     acceptor.async_accept([this](web::Error error, web::Tcp::socket socket) {
@@ -57,21 +64,16 @@ struct Server::Parts {
         });
         return;
       }
-      make_room();
-      if (shared.connections.size() < kMostConnections) {
-        shared.connections.push_back(std::make_shared<web::Connection>(std::move(socket), shared));
-        shared.connections.back()->start();
-      }
+      shared.guard.run("a connection", [&] { admit(std::move(socket)); });
       accept();
     });
   }
 
-  /// Closes the connection that has been idle for longest if there are too many.
-  void make_room() {
-    if (shared.connections.size() < kMostConnections) return;
-    const auto idle = std::find_if(shared.connections.begin(), shared.connections.end(),
-                                   [](const std::shared_ptr<web::Connection>& each) { return each->is_idle(); });
-    if (idle != shared.connections.end()) std::shared_ptr<web::Connection>(*idle)->close();
+  void admit(web::Tcp::socket socket) {
+    if (shared.connections.size() >= kMostConnections && !shared.close_one(web::Clock::now())) return;
+    const auto connection = std::make_shared<web::Connection>(std::move(socket), shared);
+    shared.connections.push_back(connection);
+    connection->start();
   }
 
   void tick(std::chrono::steady_clock::time_point last) {
@@ -79,28 +81,33 @@ struct Server::Parts {
     timer.expires_at(next);
     timer.async_wait([this, next](web::Error error) {
       if (error) return;
-      if (++ticks % (1000 / kPeriod.count()) == 0) each_second();
       shared.forget_picture();
-      if (shared.streams != 0) send_changes();
+      if (++ticks % (1000 / kPeriod.count()) == 0) second(next);
+      if (!shared.places.empty()) shared.guard.run("GET /api/v1/stream", [this] { send_changes(); });
       tick(next);
     });
   }
 
+  void second(std::chrono::steady_clock::time_point now) {
+    shared.guard.run("GET /api/v1/stream", each_second);
+    const std::list<std::shared_ptr<web::Client>> all = shared.connections;  // a look may close one
+    for (const std::shared_ptr<web::Client>& each : all) each->look(now);
+    if (std::exchange(is_quiet, true)) shared.broadcast(keep_alive);
+  }
+
   /// The event of this period; null: nothing new.
-  std::shared_ptr<const std::string> news() {
+  Bytes news() {
     std::string changes = shared.source.changes();
     if (shared.source.begun_again()) return shared.picture();
     if (changes.empty()) return nullptr;
-    return std::make_shared<const std::string>("event: changes\ndata: " + changes + "\n\n");
+    return shared.outgoing.share("event: changes\ndata: " + changes + "\n\n");
   }
 
   void send_changes() {
-    const std::shared_ptr<const std::string> event = news();
+    const Bytes event = news();
     if (event == nullptr) return;
-    const std::list<std::shared_ptr<web::Connection>> all = shared.connections;
-    for (const std::shared_ptr<web::Connection>& each : all) {
-      if (each->is_stream()) each->send(event);
-    }
+    is_quiet = false;
+    shared.broadcast(event);
   }
 
   web::Shared shared;
@@ -109,12 +116,14 @@ struct Server::Parts {
   std::optional<boost::asio::steady_timer> timer_for_accept;
   std::function<void()> each_second;
   std::uint64_t ticks = 0;
+  bool is_quiet = false;                                                  ///< no event in this second
+  const Bytes keep_alive = std::make_shared<const std::string>(":\n\n");  ///< so that a client that is gone is noticed
   std::thread thread;
 };
 
-Server::Server(link::net::Listener listener, Routes& routes, Source& source, int patience,
+Server::Server(link::net::Listener listener, Routes& routes, Source& source, Guard& guard, int patience,
                std::function<void()> each_second)
-    : parts_(std::make_unique<Parts>(std::move(listener), routes, source, patience, std::move(each_second))) {}
+    : parts_(std::make_unique<Parts>(std::move(listener), routes, source, guard, patience, std::move(each_second))) {}
 
 Server::~Server() = default;
 

@@ -139,10 +139,10 @@ TEST_CASE("The doctor of a Modbus client lists functions, and goes on where a se
   const auto run = doctor({"--link", "modbus-tcp://127.0.0.1:" + std::to_string(plc.port()) + "?events=coils:100",
                            "--format", "json", "--for", "0s", "--write-test"});
   const Json report = json_of(run);
-  CHECK_THAT(entry(report.at("steps"), "step", "identity").at("text"), Contains("does not identify itself"));
-  CHECK_THAT(entry(report.at("steps"), "step", "write test").at("text"), Contains("2 events of 2 written"));
+  CHECK_THAT(entry(report.at("steps"), "step", "identity").at("text"), ContainsSubstring("does not identify itself"));
+  CHECK_THAT(entry(report.at("steps"), "step", "write test").at("text"), ContainsSubstring("2 events of 2 written"));
   CHECK_THAT(entry(report.at("steps"), "step", "functions").at("text"),
-             Contains("15 or 5 to write coils") && Contains("the PLC has 1, 5; it does not have 15"));
+             ContainsSubstring("15 or 5 to write coils") && ContainsSubstring("the PLC has 1, 5; it does not have 15"));
 }
 
 TEST_CASE("The doctor of a server link reports what the PLC touched") {

@@ -223,7 +223,6 @@ TEST_CASE("What is not possible is refused before anything is done") {
            {R"({"force":{"L_P_AGV_I_P1":1}})", "true"},
            {R"({"plus":"1s","force":{"L_P_AGV_I_P1":true}})", "`plus` is not an act"},
            {R"({"expect":"L_P_AGV.P1"})", "not an act"},
-           {R"({"jump":true})", "jump"},
            {R"({})", "without keys"},
        }) {
     INFO(act);
@@ -240,6 +239,76 @@ TEST_CASE("What is not possible is refused before anything is done") {
     INFO(body);
     CHECK(bench.send(bench.request("POST", "/api/v1/acts", body)).status == 400);
   }
+}
+
+TEST_CASE("A key that is not known is an error of the form, with the nearest one, and nothing is done") {
+  const PanelBench bench;
+  for (const auto& [act, words] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"jump":true})", "`jump` is not the key of an act"},
+           {R"({"forse":{"L_P_AGV_I_P1":true}})", "did you mean `force`?"},
+           {R"({"Force":{"L_P_AGV_I_P1":true}})", "did you mean `force`?"},
+           {R"({"restor":"a"})", "did you mean `restore`?"},
+           {R"({"spede":2})", "did you mean `speed`?"},
+           {R"({"":1})", "`` is not the key of an act"},
+           {R"({"set":{"L_P_EYE_I_ON":true},"sett":{}})", "did you mean `set`?"},
+       }) {
+    INFO(act);
+    for (const std::string path : {"/api/v1/acts", "/api/v1/check"}) {
+      const HttpAnswer answer =
+          bench.send(bench.request("POST", path, R"({"acts":[{"force":{"L_P_AGV_I_P2":true}},)" + act + "]}"));
+      INFO(answer.body);
+      CHECK(answer.status == 400);
+      CHECK(contains(answer.body, words));
+    }
+  }
+  const HttpAnswer body = bench.send(bench.request("POST", "/api/v1/acts", R"({"atcs":[{"freeze":true}]})"));
+  CHECK(body.status == 400);
+  CHECK(contains(body.body, "`atcs` is not a key of the body; did you mean `acts`?"));
+  CHECK(bench.value("AGV_I_P2") == false);
+}
+
+TEST_CASE("A command is alone in its act") {
+  const PanelBench bench;
+  for (const std::string act :
+       {R"({"restore":"/etc/passwd","force":{}})", R"({"force":{"L_P_AGV_I_P2":true},"restore":"a"})",
+        R"({"run":true,"freeze":true})", R"({"speed":2,"reset":true})",
+        R"({"step":"cycle","set":{"L_P_EYE_I_ON":true}})", R"({"snapshot":"a","text":"b"})",
+        R"({"end":"exercise","exercise":"a"})", R"({"session":"a","plus":"1s"})"}) {
+    INFO(act);
+    const HttpAnswer answer = bench.post(act);
+    CHECK(answer.status == 400);
+    CHECK(contains(answer.body, "` is alone in an act"));
+  }
+  CHECK(bench.value("AGV_I_P2") == false);
+  CHECK(bench.picture().at("clock").at("state") == "running");
+}
+
+TEST_CASE("An act that does nothing, or has a value of another type, is an error") {
+  const PanelBench bench;
+  for (const std::string act : {R"({"force":{}})",      R"({"set":{}})",
+                                R"({"state":{}})",      R"({"release":[]})",
+                                R"({"put":[]})",        R"({"put":{}})",
+                                R"({"take":[]})",       R"({"start":[]})",
+                                R"({"stop":[]})",       R"({"force":{"L_P_AGV_I_P2":true},"release":[]})",
+                                R"({"force":[]})",      R"({"force":null})",
+                                R"({"force":"all"})",   R"({"release":"none"})",
+                                R"({"release":true})",  R"({"start":1})",
+                                R"({"start":[1]})",     R"({"state":{"L_P_AGV":1}})",
+                                R"({"take":{}})",       R"({"run":1})",
+                                R"({"run":false})",     R"({"freeze":"true"})",
+                                R"({"reset":null})",    R"({"step":true})",
+                                R"({"speed":"2"})",     R"({"speed":null})",
+                                R"({"speed":[]})",      R"({"snapshot":1})",
+                                R"({"restore":["a"]})", R"({"forget":{}})",
+                                R"({"exercise":1})",    R"({"end":true})",
+                                R"({"session":null})"}) {
+    INFO(act);
+    const HttpAnswer answer = bench.post(act);
+    INFO(answer.body);
+    CHECK(answer.status == 422);
+    CHECK(answer.body.size() > 20);
+  }
+  CHECK(bench.value("AGV_I_P2") == false);
 }
 
 TEST_CASE("A check answers as the act would, and does nothing") {

@@ -77,9 +77,9 @@ class PanelBench {
     stage.emplace(program_, options_, names, played, false, streams_);
     stage->advance_to(0);
     REQUIRE(stage->outputs.open(stage->plant.model_hash(), err_));
-    const int code =
-        host::open_panel({program_, options_, names, carried_, played, links_, plan.with_plc, false, plan.with_plc, ""},
-                         *stage, out_, err_, panel);
+    const int code = host::open_panel(
+        {program_, options_, names, carried_, played, links_, plan.with_plc, false, plan.with_plc, "", console_},
+        *stage, out_, err_, panel);
     INFO(err_.str());
     REQUIRE(code == 0);
     if (plan.link) panel->set_links([state = *plan.link] { return std::vector{state}; });

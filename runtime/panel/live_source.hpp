@@ -1,0 +1,50 @@
+// The panel's interface over a running plant.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "symplant/panel/operate/desk.hpp"
+#include "symplant/panel/web/routes.hpp"
+#include "symplant/trace/plant_names.hpp"
+
+namespace symplant::panel {
+
+/// Each call holds the mutex of the desk.
+class LiveSource final : public Source {
+ public:
+  /// `description`: the members that follow from the tables. The others must outlive it.
+  LiveSource(Desk& desk, std::mutex& mutex, const trace::PlantNames& names, std::string description)
+      : desk_(desk), mutex_(mutex), names_(names), description_(std::move(description)) {}
+
+  void put_description(std::string& json) override;
+  bool acts() const override { return desk_.acts(); }
+  std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query,
+                           const Answered& later) override;
+  void post(std::string_view path, std::string_view body, const Answered& later) override;
+  std::string picture() override;
+  std::string changes() override;
+  bool begun_again() override;
+
+  /// To be called about once a second, by a caller that holds the mutex: the next changes() are not empty. `ask_status`
+  /// makes the members `links` and `cycle`; null: they stay as they are.
+  void refresh(const std::function<std::string()>& ask_status);
+
+ private:
+  Reply chart(const std::map<std::string, std::string>& query);
+  std::optional<Reply> session_file(std::string_view kind);
+
+  Desk& desk_;
+  std::mutex& mutex_;
+  const trace::PlantNames& names_;
+  std::string description_;
+  std::string status_;
+  bool is_due_ = false;  ///< changes() must not be empty
+};
+
+}  // namespace symplant::panel
