@@ -129,4 +129,7 @@ bool is_left_alone(const Unit& unit, std::uint32_t state);
 /// For each list of the plant: whether its names follow another rule than the plant's. O(symbols).
 std::vector<bool> lists_named_otherwise(const PlantModel& plant);
 
+/// Whether the plant has symbols, and no device, part or condition drives one of them (SP415).
+bool nothing_is_driven(const PlantModel& plant);
+
 }  // namespace symplant::check

@@ -70,6 +70,10 @@ struct OverrunState {
 inline constexpr std::uint8_t kFrozenBefore = 1;
 inline constexpr std::uint8_t kFrozenInThisInstant = 2;
 
+/// More instants of a track's own parts, or more starts and ends of malfunctions, within kLoopWindow are a loop.
+inline constexpr std::uint32_t kMostInLoopWindow = 10'000;
+inline constexpr tables::Time kLoopWindow = tables::kMillisecond;
+
 struct FollowState {
   std::uint8_t frozen;  ///< 0: it is not
   std::uint8_t steps;   ///< as UnitState::steps

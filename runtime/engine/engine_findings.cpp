@@ -112,8 +112,7 @@ void Engine::report_short_events() noexcept {
   report_marked(tables::FindingKind::event_too_short);
 }
 
-/// Calls `function(member, loop)` for each unit and each symbol that follows a condition, as Finding::of numbers them,
-/// that was frozen in this instant.
+/// Calls `function(member, loop)` for each that was frozen in this instant, as Finding::of numbers them.
 template <class Function>
 void Engine::for_frozen_now(Function function) noexcept {
   for (const std::uint32_t unit : touched_.view()) {
@@ -124,6 +123,7 @@ void Engine::for_frozen_now(Function function) noexcept {
     if (follow_states_[f].frozen == kFrozenInThisInstant) function(unit_count + f, follow_states_[f].steps);
   }
   if (flow_.active()) flow_.for_frozen_now(unit_count + static_cast<std::uint32_t>(tables_.follows.size()), function);
+  malfunctions_.for_frozen_now(tables::first_malfunction_of_loop(tables_), function);
 }
 
 /// Reports the loops frozen in this instant, in the order of their first members.
@@ -149,6 +149,7 @@ void Engine::report_loops() noexcept {
     if (follow_states_[f].frozen != 0) follow_states_[f].frozen = kFrozenBefore;
   }
   if (flow_.active()) flow_.close_loops();
+  malfunctions_.close_loops();
 }
 
 /// Reports the collected units or requirements.

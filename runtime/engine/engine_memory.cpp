@@ -9,7 +9,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E07;  // "symplan" and the version of the block's layout
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E08;  // "symplan" and the version of the block's layout
 
 bool draws(const tables::PlantTables& tables) noexcept {
   if (tables.random_times.size() + tables.behaviour_units.size() != 0) return true;
@@ -89,9 +89,7 @@ void Engine::position(Arena& arena) noexcept {
   operation_changes_.take(arena, tables_.operation_bits / 64);
   operation_slot_changes_.take(arena, tables_.operation_slots);
   event_slot_changes_.take(arena, tables_.event_slots);
-  const tables::MaterialTables& material = tables_.material;
-  const std::size_t loop_members = tables_.units.size() + tables_.follows.size() + material.tracks.size() +
-                                   material.transfers.size() + material.work.size();
+  const std::size_t loop_members = tables::first_malfunction_of_loop(tables_) + tables_.malfunctions.size();
   marks_.take(arena, std::max({loop_members, tables_.symbols.size(), tables_.requirements.size()}));
   suspects_ = 0;
   loops_ = 0;

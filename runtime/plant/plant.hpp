@@ -135,9 +135,9 @@ class Plant {
   /// O(parts at the location).
   bool take(tables::PartLocation from) noexcept;
   /// Starts or ends a malfunction; tables::MalfunctionNumbers numbers them. `by`: scenario or hand, for the trace. An
-  /// active one is not started again, and one that is not active does not end: both return true. Returns false and does
-  /// nothing if there is no such malfunction, or too many ordinary ones are active. O(written malfunctions, and what it
-  /// affects).
+  /// active one and one in an instantaneous loop are not started, and one that is not active does not end: all return
+  /// true. Returns false and does nothing if there is no such malfunction, or too many ordinary ones are active.
+  /// O(written malfunctions, and what it affects).
   bool start_malfunction(std::uint32_t number,
                          engine::MalfunctionChange::By by = engine::MalfunctionChange::By::hand) noexcept;
   bool stop_malfunction(std::uint32_t number,

@@ -17,7 +17,8 @@ enum class FindingKind : std::uint8_t {
   lost_command,                   ///< of an operation
   started_on_enabling,            ///< of a unit; a note
   event_too_short,                ///< of an event
-  instantaneous_loop,    ///< of units, follows and material: one finding each, `more` set on all but the loop's last
+  /// Of units, follows and material, or of malfunctions: one finding each, `more` set on all but the loop's last.
+  instantaneous_loop,
   requirement_violated,  ///< of a requirement
   part_blocked,          ///< of a transfer of parts
   link_lost,             ///< of a link; the host reports this kind and the next ones, the model the others
@@ -38,7 +39,8 @@ inline constexpr int kAllFindingKinds = 22;  ///< with the kinds that the host r
 struct Finding {
   Time time;
   /// Index of a unit, symbol, requirement or transfer in the tables, or of a link in the run. In an instantaneous loop
-  /// the units are followed by the rows of PlantTables::follows, then by tracks, transfers, work and sources.
+  /// the units are followed by the rows of PlantTables::follows, then by tracks, transfers, work, sources and written
+  /// malfunctions.
   std::uint32_t of;
   FindingKind kind;
   bool more;  ///< the next finding names another member of the same loop

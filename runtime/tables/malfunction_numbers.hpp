@@ -72,4 +72,11 @@ class MalfunctionNumbers {
   std::uint32_t first_symbol_;
 };
 
+/// Finding::of of the first malfunction in an instantaneous loop. Units, follows and material come before it. O(1).
+inline std::uint32_t first_malfunction_of_loop(const PlantTables& tables) noexcept {
+  const MaterialTables& material = tables.material;
+  return static_cast<std::uint32_t>(tables.units.size() + tables.follows.size() + material.tracks.size() +
+                                    material.transfers.size() + material.work.size() + material.sources.size());
+}
+
 }  // namespace symplant::tables

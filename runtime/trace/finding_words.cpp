@@ -209,6 +209,25 @@ std::string of_left_out(const FoundThing& found, const PlantNames& names) {
       symbol_words(found.of.front(), names), link::client_refusal_text(tables::unpack_refusal(found.value)));
 }
 
+/// A loop has either malfunctions or none.
+bool has_malfunctions(const FoundThing& loop, const PlantNames& names) {
+  return loop.of.front() >= tables::first_malfunction_of_loop(names.tables());
+}
+
+std::string of_loop(const FoundThing& found, const PlantNames& names) {
+  const bool one = found.of.size() == 1;
+  if (has_malfunctions(found, names)) {
+    return fmt::format(
+        "instantaneous loop: malfunction{} {} {} and {} without end within a millisecond, and {} inactive until the "
+        "run ends; check for times of almost 0, and for a `when` that names what the malfunction changes",
+        one ? "" : "s", name_of(found, names), one ? "starts" : "start", one ? "ends" : "end", one ? "stays" : "stay");
+  }
+  return fmt::format(
+      "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "
+      "transitions whose `after` and `takes` are 0, and for conditions that depend on themselves",
+      name_of(found, names), one ? "loops" : "loop", one ? "is" : "are");
+}
+
 /// The part that cannot move, and the one that leaves it no room.
 std::string of_transfer(const FoundThing& found, const PlantNames& names, const History& history) {
   const tables::TransferRow& row = names.tables().material.transfers[found.of.front()];
@@ -260,8 +279,11 @@ std::string name_of(const FoundThing& found, const PlantNames& names) {
   members.reserve(found.of.size());
   for (const std::uint32_t member : found.of) members.push_back(names.loop_member(member));
   std::sort(members.begin(), members.end());
+  // Names of malfunctions may contain blanks.
+  const std::string_view between =
+      found.kind == FindingKind::instantaneous_loop && has_malfunctions(found, names) ? ", " : " ";
   std::string text;
-  for (const std::string_view member : members) text.append(text.empty() ? "" : " ").append(member);
+  for (const std::string_view member : members) text.append(text.empty() ? "" : between).append(member);
   return text;
 }
 
@@ -311,12 +333,7 @@ std::string finding_words(const FoundThing& found, const PlantNames& names, cons
   if (found.kind == FindingKind::event_overwritten) return of_overwritten(found, names);
   if (found.kind == FindingKind::clock_restarted) return of_clock(found, names);
   if (is_of_served_symbol(found.kind)) return of_served_symbol(found, names);
-  if (found.kind == FindingKind::instantaneous_loop) {
-    return fmt::format(
-        "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "
-        "transitions whose `after` and `takes` are 0, and for conditions that depend on themselves",
-        name_of(found, names), found.of.size() == 1 ? "loops" : "loop", found.of.size() == 1 ? "is" : "are");
-  }
+  if (found.kind == FindingKind::instantaneous_loop) return of_loop(found, names);
   return is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history);
 }
 

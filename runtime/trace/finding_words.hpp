@@ -19,7 +19,7 @@ std::string_view finding_name(tables::FindingKind kind);
 struct FoundThing {
   tables::Time time;
   tables::FindingKind kind;
-  std::vector<std::uint32_t> of;  ///< a loop's members; else one unit, symbol, requirement, transfer or link
+  std::vector<std::uint32_t> of;  ///< members of a loop, at least one; else one unit, symbol, requirement, ...
   std::uint64_t value = 0;        ///< as Record::value, for the kinds that have one
 };
 
@@ -29,7 +29,8 @@ bool is_of_symbol(tables::FindingKind kind);
 bool is_of_host(tables::FindingKind kind);
 bool is_of_link(tables::FindingKind kind);
 
-/// The name of its unit, symbol, requirement or link; for a loop the sorted names of its units, with blanks between.
+/// The name of its unit, symbol, requirement or link; for a loop the sorted names of its members, with blanks
+/// between, or ", " between malfunctions.
 std::string name_of(const FoundThing& found, const PlantNames& names);
 
 /// The units that it concerns: its own, that of its symbol, or those in the conditions of its requirement.

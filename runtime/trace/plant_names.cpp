@@ -60,7 +60,9 @@ std::string_view PlantNames::loop_member(std::uint32_t of) const {
   if (within(tables_.units.size())) return unit(of);
   if (within(tables_.follows.size())) return symbol(tables_.follows[rest].symbol);
   if (within(tables_.material.tracks.size())) return locations_[rest];
-  return within(transfers_.size()) ? transfers_[rest] : work_[rest];
+  if (within(transfers_.size())) return transfers_[rest];
+  if (within(work_.size())) return work_[rest];
+  return within(sources_.size()) ? sources_[rest] : malfunctions_[rest];
 }
 
 std::string PlantNames::malfunction(std::uint32_t number) const {

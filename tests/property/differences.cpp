@@ -15,7 +15,7 @@ namespace {
 std::string loop_member(std::uint32_t of, const model::PlantModel& plant) {
   const std::size_t follow = of - plant.units.size();
   if (follow < plant.follows.size()) return std::string(plant.symbols[plant.follows[follow].symbol].name());
-  return "#" + std::to_string(follow - plant.follows.size()) + " of material";
+  return "#" + std::to_string(follow - plant.follows.size()) + " of material and malfunctions";
 }
 
 std::string reported_as(const tables::Finding& finding, const model::PlantModel& plant) {

@@ -221,8 +221,8 @@ symplant_planted_bug(engine one_of_two_stuck_malfunctions_ends_both
   "--engine_.general_state(unit).disabled_by != 0 : !BUG && is_stuck(unit);")
 
 symplant_planted_bug(engine malfunction_starts_while_its_condition_holds
-  "    if (begins && state.active == 0 && state.by_itself != now()) state.wishes |= kStarts;"
-  "    if ((BUG ? holds : begins) && state.active == 0 && state.by_itself != now()) state.wishes |= kStarts;")
+  "    if (begins && may_start) state.wishes |= kStarts;"
+  "    if ((BUG ? holds : begins) && may_start) state.wishes |= kStarts;")
 
 symplant_planted_bug(engine malfunction_that_has_lasted_becomes_another
   "    } else if (state.due <= now()) {
@@ -239,6 +239,31 @@ symplant_planted_bug(engine chance_not_drawn_after_an_end
   } else {"
   "    state.due = BUG && by != By::end ? tables::kNever : after(number, row(number).chance, MalfunctionStream::chance);
   } else {")
+
+# Of malfunctions that start and end without end.
+symplant_planted_bug(engine starts_of_an_earlier_millisecond_counted
+  "    for (std::uint32_t m = 0; m < written_; ++m) states_[m].counted = 0;"
+  "    if (!BUG) { for (std::uint32_t m = 0; m < written_; ++m) states_[m].counted = 0; }")
+
+symplant_planted_bug(engine ten_thousand_starts_and_ends_are_a_loop
+  "  if (is_loop()) freeze_loop();"
+  "  if (head_->counted > kMostInLoopWindow - (BUG ? 1 : 0)) freeze_loop();")
+
+symplant_planted_bug(engine frozen_malfunction_starts_again
+  "  if (numbers_.is_written(number) && states_[number].frozen != 0) return true;"
+  "  if (!BUG && numbers_.is_written(number) && states_[number].frozen != 0) return true;")
+
+symplant_planted_bug(engine frozen_malfunction_has_its_chance
+  "    state.due = tables::kNever;
+    state.wishes = 0;
+    any = true;"
+  "    if (!BUG) state.due = tables::kNever;
+    state.wishes = 0;
+    any = true;")
+
+symplant_planted_bug(engine loop_without_its_inactive_members
+  "    if (state.frozen != 0 || state.counted < kLeastOfLoop) continue;"
+  "    if (state.frozen != 0 || state.counted < kLeastOfLoop || (BUG && state.active == 0)) continue;")
 
 symplant_planted_layer(engine ${PROJECT_SOURCE_DIR}/runtime/engine)
 add_executable(property_mutants $<TARGET_OBJECTS:property_main> $<TARGET_OBJECTS:symplant_engine_planted>)

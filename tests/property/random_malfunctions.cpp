@@ -163,7 +163,47 @@ class MalfunctionWriter {
   std::vector<GivenMalfunction> all_;
 };
 
+/// One or two malfunctions that start and end again and again. Some do so not quite often enough to be a loop.
+void add_restless(Dice& dice, std::vector<GivenMalfunction>& all) {
+  static const std::vector<tables::Time> kShort = {1, 1, 3, 40, 90, 99, 100, 101, 400};
+  const auto time = [&] { return Duration::fixed(dice.pick(kShort)); };
+  const std::string number = std::to_string(all.size() + 1);
+  GivenMalfunction one;
+  one.name = "restless" + number;
+  one.kinds = {MalfunctionKind::force};
+  one.force.emplace_back(dice.percent(50) ? "EYE" : "L0_P_D0_I_B", description::GivenValue{true, "true", "true"});
+  GivenMalfunction other = one;
+  other.name = "other" + number;
+  const std::size_t kind = dice.below(3);
+  if (kind == 0) {  // by chance
+    one.chance = time();
+    one.lasts = time();
+  } else if (kind == 1) {  // its own condition
+    one.when = "not " + one.force.front().first;
+    one.becomes = {time().a, "", other.name};
+    other.lasts = time();
+  } else {  // each becomes the other one
+    one.chance = Duration::fixed(kMillisecond);
+    one.becomes = {time().a, "", other.name};
+    other.becomes = {time().a, "", one.name};
+  }
+  all.push_back(one);
+  if (kind != 0) all.push_back(other);
+}
+
 }  // namespace
+
+void add_restless_malfunctions(Dice& dice, PlantText& text) {
+  text.rows.push_back({"L0_P_D0_O_B", "%QX0", "BOOL", ""});
+  text.rows.push_back({"L0_P_D0_I_A", "%IX0", "BOOL", ""});
+  text.rows.push_back({"L0_P_D0_I_B", "%IX1", "BOOL", ""});
+  text.rows.push_back({"EYE", "%IX2", "BOOL", ""});
+  for (std::size_t i = 1 + dice.below(3); i > 0; --i) add_restless(dice, text.description.malfunctions);
+}
+
+bool has_restless_malfunctions(const model::PlantModel& model) {
+  return !model.malfunctions.empty() && model.malfunctions.front().name == "restless1";
+}
 
 void add_random_malfunctions(Dice& dice, PlantText& text, const model::PlantModel& model) {
   text.description.malfunctions = MalfunctionWriter(dice, model).write();

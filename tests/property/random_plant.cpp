@@ -99,6 +99,10 @@ void add_material(PlantText& text, std::uint64_t draw) {
 void add_malfunctions(PlantText& text, std::uint64_t draw) {
   Dice dice(draw * 2 + 0x3A7F'0000'0001);
   const bool ripples = text.rows.size() > 200;
+  if (text.description.material.tracks.empty() && dice.one_in(60)) {
+    text = {};
+    return add_restless_malfunctions(dice, text);
+  }
   if (dice.percent(ripples ? 10 : 40)) add_random_malfunctions(dice, text, build(text).plant);
 }
 

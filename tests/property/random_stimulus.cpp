@@ -29,6 +29,7 @@ class StimulusWriter {
   std::vector<Action> write() {
     reset();
     if (has_reversing_tracks(plant_)) return freeze_tracks();
+    if (has_restless_malfunctions(plant_)) return freeze_malfunctions();
     if (dice_.percent(80)) add(Kind::advance, {}, 0, 0);
     const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
     for (std::size_t i = (40 + dice_.below(110)) / large; i > 0; --i) {
@@ -61,6 +62,18 @@ class StimulusWriter {
     for (int i = 0; i < 5; ++i) {
       add(Kind::run, {}, 12'000, 20 * kMillisecond);
       if (dice_.percent(50) && !plant_.symbols.empty()) add(Kind::further, name(0), 0, 333);
+    }
+    return std::move(actions_);
+  }
+
+  /// Most of them change every few nanoseconds until they are frozen.
+  std::vector<Action> freeze_malfunctions() {
+    static const std::vector<std::uint64_t> kInstants = {700, 3'000, 12'000};
+    actions_.back().time = 0;
+    for (int i = 0; i < 8; ++i) {
+      add(Kind::run, {}, dice_.pick(kInstants), 20 * kMillisecond);
+      malfunctions();
+      keep();
     }
     return std::move(actions_);
   }

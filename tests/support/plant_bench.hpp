@@ -123,6 +123,8 @@ class BenchTables {
       of = model().requirements[finding.of].name;
     } else if (trace::is_of_symbol(finding.kind)) {
       of = symbol_name(finding.of);
+    } else if (finding.of >= tables::first_malfunction_of_loop(rows)) {
+      of = model().malfunctions[finding.of - tables::first_malfunction_of_loop(rows)].name;
     } else {
       of = finding.of < units ? unit_name(finding.of) : symbol_name(model().follows[finding.of - units].symbol);
     }

@@ -227,7 +227,7 @@ std::string_view outside_text(model::Unmodelled by) {
 
 void no_device(const Find& find) {
   const PlantModel& plant = find.plant;
-  if (plant.symbols.empty() || !plant.units.empty()) return;
+  if (!nothing_is_driven(plant)) return;
   std::map<std::string_view, std::size_t> reasons;
   for (const Symbol& symbol : plant.symbols) ++reasons[outside_text(symbol.unmodelled)];
   std::string text;
@@ -263,15 +263,20 @@ constexpr Rule kDeviceRules[] = {
      "naming rule only the sensor of an end is asked for.",
      "A state is never commanded or reported, or the device becomes a single solenoid.",
      "Add the row, or spell its task as the others do. If it is intended, ignore it.", Rank::siblings, For::named},
-    {"SP415", "no-device", kError, no_device, "the plant has I/O symbols and no device",
+    {"SP415", "no-device", kError, no_device, "the plant has I/O symbols, and nothing drives them",
      "Devices are made from BOOL symbols named by the rule: `EXLINE_MB_AGV_O_P1` and `EXLINE_MB_AGV_I_P1` are an "
-     "operation and an event of `EXLINE_MB_AGV`. A custom rule pairs operations and events.",
+     "operation and an event of `EXLINE_MB_AGV`. A custom rule pairs operations and events. A plant with `material` or "
+     "`follow` needs no device.",
      "All behavior: the symbols are served, but nothing drives an input.",
      "`symplant infer LIST -o naming.json` proposes the rule for `--naming naming.json`. For a plant of plain signals "
      "set `\"check\": { \"severity\": { \"no-device\": \"note\" } }`."},
 };
 
 }  // namespace
+
+bool nothing_is_driven(const PlantModel& plant) {
+  return !plant.symbols.empty() && plant.units.empty() && plant.material.empty() && plant.follows.empty();
+}
 
 std::span<const Rule> device_rules() { return kDeviceRules; }
 

@@ -77,7 +77,7 @@ std::vector<NameCount> count_names(const PlantModel& plant) {
 }
 
 void named_otherwise(const Find& find) {
-  if (find.units.empty()) return;  // SP415 reports it
+  if (nothing_is_driven(find.plant)) return;  // SP415 reports it
   std::vector<NameCount> counts = count_names(find.plant);
   for (const Symbol& symbol : find.symbols) {
     const NameCount count = counts[symbol.list];

@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint8_t kStarts = 1;
 constexpr std::uint8_t kEnds = 2;
 
+constexpr std::uint32_t kLeastOfLoop = 3;  ///< starts and ends within kLoopWindow of each member of a loop
+
 }  // namespace
 
 tables::Time Malfunctions::now() const noexcept { return engine_.head_->now; }
@@ -49,6 +51,7 @@ tables::Time Malfunctions::after(std::uint32_t number, tables::Time time, Malfun
 bool Malfunctions::start(std::uint32_t number, By by) noexcept {
   if (!numbers_.exists(number)) return false;
   if (is_active(number)) return true;
+  if (numbers_.is_written(number) && states_[number].frozen != 0) return true;
   if (!numbers_.is_written(number)) {
     if (head_->ordinary == tables::kMostOrdinaryMalfunctions) return false;
     ++head_->ordinary;
@@ -96,8 +99,45 @@ void Malfunctions::note(std::uint32_t number, bool active, By by) noexcept {
   engine_.head_->waits |= kActed;
   engine_.suspects_ |= kMalfunctionsChanged;
   const bool outside = by == By::hand || by == By::scenario;
+  if (numbers_.is_written(number)) count(number);
   if (outside) set_next();
+  if (outside && is_loop()) head_->pending = 1;
   if (changes_.size < (outside ? kMostByHand : most_changes_)) changes_.add({number, active, by});
+}
+
+/// The millisecond begins with the first start or end after the one before.
+void Malfunctions::count(std::uint32_t number) noexcept {
+  if (now() - head_->window_begin >= kLoopWindow) {
+    head_->window_begin = now();
+    head_->counted = 0;
+    for (std::uint32_t m = 0; m < written_; ++m) states_[m].counted = 0;
+  }
+  ++states_[number].counted;
+  ++head_->counted;
+}
+
+/// Ends those that started or ended again and again. They stay inactive until reset.
+void Malfunctions::freeze_loop() noexcept {
+  bool any = false;
+  for (std::uint32_t m = 0; m < written_; ++m) {
+    MalfunctionState& state = states_[m];
+    if (state.frozen != 0 || state.counted < kLeastOfLoop) continue;
+    if (state.active != 0) end(m, By::end);
+    state.frozen = kFrozenInThisInstant;
+    state.due = tables::kNever;
+    state.wishes = 0;
+    any = true;
+  }
+  if (!any) return;
+  if (engine_.loops_ != 0xFF) ++engine_.loops_;
+  head_->loop = engine_.loops_;
+  engine_.suspects_ |= suspect(tables::FindingKind::instantaneous_loop);
+}
+
+void Malfunctions::close_loops() noexcept {
+  for (std::uint32_t m = 0; m < written_; ++m) {
+    if (states_[m].frozen != 0) states_[m].frozen = kFrozenBefore;
+  }
 }
 
 void Malfunctions::set_next() noexcept {
@@ -109,6 +149,7 @@ void Malfunctions::begin() noexcept {
   if (head_->next > now() && head_->pending == 0) return;
   head_->pending = 0;
   for (std::uint32_t m = 0; m < written_; ++m) begin_one(m);
+  if (is_loop()) freeze_loop();
   set_next();
 }
 
@@ -156,7 +197,8 @@ void Malfunctions::close() noexcept {
     const bool holds = row.condition != tables::kNone && engine_.truth(row.condition);
     const bool begins = holds && state.held == 0;
     state.held = holds ? 1 : 0;
-    if (begins && state.active == 0 && state.by_itself != now()) state.wishes |= kStarts;
+    const bool may_start = state.active == 0 && state.frozen == 0 && state.by_itself != now();
+    if (begins && may_start) state.wishes |= kStarts;
     if (state.active != 0 && row.unless != tables::kNone && engine_.truth(row.unless)) state.wishes |= kEnds;
     if (state.wishes != 0) head_->pending = 1;
   });

@@ -8,7 +8,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr MalfunctionState kInactive{0, tables::kNever, tables::kNever, tables::kNever, -1, {}, 0, 0, 0, 0};
+constexpr MalfunctionState kInactive{0, tables::kNever, tables::kNever, tables::kNever, -1, {}, 0, 0, 0, 0, 0, 0, {}};
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void Malfunctions::place(Arena& arena) noexcept {
   }
   if (slow_units_.items != nullptr) std::sort(slow_units_.items, slow_units_.items + slow_units_.size);
   seen_.take(arena, written_);
-  most_changes_ = kMostByHand + 2 * written_;
+  most_changes_ = kMostByHand + 3 * written_;
   changes_.take(arena, most_changes_);
 }
 
@@ -49,6 +49,7 @@ void Malfunctions::place_block(Arena& arena) noexcept {
 void Malfunctions::reset() noexcept {
   changes_.size = 0;
   seen_.clear();
+  head_->window_begin = -tables::kSecond;  // the first change begins one
   for (std::uint32_t m = 0; m < written_; ++m) {
     states_[m] = kInactive;
     states_[m].due = after(m, row(m).chance, MalfunctionStream::chance);
@@ -63,7 +64,8 @@ void Malfunctions::mark_all() noexcept {
 void Malfunctions::hash(tables::Fnv1a64& hash) const noexcept {
   for (std::uint32_t m = 0; m < written_; ++m) {
     const MalfunctionState& state = states_[m];
-    hash.byte(static_cast<std::uint8_t>(state.active | state.shows << 1 | state.held << 2));
+    hash.byte(
+        static_cast<std::uint8_t>(state.active | state.shows << 1 | state.held << 2 | (state.frozen != 0 ? 8 : 0)));
     hash.time(state.since);
     hash.time(next_due(m));
     for (const std::uint32_t draws : state.draws) hash.u32(draws);

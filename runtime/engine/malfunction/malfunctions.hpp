@@ -9,6 +9,7 @@
 #include <span>
 
 #include "symplant/engine/arena.hpp"
+#include "symplant/engine/block.hpp"
 #include "symplant/engine/dirty_set.hpp"
 #include "symplant/engine/instant.hpp"
 #include "symplant/engine/malfunction/active_malfunction.hpp"
@@ -32,10 +33,13 @@ struct MalfunctionState {
   tables::Time flickers;   ///< when its symbol changes next
   tables::Time by_itself;  ///< when it last started by its condition
   std::array<std::uint32_t, 3> draws;
+  std::uint32_t counted;  ///< its starts and ends, as Malfunctions::Head::counted
   std::uint8_t active;
   std::uint8_t shows;   ///< its symbol shows the opposite
   std::uint8_t held;    ///< `when` held at the end of the last instant
   std::uint8_t wishes;  ///< of the next instant: kStarts, kEnds
+  std::uint8_t frozen;  ///< 0: it is not; kFrozenBefore, kFrozenInThisInstant: it was in an instantaneous loop
+  std::uint8_t unused[3];
 };
 
 class Malfunctions {
@@ -77,6 +81,14 @@ class Malfunctions {
   bool pending() const noexcept { return head_->pending != 0; }
   std::span<const MalfunctionChange> changes() const noexcept { return changes_.view(); }
   void forget_changes() noexcept { changes_.size = 0; }
+  /// Calls `function(member, loop)` for each that was frozen in this instant; the members are numbered from `first`.
+  template <class Function>
+  void for_frozen_now(std::uint32_t first, Function function) const noexcept {
+    for (std::uint32_t m = 0; m < written_; ++m) {
+      if (states_[m].frozen == kFrozenInThisInstant) function(first + m, head_->loop);
+    }
+  }
+  void close_loops() noexcept;
 
   // What they do (malfunction_effects.cpp).
   /// The travel time of a unit's move that begins now and would take `time`.
@@ -88,10 +100,14 @@ class Malfunctions {
 
  private:
   struct Head {
-    tables::Time next;       ///< the earliest time of the written ones
-    std::uint32_t active;    ///< the number of active ones
-    std::uint32_t ordinary;  ///< the number of ordinary ones among them
-    std::uint64_t pending;   ///< 1: the `wishes` of some are not empty
+    tables::Time next;          ///< the earliest time of the written ones
+    tables::Time window_begin;  ///< of the millisecond in which starts and ends are counted
+    std::uint32_t active;       ///< the number of active ones
+    std::uint32_t ordinary;     ///< the number of ordinary ones among them
+    std::uint32_t counted;      ///< starts and ends of written ones in that millisecond
+    std::uint8_t pending;       ///< 1: the `wishes` of some are not empty, or is_loop() after a change from outside
+    std::uint8_t loop;          ///< the number in its instant of the loop that was frozen last
+    std::uint16_t unused;
   };
 
   const tables::MalfunctionRow& row(std::uint32_t number) const noexcept { return tables_.malfunctions.rows[number]; }
@@ -104,6 +120,10 @@ class Malfunctions {
   void end(std::uint32_t number, By by) noexcept;
   void set_next() noexcept;
   void note(std::uint32_t number, bool active, By by) noexcept;
+  void count(std::uint32_t number) noexcept;
+  /// Whether those that started or ended again and again in this millisecond are a loop.
+  bool is_loop() const noexcept { return head_->counted > kMostInLoopWindow; }
+  void freeze_loop() noexcept;
 
   template <class Function>
   void for_units(std::uint32_t number, Function function) const noexcept;

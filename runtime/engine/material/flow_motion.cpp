@@ -9,9 +9,6 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint32_t kMostInstants = 10'000;  ///< that a track's parts may cause within kWindow
-constexpr tables::Time kWindow = tables::kMillisecond;
-
 double number_of(tables::DataType type, std::uint64_t value) noexcept {
   if (type == tables::DataType::real || type == tables::DataType::lreal) return std::bit_cast<double>(value);
   const bool is_signed = type >= tables::DataType::sint && type <= tables::DataType::lint;
@@ -94,12 +91,12 @@ void Flow::track_due(std::uint32_t track) noexcept {
 
 void Flow::count_instant(std::uint32_t track) noexcept {
   TrackState& state = tracks_[track];
-  if (state.instants > kMostInstants) {
+  if (state.instants > kMostInLoopWindow) {
     state.freezing = 1;
     ++freezing_;
     return;
   }
-  if (now() - state.window_begin >= kWindow) {
+  if (now() - state.window_begin >= kLoopWindow) {
     state.window_begin = now();
     state.instants = 0;
   }

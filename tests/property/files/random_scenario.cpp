@@ -10,6 +10,7 @@
 #include "property/files/random_starts.hpp"
 #include "property/files/resolved_steps.hpp"
 #include "property/files/shared_symbols.hpp"
+#include "property/random_malfunctions.hpp"
 #include "property/random_material.hpp"
 #include "property/random_plant.hpp"
 #include "property/random_unit.hpp"
@@ -47,6 +48,7 @@ class ScenarioDrawer {
 
   DrawnScenario write() {
     if (has_reversing_tracks(plant_)) return {steps_that_freeze_tracks(dice_, plant_.material), {}};
+    if (has_restless_malfunctions(plant_)) return {steps_that_freeze_malfunctions(dice_), {}};
     const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
     for (std::size_t i = 4 + dice_.below((8 + dice_.below(90)) / large); i > 0 && !ended_; --i) step();
     if (dice_.percent(25)) repeat();
@@ -304,7 +306,9 @@ class ScenarioDrawer {
 
 }  // namespace
 
-long most_instants(const model::PlantModel& plant) { return has_reversing_tracks(plant) ? 60'000 : 3000; }
+long most_instants(const model::PlantModel& plant) {
+  return has_reversing_tracks(plant) || has_restless_malfunctions(plant) ? 60'000 : 3000;
+}
 
 DrawnScenario random_scenario(std::uint64_t draw, std::uint64_t seed, const model::PlantModel& plant) {
   Dice dice(draw * 2 + 0x5CE4'0000'0000);

@@ -51,4 +51,13 @@ void add_starts(Dice& dice, const model::PlantModel& plant, const reference::Wor
   }
 }
 
+std::vector<Step> steps_that_freeze_malfunctions(Dice& dice) {
+  std::vector<Step> steps(3);
+  for (Step& step : steps) step.time = 1 + static_cast<tables::Time>(dice.below(4)) * tables::kMillisecond;
+  steps[1].start.emplace_back("restless1");
+  steps[2].start.emplace_back("restless1");
+  for (Step& step : steps) step.expect_condition = dice.percent(50) ? "EYE" : "not L0_P_D0_I_B";
+  return steps;
+}
+
 }  // namespace symplant::property::files

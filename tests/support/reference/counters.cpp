@@ -133,6 +133,8 @@ const std::array<std::string_view, kCounted> kCountedNames = {
     "malfunction remedied",
     "malfunction ended after its time",
     "further instant for a condition of a malfunction",
+    "malfunction frozen in a loop",
+    "frozen malfunction started",
     "move slowed by a written malfunction",
     "move slowed by the ordinary malfunction",
     "move slowed by several malfunctions",

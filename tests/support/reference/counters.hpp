@@ -142,6 +142,8 @@ enum class Counted : std::size_t {
   remedied,
   lasted,
   further_instant,
+  malfunction_frozen,
+  frozen_malfunction_started,
   slow_by_written,
   slow_by_ordinary,
   slow_by_several,

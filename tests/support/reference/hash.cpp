@@ -122,7 +122,8 @@ void add_material(Digest& digest, const MaterialWorld& material) {
 
 void add_malfunctions(Digest& digest, const MalfunctionsWorld& malfunctions) {
   for (const MalfunctionWorld& its : malfunctions.written) {
-    digest.byte(static_cast<std::uint8_t>((its.active ? 1 : 0) | (its.shows_opposite ? 2 : 0) | (its.truth ? 4 : 0)));
+    digest.byte(static_cast<std::uint8_t>((its.active ? 1 : 0) | (its.shows_opposite ? 2 : 0) | (its.truth ? 4 : 0) |
+                                          (its.frozen ? 8 : 0)));
     digest.i64(its.since);
     digest.i64(its.next_due());
     for (const std::uint32_t draws : its.draws) digest.u32(draws);

@@ -50,7 +50,10 @@ std::string member_name(const model::PlantModel& model, std::size_t of) {
   of -= material.tracks.size();
   if (of < material.transfers.size()) return material.transfers[of].name;
   of -= material.transfers.size();
-  return of < material.work.size() ? material.work[of].name : material.sources[of - material.work.size()].name;
+  if (of < material.work.size()) return material.work[of].name;
+  of -= material.work.size();
+  if (of < material.sources.size()) return material.sources[of].name;
+  return model.malfunctions[of - material.sources.size()].name;
 }
 
 std::string name_of(const model::PlantModel& model, const tables::Finding& finding) {
@@ -70,6 +73,14 @@ std::string name_of(const model::PlantModel& model, const tables::Finding& findi
     default:
       return std::string(model.symbols[finding.of].name());
   }
+}
+
+/// Names of malfunctions may contain blanks.
+std::string separator(const model::PlantModel& model, const tables::Finding& finding) {
+  const std::size_t malfunctions = model.units.size() + model.follows.size() + model.material.tracks.size() +
+                                   model.material.transfers.size() + model.material.work.size() +
+                                   model.material.sources.size();
+  return finding.of < malfunctions ? " " : ", ";
 }
 
 std::string part_line(const model::Material& material, Time time, const engine::PartChange& change) {
@@ -148,7 +159,7 @@ std::vector<std::string> finding_lines(const model::PlantModel& model, const std
       if (finding.more) continue;
       std::sort(names.begin(), names.end());
       std::string of;
-      for (const std::string& name : names) of += (of.empty() ? "" : " ") + name;
+      for (const std::string& name : names) of += (of.empty() ? "" : separator(model, finding)) + name;
       lines.push_back("{\"t\":" + std::to_string(instant.time) + ",\"finding\":\"" +
                       std::string(finding_name(finding.kind)) + "\",\"of\":\"" + of + "\"");
       names.clear();

@@ -25,6 +25,8 @@ struct MalfunctionWorld {
   bool wants_start = false;           ///< in a further instant at the same time
   bool wants_end = false;
   std::array<std::uint32_t, 3> draws{};
+  int changes = 0;      ///< its starts and ends in the current window
+  bool frozen = false;  ///< it was in an instantaneous loop
 
   tables::Time next_due() const {
     return std::min({active ? ends : chance, active ? becomes : tables::kNever, active ? flickers : tables::kNever});
@@ -41,6 +43,8 @@ struct MalfunctionsWorld {
   std::vector<MalfunctionWorld> written;
   std::vector<ActiveWorld> active;                 ///< in the order in which they started
   bool pending = false;                            ///< a further instant must make changes
+  tables::Time window = -1;                        ///< the first change in the current window; -1: none so far
+  int changes = 0;                                 ///< starts and ends of written ones in the current window
   std::vector<engine::MalfunctionChange> by_hand;  ///< since the last instant
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "support/reference/material.hpp"
+
 namespace symplant::reference {
 namespace {
 
@@ -35,6 +37,37 @@ void count_end(By by, Counters& counters) {
   if (by == By::scenario || by == By::hand) ++counters[Counted::stopped_by_hand];
   if (by == By::condition) ++counters[Counted::remedied];
   if (by == By::end) ++counters[Counted::lasted];
+}
+
+/// A start or an end of a written one.
+void count_change(World& world, std::uint32_t number) {
+  MalfunctionsWorld& all = world.malfunctions;
+  if (all.window < 0 || world.time - all.window >= tables::kMillisecond) {
+    all.window = world.time;
+    all.changes = 0;
+    for (MalfunctionWorld& each : all.written) each.changes = 0;
+  }
+  ++all.changes;
+  ++all.written[number].changes;
+}
+
+void freeze_loop(const Rules& rules, World& world, Counters& counters, std::vector<MalfunctionChange>& changes,
+                 InstantNotes& notes) {
+  constexpr int kMostChanges = 10'000;
+  constexpr int kChangesOfLoop = 3;
+  if (world.malfunctions.changes <= kMostChanges) return;
+  std::vector<std::uint32_t> loop;
+  for (std::uint32_t i = 0; i < world.malfunctions.written.size(); ++i) {
+    MalfunctionWorld& its = world.malfunctions.written[i];
+    if (its.frozen || its.changes < kChangesOfLoop) continue;
+    if (its.active) end_malfunction(rules, world, i, By::end, counters, changes);
+    its.frozen = true;
+    its.chance = tables::kNever;
+    its.wants_start = false;
+    loop.push_back(static_cast<std::uint32_t>(steppers(rules).end) + i);
+    ++counters[Counted::malfunction_frozen];
+  }
+  if (!loop.empty()) notes.loops.push_back(loop);
 }
 
 void flicker(const Rules& rules, World& world, std::uint32_t number, Counters& counters) {
@@ -130,7 +163,12 @@ void start_malfunction(const Rules& rules, World& world, std::uint32_t number, B
     return;
   }
   const MalfunctionRules it = malfunction_of(rules, number);
+  if (it.written != nullptr && world.malfunctions.written[number].frozen) {
+    ++counters[Counted::frozen_malfunction_started];
+    return;
+  }
   count_start(it, by, counters);
+  if (it.written != nullptr) count_change(world, number);
   world.malfunctions.active.push_back({number, world.time});
   if (it.written != nullptr) {
     MalfunctionWorld& its = world.malfunctions.written[number];
@@ -168,6 +206,7 @@ void end_malfunction(const Rules& rules, World& world, std::uint32_t number, By 
   if (!is_active(world, number)) return;
   const MalfunctionRules it = malfunction_of(rules, number);
   count_end(by, counters);
+  if (it.written != nullptr) count_change(world, number);
   std::erase_if(world.malfunctions.active, [&](const ActiveWorld& one) { return one.number == number; });
   if (it.written != nullptr) {
     MalfunctionWorld& its = world.malfunctions.written[number];
@@ -193,10 +232,12 @@ void end_malfunction(const Rules& rules, World& world, std::uint32_t number, By 
   changes.push_back({number, false, by});
 }
 
-std::vector<MalfunctionChange> begin_instant_of_malfunctions(const Rules& rules, World& world, Counters& counters) {
+std::vector<MalfunctionChange> begin_instant_of_malfunctions(const Rules& rules, World& world, Counters& counters,
+                                                             InstantNotes& notes) {
   std::vector<MalfunctionChange> changes;
   world.malfunctions.pending = false;
   for (std::uint32_t i = 0; i < world.malfunctions.written.size(); ++i) begin_one(rules, world, i, counters, changes);
+  freeze_loop(rules, world, counters, changes, notes);
   return changes;
 }
 
@@ -207,7 +248,7 @@ void end_instant_of_malfunctions(const Rules& rules, World& world, Counters& cou
     const bool truth = it.condition && holds(*it.condition, world);
     const bool begins = truth && !its.truth;
     its.truth = truth;
-    if (begins && !its.active) {
+    if (begins && !its.active && !its.frozen) {
       its.wants_start = its.by_condition_at != world.time;
       if (!its.wants_start) ++counters[Counted::started_once_at_a_time];
     }

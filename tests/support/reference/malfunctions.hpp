@@ -30,9 +30,9 @@ void start_malfunction(const Rules& rules, World& world, std::uint32_t number, e
                        Counters& counters, std::vector<engine::MalfunctionChange>& changes);
 void end_malfunction(const Rules& rules, World& world, std::uint32_t number, engine::MalfunctionChange::By by,
                      Counters& counters, std::vector<engine::MalfunctionChange>& changes);
-/// Before the rounds of an instant: what is due by itself.
+/// Before the rounds of an instant: what is due by itself; then a loop of them is frozen.
 std::vector<engine::MalfunctionChange> begin_instant_of_malfunctions(const Rules& rules, World& world,
-                                                                     Counters& counters);
+                                                                     Counters& counters, InstantNotes& notes);
 /// At the end of an instant: the conditions.
 void end_instant_of_malfunctions(const Rules& rules, World& world, Counters& counters);
 Time next_due_of_malfunctions(const World& world);

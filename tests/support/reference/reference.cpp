@@ -34,7 +34,8 @@ void pass(World& world, Time time) {
 void run_instant(const Rules& rules, World& world, bool sample, Counters& counters,
                  std::vector<InstantRecord>& instants) {
   const bool first = world.last_instant < 0;
-  const std::vector<engine::MalfunctionChange> changes = begin_instant_of_malfunctions(rules, world, counters);
+  InstantNotes notes = empty_notes(rules);
+  const std::vector<engine::MalfunctionChange> changes = begin_instant_of_malfunctions(rules, world, counters, notes);
   world.instant_pending = false;
   if (sample) {
     world.written_pending = false;
@@ -42,7 +43,6 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
       if (rules.is_operation(i)) world.symbols[i].value = world.symbols[i].written;
     }
   }
-  InstantNotes notes = empty_notes(rules);
   begin_instant_of_parts(rules, world, counters, notes);
   world.last_instant = world.time;
   run_rounds(rules, world, counters, notes);

@@ -142,5 +142,25 @@ TEST_CASE("The finding of a violated requirement names the active malfunctions")
   CHECK_FALSE(contains(without.found(), "malfunctions"));
 }
 
+TEST_CASE("A loop of malfunctions is one finding with their names, which may contain blanks") {
+  const FaultyTables tables(kAgvAndEye, R"({"name":"loose contact","force":{"L_P_PE_I_PART":true},"chance":"1ns"},
+                                           {"name":"calm","force":{"L_P_PE_I_PART":true}},
+                                           {"name":"blind","force":{"L_P_PE_I_PART":false},"chance":"1ns"})");
+  const trace::PlantNames names(tables.rows);
+  const trace::History history(names);
+  const std::uint32_t first = tables::first_malfunction_of_loop(tables.rows);
+  const trace::FoundThing both{0, tables::FindingKind::instantaneous_loop, {first, first + 2}};
+  CHECK(trace::name_of(both, names) == "blind, loose contact");
+  CHECK(trace::units_of(both, tables.rows).empty());
+  CHECK(
+      trace::finding_words(both, names, history) ==
+      "instantaneous loop: malfunctions blind, loose contact start and end without end within a millisecond, and stay "
+      "inactive until the run ends; check for times of almost 0, and for a `when` that names what the malfunction "
+      "changes");
+  const trace::FoundThing one{0, tables::FindingKind::instantaneous_loop, {first + 2}};
+  CHECK(contains(trace::finding_words(one, names, history),
+                 "malfunction blind starts and ends without end within a millisecond, and stays inactive"));
+}
+
 }  // namespace
 }  // namespace symplant::test
