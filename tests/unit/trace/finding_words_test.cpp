@@ -146,7 +146,7 @@ TEST_CASE("What a PLC refuses is reported with the request, its address and the 
   using Side = tables::Refusal::Side;
   const BenchTables tables(kAgv);
   trace::PlantNames names(tables.rows);
-  names.name_links({{"PLC1", ""}});
+  names.name_links({{"PLC1", "", ""}});
   const trace::History history(names);
   const auto words = [&](tables::FindingKind kind, std::uint32_t of, const tables::Refusal& refusal) {
     return trace::finding_words({0, kind, {of}, tables::pack(refusal)}, names, history);
@@ -172,7 +172,7 @@ TEST_CASE("Times are printed exactly, without trailing zeros") {
 /// The words of a finding of a link.
 std::string link_words(const BenchTables& tables, tables::FindingKind kind, std::uint32_t of, std::uint64_t value) {
   trace::PlantNames names(tables.rows);
-  names.name_links({{"modbus-tcp-server://127.0.0.1:1502", ""}});
+  names.name_links({{"modbus-tcp-server://127.0.0.1:1502", "", ""}});
   const trace::History history(names);
   return trace::finding_words({0, kind, {of}, value}, names, history);
 }

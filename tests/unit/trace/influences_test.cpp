@@ -65,7 +65,7 @@ class Found {
   }
   /// The words of a loss of the link with this index.
   std::string loss(std::uint32_t link) {
-    names_.name_links({{"link 1", "no request; check whether the PLC runs", 0}});
+    names_.name_links({{"link 1", "no request; check whether the PLC runs", "", 0}});
     return trace::finding_words({0, tables::FindingKind::link_lost, {link}}, names_, history_);
   }
 
