@@ -25,4 +25,4 @@ grep -q '^expectations: 54 held, 0 failed' "$work/shift.compiled.log" || fail "t
 grep -q '^requirements: 12 held, 0 violated' "$work/shift.compiled.log" || fail "a requirement is not looked at"
 grep -q '^findings' "$work/shift.compiled.log" && fail "the shift has findings"
 run jammed 1
-grep -qF 'FT_C2_PART_I_END has been on since 5.6 s, forced in line 6' "$work/jammed.compiled.log" || fail "the force is not named"
+grep -qF 'FT_C2_PART_I_END has been off (bit 1) since 5.6 s, forced in line 6' "$work/jammed.compiled.log" || fail "the force is not named"

@@ -253,14 +253,6 @@ symplant_planted_bug(engine frozen_malfunction_starts_again
   "  if (numbers_.is_written(number) && states_[number].frozen != 0) return true;"
   "  if (!BUG && numbers_.is_written(number) && states_[number].frozen != 0) return true;")
 
-symplant_planted_bug(engine frozen_malfunction_has_its_chance
-  "    state.due = tables::kNever;
-    state.wishes = 0;
-    any = true;"
-  "    if (!BUG) state.due = tables::kNever;
-    state.wishes = 0;
-    any = true;")
-
 symplant_planted_bug(engine loop_without_its_inactive_members
   "    if (state.frozen != 0 || state.counted < kLeastOfLoop) continue;"
   "    if (state.frozen != 0 || state.counted < kLeastOfLoop || (BUG && state.active == 0)) continue;")

@@ -209,16 +209,22 @@ class ScenarioDrawer {
     }
   }
 
+  /// A condition that only the first instants of the present time meet may be waited for twice: both waits are met
+  /// then.
   void wait() {
-    Step step;
-    step.when = When::wait;
-    step.wait = condition_before_a_further_instant();
-    if (step.wait.empty()) step.wait = some_condition();
-    if (step.wait.empty()) return;
-    if (dice_.percent(75)) step.time = wait_time(step);
-    // Without `fails_` every wait is met.
-    if (fails_ == 0 && !would_hold(step)) return;
-    take(std::move(step), earliest_);
+    const std::string passing = condition_before_a_further_instant();
+    const std::string condition = passing.empty() ? some_condition() : passing;
+    if (condition.empty()) return;
+    const int waits = !passing.empty() && dice_.percent(50) ? 2 : 1;
+    for (int i = 0; i < waits; ++i) {
+      Step step;
+      step.when = When::wait;
+      step.wait = condition;
+      if (dice_.percent(75)) step.time = wait_time(step);
+      // Without `fails_` every wait is met.
+      if (fails_ == 0 && !would_hold(step)) return;
+      take(std::move(step), earliest_);
+    }
   }
 
   /// Long, short, exactly enough, or one nanosecond too short.
