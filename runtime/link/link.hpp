@@ -37,7 +37,7 @@ struct LinkStatus {
 
 /// What a link finds about its PLC.
 struct LinkFinding {
-  tables::FindingKind kind;
+  tables::FindingKind kind = {};
   std::uint32_t symbol = tables::kNone;  ///< tables::kNone: the finding is of the link
   std::uint64_t value = 0;               ///< as trace::Record::value
 };

@@ -93,6 +93,7 @@ class RequestList {
     if (parts.empty()) return false;
     const auto at = entries_.begin() + static_cast<std::ptrdiff_t>(i);
     std::vector<Entry> entries;
+    entries.reserve(parts.size());
     for (Request& part : parts) entries.push_back({std::move(part), retry});
     entries_.insert(entries_.erase(at), std::make_move_iterator(entries.begin()),
                     std::make_move_iterator(entries.end()));

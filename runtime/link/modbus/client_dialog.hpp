@@ -53,8 +53,8 @@ class ModbusDialog final : public client::Dialog {
   using Items = std::vector<AddressRange>;
   /// The two tables of one direction: what is mapped in each area, and the requests that read it.
   struct Direction {
-    Table bits;
-    Table numbers;
+    Table bits = Table::coil;
+    Table numbers = Table::holding_register;
     std::array<Items, kAreas> items = {};
     client::RequestList<ClientRequest> requests = {};
   };
