@@ -16,7 +16,6 @@ namespace symplant::link::slmp {
 using client::Answer;
 using client::Fault;
 using client::Identity;
-using client::LaneChange;
 
 namespace {
 
