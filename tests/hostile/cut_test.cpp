@@ -37,7 +37,7 @@ std::vector<int> cut(const std::string& name, const std::string& content) {
   return codes;
 }
 
-TEST_CASE("A list cut anywhere is read to the cut or rejected; a rejected list leaves no output") {
+TEST_CASE("A list cut anywhere is read to the cut or rejected, a rejected list leaves no output") {
   const std::vector<int> codes = cut("symbols.csv", good_list());
   CHECK(codes[0] > 100);
   CHECK(codes[2] > 10);

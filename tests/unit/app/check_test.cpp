@@ -39,14 +39,17 @@ TEST_CASE("check: An unreadable file gives exit code 2 with its name, for every 
   }
 }
 
-TEST_CASE("A list without I/O or without a device is an error of check; signals without a device can still be served") {
+TEST_CASE("A list without I/O or without a device is an error of check, signals without a device can still be served") {
   MemoryFileSystem files;
   files.files["no_io.csv"] = list_text({{"Start"}, {"Stop"}, {"Pi", "", "REAL", "3.1", "", "VAR_GLOBAL_CONSTANT"}});
   files.files["no_device.csv"] =
       list_text({{"Start", "X1"}, {"Lamp", "Y1"}, {"L_P_TANK_I_LEVEL", "", "INT", "0", "%IW9"}});
   const auto says = [](const std::string& text, const std::string& list) {
-    return list == "no_io.csv" ? contains(text, "none of 3 rows is I/O: 2 have no address and no direction")
-                               : contains(text, "none of 3 I/O symbols is in a device: 2 names have another number");
+    return list == "no_io.csv"
+               ? contains(text, "none of 3 rows is I/O: constants (1), no address and no direction in the name (2)")
+               : contains(text,
+                          "none of 3 I/O symbols is in a device of the naming rule `LINE_PROC_DEV_I|O_TASK`: 2 named "
+                          "otherwise, 1 numeric");
   };
   for (const std::string list : {"no_io.csv", "no_device.csv"}) {
     INFO(list);
@@ -304,7 +307,7 @@ TEST_CASE("check: An unknown rule, or one that cannot be ignored, is a usage err
   CHECK(contains(binding.err, "`event-driven-twice` cannot be ignored"));
 }
 
-TEST_CASE("check and explain: A former slug works, with one warning; what was removed has no effect") {
+TEST_CASE("check and explain: A former slug works, with one warning, what was removed has no effect") {
   const ToolRun run = run_lists({"check", "clean.csv", "--select", "nobody-moves", "--ignore", "nobody-moves,SP5"});
   CHECK(run.code == 0);
   CHECK(run.err == "warning: the rule `SP5` no longer exists\nwarning: `nobody-moves` is now `event-not-driven`\n");

@@ -70,7 +70,7 @@ TEST_CASE("Depfiles escape blanks, hashes, dollars and backslashes") {
   CHECK(app::depfile("a b", {"c#d", "e$f"}) == "a\\ b: \\\n  c\\#d \\\n  e$$f\n");
 }
 
-TEST_CASE("generate --check: The exit code is 1 if a file is missing or differs, else 0; nothing is written") {
+TEST_CASE("generate --check: The exit code is 1 if a file is missing or differs, else 0, nothing is written") {
   MemoryFileSystem files = lists();
   const std::size_t before = files.files.size();
   const ToolRun missing = run_tool({"generate", "excell.csv", "-o", "out", "--check"}, files);

@@ -74,7 +74,7 @@ TEST_CASE("A plant.json is recognized by its content too, in UTF-16 and UTF-8") 
   }
 }
 
-TEST_CASE("Options of one list apply to that list only; command line options fill the gaps") {
+TEST_CASE("Options of one list apply to that list only, command line options fill the gaps") {
   MemoryFileSystem files = lists();
   files.files["p.json"] = R"({"symplant": 1, "symbols": [{"file": "excell.csv", "xy": "octal"}]})";
   CHECK(contains(run_tool({"check", "--verbose", "p.json"}, files).err, "count in"));

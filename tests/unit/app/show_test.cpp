@@ -99,7 +99,7 @@ TEST_CASE("model and map: An error or an unreadable list gives exit code 2, a wa
   }
 }
 
-TEST_CASE("model -o: A file is written; an unwritable file gives exit code 3") {
+TEST_CASE("model -o: A file is written, an unwritable file gives exit code 3") {
   MemoryFileSystem files = lists();
   CHECK(run_tool({"model", "excell.csv", "--format", "json", "-o", "model.json"}, files).out.empty());
   CHECK(json::parse(files.files["model.json"]).at("plant") == "excell");

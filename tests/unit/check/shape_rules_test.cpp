@@ -38,7 +38,7 @@ TEST_CASE("A gap is one or a few missing numbers among regular steps") {
   CHECK(subject(device_with({"P1", "P2", "P99999999999999999999999999"}), "sequence-gap") == 0);
 }
 
-TEST_CASE("A number repeats if one pair has it; more pairs count sensors") {
+TEST_CASE("A number repeats if one pair has it, more pairs count sensors") {
   CHECK(subject(device_with({"HOME1", "JOB2", "DONE2"}), "sequence-repeated") == 1);
   CHECK(subject(device_with({"HOME1", "JOB1", "DONE2"}), "sequence-repeated") == 1);
   CHECK(subject(device_with({"HOME1", "JOB2", "DONE3"}), "sequence-repeated") == 0);

@@ -25,7 +25,7 @@ TEST_CASE("A double `not` cancels") {
   CHECK(parsed("not (not a)") == "(not (not a))");
 }
 
-TEST_CASE("Keywords ignore case; a name that equals one is in quotes or after a dot") {
+TEST_CASE("Keywords ignore case, a name that equals one is in quotes or after a dot") {
   CHECK(parsed("NOT a And b OR c") == "(or (and (not a) b) c)");
   CHECK(parsed("'not' and 'AND'") == "(and not AND)");
   CHECK(parsed("D.OR or D.not") == "(or D.OR D.not)");

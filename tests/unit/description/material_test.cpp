@@ -87,7 +87,7 @@ TEST_CASE("An invalid, a too fine and a too long length have different messages"
   CHECK(length_fault("300") == "expected a length such as `300 mm`, but found the number `300`");
 }
 
-TEST_CASE("A speed is a whole number of micrometers per second; one in m/min is rounded down") {
+TEST_CASE("A speed is a whole number of micrometers per second, one in m/min is rounded down") {
   CHECK(um_per_s("0.4 m/s") == 400'000);
   CHECK(um_per_s("400mm/s") == 400'000);
   CHECK(um_per_s("24 m/min") == 400'000);

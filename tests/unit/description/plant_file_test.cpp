@@ -60,7 +60,7 @@ std::string takes_fault(const std::string& value) {
   return fault.substr(where.size());
 }
 
-TEST_CASE("Two keys make a plant: version and lists; its name is that of the file") {
+TEST_CASE("Two keys make a plant: version and lists, its name is that of the file") {
   const description::PlantFile file = sound("");
   CHECK(file.name == "stem");
   REQUIRE(file.symbols.size() == 1);

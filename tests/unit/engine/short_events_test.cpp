@@ -40,7 +40,7 @@ TEST_CASE("Events of other words, and events that never rose, are not short") {
   CHECK(record.events.fell(0, 0b100, 101, 10) == 0);
 }
 
-TEST_CASE("Several rises of one word are all remembered; of one event the last counts") {
+TEST_CASE("Several rises of one word are all remembered, of one event the last counts") {
   Record record(1);
   record.events.rose(0, 0b001, 100);
   record.events.rose(0, 0b010, 105);

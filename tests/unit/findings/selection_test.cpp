@@ -88,7 +88,7 @@ TEST_CASE("An unknown word is rejected with the nearest one") {
         "a rule is missing next to a comma: write ids, slugs or beginnings of ids, such as SP4");
 }
 
-TEST_CASE("Hidden findings are counted by option; those that plant.json ignores by rule") {
+TEST_CASE("Hidden findings are counted by option, those that plant.json ignores by rule") {
   description::Description description;
   description.check.ignore = {{"SP402", "", "later", ""}};
   const Analysed list =

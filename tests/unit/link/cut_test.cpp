@@ -4,7 +4,7 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("A cut link closes its connections and answers nothing; afterwards it works again") {
+TEST_CASE("A cut link closes its connections and answers nothing, afterwards it works again") {
   LossBench bench;
   bench.write_coil(0, true);
   bench.cycle();

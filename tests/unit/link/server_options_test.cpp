@@ -157,7 +157,7 @@ TEST_CASE("Clients closed for lack of room are counted, those that disconnect ar
   CHECK(bench.server.crowded_out() == 1);
 }
 
-TEST_CASE("A client on the keep list is never closed for another; if all are kept the new one is closed") {
+TEST_CASE("A client on the keep list is never closed for another, if all are kept the new one is closed") {
   const EchoServer bench({.connections = 2, .keep = {"10.1.2.3", "127.0.0.1"}});
   RawClient first(bench.port);
   RawClient second(bench.port);

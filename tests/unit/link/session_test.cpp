@@ -158,7 +158,7 @@ TEST_CASE("One difference of an event is corrected and not reported") {
   CHECK(bench.found.empty());
 }
 
-TEST_CASE("An event that the PLC refuses is left out, reported, and tried again; the others are written") {
+TEST_CASE("An event that the PLC refuses is left out, reported, and tried again, the others are written") {
   SessionBench bench(kDefaults.front());
   bench.plc.refused = 2;
   bench.plc.inputs = 0xF;

@@ -52,7 +52,7 @@ Tree all_of(const model::PlantModel& plant, const std::vector<std::string>& name
   return tree;
 }
 
-TEST_CASE("The conditions of a unit are adjacent, in the model's order; then come those of requirements") {
+TEST_CASE("The conditions of a unit are adjacent, in the model's order, then come those of requirements") {
   model::PlantModel plant = three_devices();
   plant.units[0].conditions = {settled(1, 1), !settled(2, 0)};
   plant.units[2].conditions = {moving(0)};
@@ -194,7 +194,7 @@ TEST_CASE("A condition of many inputs is a network whose inner tables come after
   }
 }
 
-TEST_CASE("A watched unit, and one with conditions, takes the general path; one whose bits are watched does not") {
+TEST_CASE("A watched unit, and one with conditions, takes the general path, one whose bits are watched does not") {
   model::PlantModel plant = three_devices();
   plant.units[0].conditions = {settled(1, 1), bit(symbol_of(plant, "L_P_D3_I_A1"))};
   const EngineTables tables = lower::lower(plant);

@@ -73,7 +73,7 @@ TEST_CASE("Units that differ in once, when, outputs, or the name of their class 
   CHECK(lower::lower(same).types.size() == 1);
 }
 
-TEST_CASE("l_enter and l_leave switch the state's own event, then the outputs; the later of two wins") {
+TEST_CASE("l_enter and l_leave switch the state's own event, then the outputs, the later of two wins") {
   model::PlantModel plant = model_of({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "L_P_D_I_BUSY3"});
   model::Unit& unit = plant.units[0];
   unit.states.pop_back();  // BUSY3 is only an event
@@ -182,7 +182,7 @@ TEST_CASE("The time of a move without a transition counts only where there can b
   CHECK(tables.times[tables.units[1].times].takes == 5);
 }
 
-TEST_CASE("A transition is timed if it waits or draws in some unit of its type; a travel alone is not") {
+TEST_CASE("A transition is timed if it waits or draws in some unit of its type, a travel alone is not") {
   model::PlantModel plant = devices(3);
   plant.units[2].transitions[1].after = Duration::fixed(3);
   const EngineTables waits = lower::lower(plant);
@@ -197,7 +197,7 @@ TEST_CASE("A transition is timed if it waits or draws in some unit of its type; 
   CHECK(transition(lower::lower(plant), 0, 1).timed);
 }
 
-TEST_CASE("Disables are sorted by disabling unit, state and disabled unit; both units take the general path") {
+TEST_CASE("Disables are sorted by disabling unit, state and disabled unit, both units take the general path") {
   model::PlantModel plant = devices(5);
   plant.units[3].disables = {{0, 1}, {}};
   plant.units[1].disables = {{2}, {0, 3}};
@@ -209,7 +209,7 @@ TEST_CASE("Disables are sorted by disabling unit, state and disabled unit; both 
   CHECK(tables.units[4].general == 0);
 }
 
-TEST_CASE("A unit with a behavior shares its type only with equal units; classes of one name are one") {
+TEST_CASE("A unit with a behavior shares its type only with equal units, classes of one name are one") {
   model::PlantModel plant = devices(5);
   std::array<description::DeviceDescription, 2> described;
   described[0].behaviour = "MyStopper";

@@ -60,7 +60,7 @@ TEST_CASE("Bits are packed: units share words if they fit, and unmodelled symbol
   CHECK(more.tables().units.back().event_bit == 64);
 }
 
-TEST_CASE("Planes are whole words; a plant without symbols of a kind has no such plane") {
+TEST_CASE("Planes are whole words, a plant without symbols of a kind has no such plane") {
   const CompiledText text = compile_rows({{"LEVEL", "", "INT", "0", "%IW1"}, {"SPEED", "", "WORD", "7", "%QW1"}});
   CHECK(text.tables().operation_bits == 0);
   CHECK(text.tables().event_bits == 0);

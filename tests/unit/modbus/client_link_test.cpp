@@ -199,7 +199,7 @@ TEST_CASE("A server plant and a client plant exchange their signals") {
   CHECK_THAT(client.messages(), ContainsSubstring("armed: the PLC is `symplant"));
 }
 
-TEST_CASE("A cut Modbus client sends nothing and is lost; afterwards it connects again by itself") {
+TEST_CASE("A cut Modbus client sends nothing and is lost, afterwards it connects again by itself") {
   ModbusPlc plc(cell_setup(coil_input, coil_output));
   LinkedCell cell(url_of(plc, "events=coils:100"), armed(), test::kGetsLost);
   CHECK(finishes_rounds(plc, 1));

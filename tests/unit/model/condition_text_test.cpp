@@ -99,7 +99,7 @@ TEST_CASE("Conditions about parts are written as they are read, with quotes wher
   CHECK(reader.again("CV1.parts > 1e30") == "CV1.parts < 0");
 }
 
-TEST_CASE("A condition without source text says so; a long text is cut between characters") {
+TEST_CASE("A condition without source text says so, a long text is cut between characters") {
   const Analysed analysed = hostile();
   Tree always;
   always.value = true;

@@ -238,7 +238,7 @@ TEST_CASE("Several events with Initial TRUE do not count, with a warning") {
   CHECK(initial_text(unit_of(analyse_bits({"L_P_D_O_ADV", "L_P_D_I_ADV*", "L_P_D_I_RET*"}))) == "RET");
 }
 
-TEST_CASE("An operation's Initial TRUE does not affect the initial state; a note reports that it starts off") {
+TEST_CASE("An operation's Initial TRUE does not affect the initial state, a note reports that it starts off") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2*", "L_P_D_I_B2"});
   CHECK(initial_text(unit_of(list)) == "A1");
   CHECK(list.fired() == "operation-initial-ignored");

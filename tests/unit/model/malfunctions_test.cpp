@@ -32,7 +32,7 @@ std::string units_text(const std::string& malfunctions) {
   return text;
 }
 
-TEST_CASE("A malfunction names devices and patterns; each device is in it once") {
+TEST_CASE("A malfunction names devices and patterns, each device is in it once") {
   CHECK(units_text(R"({"name": "m", "of": "s_10_cl1", "slower": 2})") == "S_10_CL1");
   CHECK(units_text(R"({"name": "m", "of": "S_10_CL?", "stuck": true})") == "S_10_CL1 S_10_CL2");
   CHECK(units_text(R"({"name": "m", "of": ["S_10_CL2", "S_10_CL*", "S_10_CL1"], "stuck": true})") ==
@@ -47,7 +47,7 @@ TEST_CASE("A device that does not exist is an error, a pattern that matches none
   CHECK(warnings_of(R"({"name": "m", "of": ["X*"], "stuck": true})") == "/malfunctions/0/of/0: `X*` matches no device");
 }
 
-TEST_CASE("A state that a named device lacks is an error; devices of a pattern that lack it are left out") {
+TEST_CASE("A state that a named device lacks is an error, devices of a pattern that lack it are left out") {
   CHECK(faults_of(R"({"name": "m", "of": "S_10_CL1", "stuck": "OPNE"})") ==
         "/malfunctions/0/stuck: state `OPNE` of `S_10_CL1` not found; did you mean `OPEN`?");
   CHECK(contains(faults_of(R"({"name": "m", "of": "*", "stuck": "HALF"})"), "/malfunctions/0/stuck: state `HALF`"));

@@ -52,7 +52,7 @@ TEST_CASE("Kinds have different names, none of them reserved") {
         "/material/kinds/Part: `Part` is a reserved word; choose another name");
 }
 
-TEST_CASE("Only the last drive has no `until`; the others are in order within the track") {
+TEST_CASE("Only the last drive has no `until`, the others are in order within the track") {
   const std::string drive = R"("forward": "S_10_CV1.RUN", "speed": "1 m/s"})";
   CHECK(drives_faults(R"({"until": "1 m", )" + drive + ", {" + drive) == "");
   CHECK(drives_faults(R"({"until": "3 m", )" + drive) ==
@@ -123,7 +123,7 @@ TEST_CASE("A location is a track, a position on a track, or a place") {
   CHECK(from("out") == here + "`out` is only a target of transfers and of the ends of tracks; name a track or a place");
 }
 
-TEST_CASE("A target is a location or `out`; the end of a track names no position") {
+TEST_CASE("A target is a location or `out`, the end of a track names no position") {
   CHECK(line_faults(R"("transfers": [{"name": "n", "from": "P", "to": "out@1 m"}])") ==
         "/material/transfers/0/to: `out` has no positions; remove `@` and the position");
   CHECK(track_faults(R"("end": "T@1 m")") ==

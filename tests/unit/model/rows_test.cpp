@@ -105,7 +105,7 @@ TEST_CASE("A symbol whose name breaks the rule is served and in no unit") {
   CHECK(list.model().units.size() == 1);
 }
 
-TEST_CASE("The first of two rows with one name counts; the second is a warning if address and type agree") {
+TEST_CASE("The first of two rows with one name counts, the second is a warning if address and type agree") {
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X1"}, {"l_p_d_i_a", "X1", "bool"}});
   CHECK(list.model().symbols.size() == 1);
   CHECK(list.count("duplicate-symbol") == 1);

@@ -200,7 +200,7 @@ TEST_CASE("A disabled unit stays disabled after a manual move") {
   CHECK(plant.state("ARM") == "B2->A1");  // the new state counts at once, and so does the command
 }
 
-TEST_CASE("Before an instant nothing has changed; actions at that time belong to that instant") {
+TEST_CASE("Before an instant nothing has changed, actions at that time belong to that instant") {
   BenchPlant plant(hall());
   plant.to(0).set("AGV_O_P2", 1).to(0).set("AGV_O_P2", 0).to(1).changes();
   plant.before(1000);

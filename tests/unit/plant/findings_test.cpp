@@ -39,7 +39,7 @@ TEST_CASE("A finding is raised when it becomes true, and again after it was not"
   CHECK(plant.findings() == "4:lost AGV_O_P2 5:conflicting AGV");
 }
 
-TEST_CASE("A full ring keeps the oldest findings and counts the rest; the observer receives all") {
+TEST_CASE("A full ring keeps the oldest findings and counts the rest, the observer receives all") {
   const BenchTables tables(kTwoAgvs);
   BenchPlant plant(tables);
   plant.to(0).set("AGV_O_P1", 1).to(0);
@@ -118,7 +118,7 @@ TEST_CASE("A loop is reported unit by unit and frozen, and the rest of the plant
   CHECK(plant.findings() == "");
 }
 
-TEST_CASE("A frozen unit stays frozen after a manual move; a reset unfreezes it") {
+TEST_CASE("A frozen unit stays frozen after a manual move, a reset unfreezes it") {
   BenchPlant plant(loops());
   plant.to(0);
   plant.input("GO", 1);

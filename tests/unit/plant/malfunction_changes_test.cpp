@@ -64,7 +64,7 @@ TEST_CASE("A malfunction that makes its condition false and true again starts on
   CHECK(plant.changes() == "2000:PE_I_PART=0 2000:PE_I_PART=1 2000:PE_I_PART=0");
 }
 
-TEST_CASE("Starting an active malfunction and stopping another one do nothing; an unknown number is refused") {
+TEST_CASE("Starting an active malfunction and stopping another one do nothing, an unknown number is refused") {
   const FaultyTables tables(kFaultyHall, R"({"name":"blind","force":{"L_P_PE_I_PART":true}})");
   BenchPlant plant(tables);
   plant.to(1000);
@@ -115,7 +115,7 @@ TEST_CASE("No more than 64 ordinary malfunctions are active") {
   CHECK(plant.plant.active_malfunctions().size() == 65);
 }
 
-TEST_CASE("A plant restored from a block has its malfunctions; one without them ignores that they exist") {
+TEST_CASE("A plant restored from a block has its malfunctions, one without them ignores that they exist") {
   const FaultyTables tables(kFaultyHall, R"({"name":"slow","of":"L_P_AGV","slower":3,"lasts":{"min":"1s","max":"9s"}},
                                       {"name":"loose","flicker":{"symbol":"L_P_PE_I_PART",
                                        "every":{"min":"1s","max":"5s"},"for":"80ms"},"chance":{"mean":"3s","sigma":"1s"}})");

@@ -54,7 +54,7 @@ TEST_CASE("The default travel time and the return of a spring are longer, too") 
   CHECK(plant.state("CYL") == "RET");
 }
 
-TEST_CASE("A stuck device is disabled; a command to it is reported, and its start afterwards is not") {
+TEST_CASE("A stuck device is disabled, a command to it is reported, and its start afterwards is not") {
   const FaultyTables tables(kHall, R"({"name":"jam","of":"L_P_AGV","stuck":true})");
   BenchPlant plant(tables);
   plant.to(0).start("jam").set("AGV_O_P2", 1).to(1000);
@@ -114,7 +114,7 @@ TEST_CASE("A forced operation keeps what the PLC writes until the malfunction en
   CHECK(plant.state("AGV") == "P1->P2");
 }
 
-TEST_CASE("Numbers and all symbols on an address are forced; an inverted bit shows the value as it is written") {
+TEST_CASE("Numbers and all symbols on an address are forced, an inverted bit shows the value as it is written") {
   std::vector<Row> rows = bits({"L_P_AGV_I_P1", "L_P_AGV_I_P2", "L_P_AGV_O_P2"});
   rows.push_back({"LEFT", "", "BOOL", "FALSE", "%IX101"});
   rows.push_back({"RIGHT", "", "BOOL", "FALSE", "%IX101"});

@@ -78,7 +78,7 @@ TEST_CASE("10,000 starts and ends within each millisecond are no loop") {
   CHECK(plant.findings().empty());
 }
 
-TEST_CASE("A saved plant continues to count starts and ends; its hash shows that a malfunction is frozen") {
+TEST_CASE("A saved plant continues to count starts and ends, its hash shows that a malfunction is frozen") {
   const FaultyTables tables(kEye, R"({"name":"noise","force":{"L_P_EYE_I_PART":true},"chance":"90ns","lasts":"90ns"})");
   BenchPlant plant(tables);
   plant.plant.advance_to(kMs / 2);

@@ -54,7 +54,7 @@ TEST_CASE("A force on an inverted symbol is a bit") {
   CHECK(bench.changes() == "0:A_I_P1=1");
 }
 
-TEST_CASE("An inverted event that is no state starts with its Initial as a bit; outputs switch its level") {
+TEST_CASE("An inverted event that is no state starts with its Initial as a bit, outputs switch its level") {
   Said said = inverting({"L_P_A_I_BUSY", "L_P_A_I_FREE"});
   said.device("L_P_A").outputs = {{"P2", {{"BUSY", true}, {"FREE", false}}, {}}};
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2", "A_I_BUSY*", "A_I_FREE"}, said);

@@ -88,7 +88,7 @@ TEST_CASE("A wait is met at the last instant of its time, and later steps count 
   CHECK(missed.end() == "2 failed at 999, 3 held at 1009, 0:CYL_O_ADV=1 1000:CYL_I_ADV=1");
 }
 
-TEST_CASE("A wait without `within` waits ten seconds; one that holds already is met at once") {
+TEST_CASE("A wait without `within` waits ten seconds, one that holds already is met at once") {
   CHECK(Scene().wait("ADV").end() == "1 failed at 10000, 0:CYL_I_RET=1");
   CHECK(Scene().wait("RET").end() == "1 held at 0, 0:CYL_I_RET=1");
 }
@@ -99,7 +99,7 @@ TEST_CASE("An `at` that is past because of a wait acts at once") {
   CHECK(scene.end() == "2 held at 1000, 0:CYL_O_ADV=1 1000:CYL_I_ADV=1 1000:CYL_O_RET=1");
 }
 
-TEST_CASE("A step after `--until` has failed; a step due at that time belongs to the run") {
+TEST_CASE("A step after `--until` has failed, a step due at that time belongs to the run") {
   Scene scene(1000 * kMs);
   scene.set(When::at, 0, "CYL_O_ADV").expect(When::at, 1000, "CYL_I_ADV", true);
   scene.expect(When::at, 1001, "CYL_I_ADV", true).wait("RET");

@@ -50,7 +50,7 @@ TEST_CASE("The seed decides which of the ready automatic transitions with a weig
   for (const std::string state : {"S2", "S3", "S4"}) CHECK(all.find(state) != std::string::npos);
 }
 
-TEST_CASE("Only ready transitions with a weight take part; the first ready one counts the draw") {
+TEST_CASE("Only ready transitions with a weight take part, the first ready one counts the draw") {
   Said said = chances({5, 5, 5});
   said.device("L_P_A").transitions[0].when = "L_P_B.ON";
   std::vector<std::string> names = kStates;

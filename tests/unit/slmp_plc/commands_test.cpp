@@ -131,7 +131,7 @@ TEST_CASE("Numbers of X and Y are hex in ASCII, on FX5 octal") {
   CHECK(plc.end_code(Request(kRead, 1, Code::ascii).text("X*000008").number(1, 2)) == kNotHex);
 }
 
-TEST_CASE("The model is 16 characters and a code; a loopback returns its text") {
+TEST_CASE("The model is 16 characters and a code, a loopback returns its text") {
   Plc plc;
   const Bytes model = plc.data(Request(kReadModel, 0));
   REQUIRE(model.size() == 18);

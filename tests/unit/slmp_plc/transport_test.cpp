@@ -108,7 +108,7 @@ TEST_CASE("A datagram that is not one whole request gets no reply") {
   CHECK(plc.log().violations().size() == 2);
 }
 
-TEST_CASE("A silent PLC executes nothing; a second 3E request meanwhile is a violation") {
+TEST_CASE("A silent PLC executes nothing, a second 3E request meanwhile is a violation") {
   SlmpPlc plc;
   plc.set_silent(true);
   const WireClient client(plc.port());
@@ -145,7 +145,7 @@ TEST_CASE("The PLC closes connections, refuses them, and serves again on the sam
   CHECK(plc.log().violations().empty());
 }
 
-TEST_CASE("A connection above the most is reset; one after a close is not") {
+TEST_CASE("A connection above the most is reset, one after a close is not") {
   SlmpPlc plc({.most_connections = 2});
   plc.memory().set_word("D", 0, 0x1234);
   {

@@ -7,7 +7,7 @@
 
 namespace symplant::text {
 
-TEST_CASE("Text that a spreadsheet would run is a formula; numbers and lone signs are not") {
+TEST_CASE("Text that a spreadsheet would run is a formula, numbers and lone signs are not") {
   for (const char* cell :
        {"=1+1", "+A1", "-A1", "@SUM(A1)", "=", "@", "\t=1", "\n=1", "-1+1", "+1.", "1=", "＝1+1", "－a"}) {
     INFO(cell);

@@ -45,7 +45,7 @@ struct Tables {
   }
 };
 
-TEST_CASE("Every variable has its scope, its type and its width; names and states cannot break a reader") {
+TEST_CASE("Every variable has its scope, its type and its width, names and states cannot break a reader") {
   const Tables tables;
   const trace::PlantNames names(tables.rows);
   trace::History history(names);
