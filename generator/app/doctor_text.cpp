@@ -56,8 +56,8 @@ std::string doctor_text(const Report& report, const tables::PlantTables& tables,
     const tables::SymbolRow& symbol = tables.symbols[point.symbol];
     fmt::format_to(out, "{:<8} {} {}{}{}{}{}\n", result_name(point.result), direction_name(symbol),
                    diag::visible(name_of(texts, point.symbol)), point.address.empty() ? "" : " at " + point.address,
-                   point.value ? " is " + trace::value_text(symbol, *point.value) : "",
-                   point.text.empty() ? "" : ": ", diag::visible(point.text));
+                   point.value ? " is " + trace::value_text(symbol, *point.value) : "", point.text.empty() ? "" : ": ",
+                   diag::visible(point.text));
   }
   return text;
 }

@@ -89,7 +89,8 @@ void show(const MapOptions& options, Context& context) {
 
 void add_map(CLI::App& app, Context& context) {
   auto options = std::make_shared<MapOptions>();
-  CLI::App* command = app.add_subcommand("map", "Show the address of each I/O symbol on a link, and what drives it or what it drives");
+  CLI::App* command =
+      app.add_subcommand("map", "Show the address of each I/O symbol on a link, and what drives it or what it drives");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   command->add_option("--link", options->links,
                       "[CONTROLLER=]URL: the map of this link only; of a link that goes to a PLC the devices there");
