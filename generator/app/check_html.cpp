@@ -73,7 +73,7 @@ int shade(const score::Counts& counts) {
   return std::min(kShades - 1, static_cast<int>(share * kShades / 100));
 }
 
-std::string stations_html(const model::PlantModel& plant, const score::Score& score) {
+std::string stations_html(const model::PlantModel& plant, const score::PlantScore& score) {
   const std::vector<score::Part> stations = score::parts_of(plant, score, score::Level::station);
   if (stations.size() < 2) return "";
   std::string html =
@@ -98,17 +98,18 @@ struct Repair {
   std::string html;
 };
 
-std::string repairs_html(const model::PlantModel& plant, const score::Score& score, const diag::Diagnostics& findings) {
+std::string repairs_html(const model::PlantModel& plant, const score::PlantScore& score,
+                         const diag::Diagnostics& findings) {
   std::vector<Repair> repairs;
   for (const diag::Diagnostic& finding : findings.all()) {
     if (finding.severity == diag::Severity::note) continue;
     repairs.push_back({finding.count + finding.shown_consequences, message_html(finding.message)});
   }
-  if (plant.reader != nullptr) {  // under the built-in rule each of these symbols has a finding
+  if (plant.levels() == nullptr) {  // where names have levels, each of these symbols has a finding
     for (const score::Shape& shape : score::left_over_shapes(plant, score)) {
       repairs.push_back(
           {shape.count, fmt::format("Symbols like <code>{}</code> {}: extend the naming rule",
-                                    diag::markup_text(shape.text), message_html(reason_text(shape.verdict)))});
+                                    diag::markup_text(shape.text), message_html(reason_text(shape.account)))});
     }
   }
   if (repairs.empty()) return "";
@@ -155,7 +156,7 @@ std::string findings_html(const diag::Diagnostics& findings) {
 
 }  // namespace
 
-void CheckPage::add(const std::string& file, const model::PlantModel& plant, const score::Score& score,
+void CheckPage::add(const std::string& file, const model::PlantModel& plant, const score::PlantScore& score,
                     const diag::Diagnostics& findings) {
   const score::Counts& total = score.total;
   body_ += fmt::format("<h1>{}</h1>\n", diag::markup_text(file));

@@ -15,7 +15,7 @@ namespace symplant::app {
 class CheckPage {
  public:
   /// A plant that could be read. O(symbols + findings).
-  void add(const std::string& file, const model::PlantModel& plant, const score::Score& score,
+  void add(const std::string& file, const model::PlantModel& plant, const score::PlantScore& score,
            const diag::Diagnostics& findings);
   /// One that could not.
   void add(const std::string& file, const diag::Diagnostics& findings);

@@ -6,6 +6,7 @@
 
 #include "address/address.hpp"
 #include "findings/finish.hpp"
+#include "name/io_rows.hpp"
 #include "read/readers.hpp"
 
 namespace symplant::app {
@@ -18,6 +19,7 @@ struct CompileOptions {
   bool tables = true;                  ///< false: only checks follow, and the plant is lowered only if they need it
   findings::Selection selection = {};  ///< which findings are reported
   findings::Known known = {};          ///< findings that are not reported again
+  name::IoRows io = {};                ///< rows that are I/O; none: those of the plant.json
   std::string naming = {};             ///< a naming.json or `@PROFILE`; empty: what the plant.json gives
 };
 

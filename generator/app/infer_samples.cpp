@@ -9,8 +9,8 @@
 namespace symplant::app {
 namespace {
 
-name::Side side_of(tables::Direction direction) {
-  return direction == tables::Direction::operation ? name::Side::operation : name::Side::event;
+name::Direction side_of(tables::Direction direction) {
+  return direction == tables::Direction::operation ? name::Direction::operation : name::Direction::event;
 }
 
 infer::Sample sample_of(const model::PlantModel& plant, const model::Symbol& symbol) {
@@ -31,6 +31,7 @@ std::optional<InferInputs> read_samples(Context& context, const std::vector<std:
                                         const PlantOptions& options) {
   InferInputs read;
   std::vector<ReadList> lists;
+  name::IoRows io;
   for (const std::string& file : files) {
     auto inputs = read_for(context, file, options);
     if (!inputs) return std::nullopt;
@@ -40,11 +41,13 @@ std::optional<InferInputs> read_samples(Context& context, const std::vector<std:
       read.files.insert(read.files.end(), more.begin(), more.end());
       read.given.push_back(inputs->naming->naming());
     }
+    io = inputs->io;
     for (const ReadList& list : inputs->lists) read.files.push_back(list.table->source->path());
     lists.insert(lists.end(), std::make_move_iterator(inputs->lists.begin()),
                  std::make_move_iterator(inputs->lists.end()));
   }
-  read.derived = model::derive(parse_names(lists, nullptr), files.front());
+  const auto reader = std::make_shared<name::SymbolReader>(naming::strict_naming());
+  read.derived = model::derive(parse_names(lists, *reader, io), files.front(), reader);
   const model::PlantModel& plant = read.derived.plant;
   read.samples.reserve(plant.symbols.size());
   for (const model::Symbol& symbol : plant.symbols) read.samples.push_back(sample_of(plant, symbol));

@@ -17,7 +17,7 @@ using diag::visible;
 constexpr std::array<std::string_view, infer::kSuspicions> kSuspicionTexts{
     "an interlock of both sides", "a lamp and a button", "a completion before its request"};
 
-std::string_view side_text(name::Side side) { return side == name::Side::operation ? "output" : "input"; }
+std::string_view side_text(name::Direction side) { return side == name::Direction::operation ? "output" : "input"; }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", share * 100); }
 
@@ -102,11 +102,12 @@ class ReportWriter {
   }
 
   void left_over() {
-    const std::size_t left = report_.score.counted - report_.score.accounted;
+    const std::size_t left = report_.score.counted() - report_.score.accounted();
     const std::string asked =
         report_.asked == 0 ? "" : fmt::format(", {} of them in questions", grouped(report_.asked));
-    shapes(fmt::format("left over: {} of {} symbols{} ({} accounted for); the commonest texts, digits as #:",
-                       grouped(left), grouped(report_.score.counted), asked, percent(report_.score.accounted_share())),
+    shapes(fmt::format(
+               "left over: {} of {} symbols{} ({} accounted for); the commonest texts, digits as #:", grouped(left),
+               grouped(report_.score.counted()), asked, percent(report_.score.accounted_share())),
            report_.left_over);
   }
 
@@ -180,9 +181,9 @@ std::string infer_report_text(const infer::Report& report, const InferAnswers& a
   return ReportWriter(report, answers).run();
 }
 
-std::string infer_score_text(const infer::Score& score) {
-  return fmt::format("paired {} ({} of {}), accounted {}", percent(score.paired_share()), grouped(score.paired),
-                     grouped(score.counted), percent(score.accounted_share()));
+std::string infer_score_text(const name::Counts& score) {
+  return fmt::format("paired {} ({} of {}), accounted {}", percent(score.paired_share()), grouped(score.paired()),
+                     grouped(score.counted()), percent(score.accounted_share()));
 }
 
 }  // namespace symplant::app

@@ -28,6 +28,6 @@ std::string question_text(const infer::Question& question);
 /// Correspondences and questions with their numbers, then what is left over.
 std::string infer_report_text(const infer::Report& report, const InferAnswers& answers);
 /// "paired 37 % (512 of 1,386), accounted 81 %"
-std::string infer_score_text(const infer::Score& score);
+std::string infer_score_text(const name::Counts& score);
 
 }  // namespace symplant::app

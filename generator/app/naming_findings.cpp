@@ -43,7 +43,7 @@ std::string unknown(const std::string& name, const model::PlantModel& plant) {
 }
 
 std::string message(const Remark& remark, const model::PlantModel& plant) {
-  const std::vector<name::NamedLink>& links = plant.reader->naming().naming().links;
+  const std::vector<name::NamedLink>& links = plant.naming().links;
   const name::NamedLink& link = links[remark.link];
   const std::string& name = name_of(link, remark, plant);
   if (remark.kind == Remark::Kind::link_unknown) return unknown(name, plant);
@@ -59,6 +59,7 @@ std::string message(const Remark& remark, const model::PlantModel& plant) {
 void add_link_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,
                        diag::Diagnostics& diagnostics) {
   std::size_t shown = 0;
+  if (plant.pairing == nullptr) return;
   for (const Remark& remark : plant.pairing->remarks) {
     if (remark.kind == Remark::Kind::role_taken || remark.kind == Remark::Kind::path_ambiguous) continue;
     if (++shown > kMostShown) return;
@@ -83,7 +84,8 @@ void add_unmatched(const model::PlantModel& plant, const naming::LoadedNaming& p
         "remove it",
         parts.location(fmt::format("/rules/{}", i)));
   }
-  const std::vector<name::Archetype>& archetypes = plant.reader->naming().naming().archetypes;
+  if (plant.pairing == nullptr) return;
+  const std::vector<name::Archetype>& archetypes = plant.naming().archetypes;
   std::vector<bool> found(archetypes.size());
   for (const pairing::Facet& facet : plant.pairing->facets) {
     if (facet.by == pairing::FacetBy::archetype) found[facet.archetype] = true;

@@ -39,6 +39,23 @@ read::ColumnMap columns_of(const std::string& text) {
   throw CLI::ValidationError("--columns", diag::visible(map.error()));
 }
 
+/// Adds `events=P,..` or `operations=P,..`.
+void add_io_rows(const std::string& text, name::IoRows& rows) {
+  const std::size_t equals = text.find('=');
+  const std::string side = text.substr(0, equals);
+  if (equals == std::string::npos || equals + 1 == text.size() || (side != "events" && side != "operations")) {
+    throw CLI::ValidationError(
+        "--io", "`" + diag::visible(text) + "` names no rows: write events=PATTERN,.. or operations=PATTERN,..");
+  }
+  std::vector<std::string> patterns;
+  for (std::size_t begin = equals + 1; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end > begin) patterns.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  rows.add(patterns, side == "events" ? name::Direction::event : name::Direction::operation, {});
+}
+
 address::IoRanges words_of(const std::string& text) {
   auto words = read::io_words_of(text);
   if (words) return std::move(*words);
@@ -86,6 +103,16 @@ void add_plant_options(CLI::App& command, PlantOptions& options) {
                   "how names are read: a naming.json, or a ready profile (`symplant naming` lists them) (default: the "
                   "naming of plant.json, else LINE_PROC_DEV_I|O_TASK)")
       ->type_name("FILE|@PROFILE");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--io",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) add_io_rows(text, options.io);
+          },
+          "rows that are I/O although their address is internal (%M, M, D) or missing, by name or address; `*` is any "
+          "text; may be given once for each direction (default: the io of plant.json)")
+      ->allow_extra_args(false)
+      ->type_name("events=P,..|operations=P,..");
   command.add_flag("--verbose", options.verbose, "show what was decided and why, and notes");
 }
 
@@ -203,6 +230,7 @@ void show_counts(Context& context, const std::string& plant, const diag::Diagnos
 CompileOptions compile_options(const Context& context, const std::string& plant, const PlantOptions& options) {
   CompileOptions compiled{plant, options.read, options.xy, context.today};
   compiled.naming = options.naming;
+  compiled.io = options.io;
   return compiled;
 }
 

@@ -16,6 +16,7 @@ struct PlantOptions {
   read::ReadOptions read;
   std::optional<address::Radix> xy;
   std::string naming;
+  name::IoRows io;
   bool verbose = false;
 };
 void add_plant_options(CLI::App& command, PlantOptions& options);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/io_findings.hpp"
 #include "app/map_findings.hpp"
 #include "app/naming_findings.hpp"
 #include "app/read_inputs.hpp"
@@ -21,7 +22,6 @@
 #include "lower/lower.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
-#include "name/naming_rule.hpp"
 #include "symplant/json/location.hpp"
 
 namespace symplant::app {
@@ -66,6 +66,7 @@ void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnos
 void check(const Inputs& inputs, const model::Derived& derived, const lower::EngineTables& tables,
            diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = derived.plant;
+  add_io_findings(inputs.io, inputs.source, diagnostics);
   if (inputs.source != nullptr) {
     add_description_findings(inputs, derived.evidence, diagnostics);
     add_url_findings(plant, diagnostics);
@@ -89,32 +90,33 @@ void finish(const Inputs& inputs, const model::PlantModel& plant, const CompileO
 
 }  // namespace
 
-std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader* reader) {
+std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader& reader,
+                                          name::IoRows& io) {
   std::vector<model::ListInput> named;
   named.reserve(lists.size());
   for (const ReadList& list : lists) {
-    named.push_back({list.table,
-                     reader == nullptr ? name::read_names(*list.table, name::built_in_rule())
-                                       : name::read_names(*list.table, *reader),
-                     list.controller, list.xy});
+    named.push_back(
+        {list.table, name::read_names(*list.table, reader, list.prefix, &io), list.controller, list.xy, list.prefix});
+    if (list.prefix.empty()) continue;
+    for (read::ListRow& row : list.table->rows)
+      row.name = list.table->arena.emplace_back(list.prefix + std::string(row.name));
   }
   return named;
 }
 
 std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
                                 diag::Diagnostics& diagnostics) {
-  const std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
+  std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
     diagnostics = findings::sift(diagnostics, {}, {}, options.selection);
     diagnostics.sort_by_location();
     return std::nullopt;
   }
   progress.stage("parsing names");
-  const auto reader = inputs->naming == nullptr ? nullptr : std::make_shared<name::SymbolReader>(inputs->naming);
-  std::vector<model::ListInput> lists = parse_names(inputs->lists, reader.get());
+  const auto reader = std::make_shared<name::SymbolReader>(inputs->naming);
+  std::vector<model::ListInput> lists = parse_names(inputs->lists, *reader, inputs->io);
   progress.stage("deriving models");
-  model::Derived named = model::derive(std::exchange(lists, {}), inputs->name, reader,
-                                       inputs->description.get());  // symbols have copies of the readings
+  model::Derived named = model::derive(std::exchange(lists, {}), inputs->name, reader, inputs->description.get());
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
   if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
   const bool sound = inputs->readable && derived.evidence.faults.empty();

@@ -22,8 +22,10 @@ struct Compiled {
   lower::EngineTables tables;  ///< empty if the description has errors, or if only checks follow
 };
 
-/// The lists with their names read by `reader`, or by the built-in rule if it is null. O(rows).
-std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader* reader);
+/// The lists with their names read by `reader`, then with their prefixes. `io` notes which rows its patterns match.
+/// O(rows).
+std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader& reader,
+                                          name::IoRows& io);
 
 /// Reads a plant.json and its lists, or a bare list, derives the model, lowers it and checks it. Each stage runs once.
 /// The result has no value if a file cannot be read or does not fit its format. While `diagnostics` has an

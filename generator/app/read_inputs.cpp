@@ -35,6 +35,7 @@ class InputReader {
                        : read::read_symbol_list(options_.plant, how, files_, diagnostics_);
     if (!table) return std::nullopt;
     add_list(std::move(*table), {}, options_.xy);
+    inputs_.io = options_.io;
     naming::NamingReference given;
     given.file = options_.naming;
     if (!read_naming(given)) return std::nullopt;
@@ -67,8 +68,18 @@ class InputReader {
     return reference;
   }
 
-  void add_list(read::SymbolTable table, const std::string& controller, std::optional<address::Radix> xy) {
-    inputs_.lists.push_back({std::make_shared<read::SymbolTable>(std::move(table)), controller, xy});
+  /// What the option gives, else what the plant.json gives.
+  void take_io(const description::GivenIo& given) {
+    inputs_.io = options_.io;
+    if (!inputs_.io.empty()) return;
+    inputs_.io.add(given.events, name::Direction::event, "/io/events");
+    inputs_.io.add(given.operations, name::Direction::operation, "/io/operations");
+  }
+
+  void add_list(read::SymbolTable table, const description::ListReference& reference,
+                std::optional<address::Radix> xy) {
+    inputs_.lists.push_back(
+        {std::make_shared<read::SymbolTable>(std::move(table)), reference.controller, reference.prefix, xy});
   }
 
   bool read_description(std::string bytes) {
@@ -87,6 +98,7 @@ class InputReader {
     const bool has_naming = reading.file && read_naming(naming_of(*reading.file));
     if (has_lists && has_naming) {
       inputs_.name = reading.file->name;
+      take_io(reading.file->description.io);
       inputs_.description = std::make_shared<const description::Description>(std::move(reading.file->description));
       return true;
     }
@@ -127,7 +139,7 @@ class InputReader {
     how.part = reference.part;
     how.xy = reference.xy ? reference.xy : options_.xy;
     auto table = read::read_symbol_list(path, how, files_, diagnostics_);
-    if (table) add_list(std::move(*table), reference.controller, how.xy);
+    if (table) add_list(std::move(*table), reference, how.xy);
     return table.has_value();
   }
 

@@ -19,6 +19,7 @@ namespace symplant::app {
 struct ReadList {
   std::shared_ptr<read::SymbolTable> table;
   std::string controller;            ///< whose addresses these are; empty: the default controller
+  std::string prefix;                ///< of the names of its symbols and the lines of its devices
   std::optional<address::Radix> xy;  ///< without a value: what the rows prove, else hexadecimal
 };
 
@@ -29,7 +30,8 @@ struct Inputs {
   std::vector<description::DescriptionFault> faults;            ///< of the description's form
   bool readable = true;  ///< everything was read and fits its format; otherwise the inputs serve to find faults only
   std::vector<ReadList> lists;
-  std::shared_ptr<const name::CompiledNaming> naming;                  ///< null: the built-in rule
+  name::IoRows io;  ///< rows that are I/O although their address is internal or missing
+  std::shared_ptr<const name::CompiledNaming> naming = naming::strict_naming();
   std::shared_ptr<const symplant::naming::LoadedNaming> naming_parts;  ///< where its parts are; null with `naming`
 };
 

@@ -12,15 +12,15 @@
 namespace symplant::app {
 namespace {
 
+using name::Account;
 using score::Level;
 using score::Part;
-using score::Verdict;
 
 constexpr std::size_t kMostShapesInJson = 1'000;
 
 class ScoreWriter {
  public:
-  ScoreWriter(base::TextSink& sink, const model::PlantModel& plant, const score::Score& score)
+  ScoreWriter(base::TextSink& sink, const model::PlantModel& plant, const score::PlantScore& score)
       : json_(sink, view::JsonWriter::Form::compact), plant_(plant), score_(score) {}
 
   void write(const std::string& file) {
@@ -50,17 +50,17 @@ class ScoreWriter {
   void write_counts(const score::Counts& counts) {
     json_.member("symbols", counts.counted());
     json_.member("paired", counts.paired());
-    for (const Verdict verdict : {Verdict::constant, Verdict::operator_panel, Verdict::data, Verdict::parts,
-                                  Verdict::follow, Verdict::condition}) {
-      json_.member(score::verdict_key(verdict), counts.of(verdict));
+    for (const Account account : {Account::constant, Account::operator_panel, Account::data, Account::senses_parts,
+                                  Account::follows, Account::condition}) {
+      json_.member(name::account_key(account), counts.of(account));
     }
     json_.member("accounted", counts.accounted());
     json_.key("left_over");
     json_.begin_object();
-    for (std::size_t v = 0; v < score::kVerdicts; ++v) {
-      const auto verdict = static_cast<Verdict>(v);
-      if (score::is_left_over(verdict) && counts.of(verdict) != 0) {
-        json_.member(score::verdict_key(verdict), counts.of(verdict));
+    for (std::size_t v = 0; v < name::kAccounts; ++v) {
+      const auto account = static_cast<Account>(v);
+      if (name::is_left_over(account) && counts.of(account) != 0) {
+        json_.member(name::account_key(account), counts.of(account));
       }
     }
     json_.end_object();
@@ -83,7 +83,7 @@ class ScoreWriter {
     json_.array(std::span(shapes).first(std::min(shapes.size(), kMostShapesInJson)), [&](const score::Shape& shape) {
       json_.begin_object();
       json_.member("shape", shape.text);
-      json_.member("reason", score::verdict_key(shape.verdict));
+      json_.member("reason", name::account_key(shape.account));
       json_.member("symbols", shape.count);
       json_.member("example", plant_.symbols[shape.first].name());
       json_.end_object();
@@ -96,18 +96,18 @@ class ScoreWriter {
     json_.begin_object();
     json_.key("shapes");
     write_shapes(questions.shapes);
-    if (plant_.reader != nullptr && !questions.shapes.empty()) json_.member("rest", questions.rule());
+    if (plant_.levels() == nullptr && !questions.shapes.empty()) json_.member("rest", questions.rule());
     json_.end_object();
   }
 
   view::JsonWriter json_;
   const model::PlantModel& plant_;
-  const score::Score& score_;
+  const score::PlantScore& score_;
 };
 
 }  // namespace
 
-std::string score_json(const std::string& file, const model::PlantModel& plant, const score::Score& score) {
+std::string score_json(const std::string& file, const model::PlantModel& plant, const score::PlantScore& score) {
   return base::text_of([&](base::TextSink& sink) { ScoreWriter(sink, plant, score).write(file); });
 }
 

@@ -9,6 +9,6 @@
 namespace symplant::app {
 
 /// An object on one line: the plant's file and its score on all levels (docs/checking.md, "The score").
-std::string score_json(const std::string& file, const model::PlantModel& plant, const score::Score& score);
+std::string score_json(const std::string& file, const model::PlantModel& plant, const score::PlantScore& score);
 
 }  // namespace symplant::app

@@ -14,8 +14,8 @@
 namespace symplant::app {
 namespace {
 
+using name::Account;
 using score::Shape;
-using score::Verdict;
 
 constexpr std::size_t kMostStations = 20;
 constexpr std::size_t kMostShapes = 5;
@@ -26,23 +26,23 @@ std::string_view number(std::size_t count, std::string_view one, std::string_vie
   return count == 1 ? one : several;
 }
 
-std::string_view reason(Verdict verdict, bool one) {
-  switch (verdict) {
-    case Verdict::no_rule:
+std::string_view reason(Account account, bool one) {
+  switch (account) {
+    case Account::no_rule:
       return one ? "matches no rule" : "match no rule";
-    case Verdict::no_direction:
+    case Account::no_direction:
       return one ? "has no direction" : "have no direction";
-    case Verdict::no_operation:
+    case Account::no_operation:
       return one ? "has no operation" : "have no operation";
-    case Verdict::no_event:
+    case Account::no_event:
       return one ? "has no event" : "have no event";
-    case Verdict::task_taken:
+    case Account::task_taken:
       return one ? "has the task of another symbol" : "have the tasks of other symbols";
-    case Verdict::unit_too_large:
+    case Account::unit_too_large:
       return one ? "is in a device with too many symbols" : "are in devices with too many symbols";
-    case Verdict::named_internal:
+    case Account::named_internal:
       return one ? "is neither operation nor event by name" : "are neither operations nor events by name";
-    case Verdict::role_none:
+    case Account::role_none:
       return one ? "has the role `none`" : "have the role `none`";
     default:
       return "";
@@ -61,7 +61,7 @@ std::string rest_of(std::size_t count, std::string_view one, std::string_view se
   return count == 0 ? "" : fmt::format("  and {} more {}{}\n", count, number(count, one, several), of_them);
 }
 
-std::string stations_text(const model::PlantModel& plant, const score::Score& score) {
+std::string stations_text(const model::PlantModel& plant, const score::PlantScore& score) {
   std::vector<score::Part> stations = score::parts_of(plant, score, score::Level::station);
   if (stations.size() < 2) return "";
   std::stable_sort(stations.begin(), stations.end(), [](const score::Part& a, const score::Part& b) {
@@ -79,7 +79,7 @@ std::string stations_text(const model::PlantModel& plant, const score::Score& sc
   return text + rest_of(stations.size() - std::min(stations.size(), kMostStations), "station", "stations", "");
 }
 
-std::string left_over_text(const model::PlantModel& plant, const score::Score& score, std::size_t most) {
+std::string left_over_text(const model::PlantModel& plant, const score::PlantScore& score, std::size_t most) {
   const std::vector<Shape> shapes = score::left_over_shapes(plant, score);
   if (shapes.empty()) return "";
   std::string text = "  left over, the most frequent shapes first; # is a number:\n";
@@ -89,12 +89,12 @@ std::string left_over_text(const model::PlantModel& plant, const score::Score& s
     const Shape& shape = shapes[i];
     left -= shape.count;
     text += fmt::format("  {:>6} {} like {} {} ({})\n", shape.count, number(shape.count, "symbol", "symbols"),
-                        diag::visible(shape.text), reason(shape.verdict, shape.count == 1), example_of(plant, shape));
+                        diag::visible(shape.text), reason(shape.account, shape.count == 1), example_of(plant, shape));
   }
   return text + rest_of(left, "symbol", "symbols", fmt::format(" of {} shapes", shapes.size() - shown));
 }
 
-std::string questions_text(const model::PlantModel& plant, const score::Score& score) {
+std::string questions_text(const model::PlantModel& plant, const score::PlantScore& score) {
   const score::Questions questions = score::questions_of(plant, score);
   if (questions.shapes.empty()) return "";
   std::string text = "  a PLC often waits for these before it starts; make them constant:\n";
@@ -108,7 +108,7 @@ std::string questions_text(const model::PlantModel& plant, const score::Score& s
     }
   }
   text += rest_of(left, "event", "events", "");
-  if (plant.reader == nullptr)
+  if (plant.levels() != nullptr)
     return text + "  give those that are on in a healthy plant the initial value TRUE in the list\n";
   return text + "  in naming.json, first in `rest`, with the words that are right:\n    " + questions.rule() + "\n";
 }
@@ -117,26 +117,26 @@ std::string questions_text(const model::PlantModel& plant, const score::Score& s
 
 std::size_t percent_of(std::size_t count, std::size_t of) { return of == 0 ? 0 : (count * 100 + of / 2) / of; }
 
-std::string_view reason_text(Verdict verdict) { return reason(verdict, false); }
+std::string_view reason_text(Account account) { return reason(account, false); }
 
 std::string score_text(const score::Counts& counts) {
   const std::size_t all = counts.counted();
   std::string text =
       fmt::format("of {} BOOL I/O {} {} ({} %) paired, {} ({} %) accounted for: {} constant, {} operator, {} data", all,
                   number(all, "symbol", "symbols"), counts.paired(), percent_of(counts.paired(), all),
-                  counts.accounted(), percent_of(counts.accounted(), all), counts.of(Verdict::constant),
-                  counts.of(Verdict::operator_panel), counts.of(Verdict::data));
-  if (counts.of(Verdict::parts) != 0)
-    text += fmt::format(", {} {}", counts.of(Verdict::parts),
-                        number(counts.of(Verdict::parts), "sensor of parts", "sensors of parts"));
-  if (counts.of(Verdict::follow) != 0) text += fmt::format(", {} by `follow`", counts.of(Verdict::follow));
-  if (counts.of(Verdict::condition) != 0)
-    text += fmt::format(", {} read by `material`, `follow` or `malfunctions`", counts.of(Verdict::condition));
+                  counts.accounted(), percent_of(counts.accounted(), all), counts.of(Account::constant),
+                  counts.of(Account::operator_panel), counts.of(Account::data));
+  if (counts.of(Account::senses_parts) != 0)
+    text += fmt::format(", {} {}", counts.of(Account::senses_parts),
+                        number(counts.of(Account::senses_parts), "sensor of parts", "sensors of parts"));
+  if (counts.of(Account::follows) != 0) text += fmt::format(", {} by `follow`", counts.of(Account::follows));
+  if (counts.of(Account::condition) != 0)
+    text += fmt::format(", {} read by `material`, `follow` or `malfunctions`", counts.of(Account::condition));
   return text;
 }
 
-std::string score_details(const model::PlantModel& plant, const score::Score& score, bool verbose) {
-  if (!verbose) return plant.reader == nullptr ? "" : left_over_text(plant, score, kMostShapes);
+std::string score_details(const model::PlantModel& plant, const score::PlantScore& score, bool verbose) {
+  if (!verbose) return plant.levels() != nullptr ? "" : left_over_text(plant, score, kMostShapes);
   return stations_text(plant, score) + left_over_text(plant, score, kMostShapesVerbose) + questions_text(plant, score);
 }
 

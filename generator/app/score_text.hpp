@@ -17,11 +17,11 @@ std::string score_text(const score::Counts& counts);
 /// Rounded; 0 of nothing.
 std::size_t percent_of(std::size_t count, std::size_t of);
 
-/// "match no rule": what is said of several symbols with a verdict; empty if they are accounted for.
-std::string_view reason_text(score::Verdict verdict);
+/// "match no rule": what is said of several symbols with a account; empty if they are accounted for.
+std::string_view reason_text(name::Account account);
 
 /// The symbols that are left over, as lines; with `verbose` also the stations, and events to ask for. Empty for the
 /// built-in rule without `verbose`, because findings report each of its symbols.
-std::string score_details(const model::PlantModel& plant, const score::Score& score, bool verbose);
+std::string score_details(const model::PlantModel& plant, const score::PlantScore& score, bool verbose);
 
 }  // namespace symplant::app

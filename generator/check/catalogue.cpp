@@ -64,10 +64,11 @@ void check_plant(const PlantModel& plant, const model::Evidence& evidence, diag:
                  std::size_t threads) {
   const std::vector<bool> otherwise = lists_named_otherwise(plant);
   const bool named = std::ranges::find(otherwise, false) != otherwise.end();
+  const bool has_levels = plant.levels() != nullptr && plant.levels()->has_path && plant.pairing == nullptr;
   std::vector<const Rule*> rules;
   for (const auto subject : kSubjects) {
     for (const Rule& rule : subject()) {
-      const bool fits = rule.plants == For::all || (named && (rule.plants == For::named || plant.pairing == nullptr));
+      const bool fits = rule.plants == For::all || (named && (rule.plants == For::named || has_levels));
       if (fits) rules.push_back(&rule);
     }
   }

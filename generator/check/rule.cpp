@@ -70,7 +70,7 @@ Finding Find::at(const Symbol& symbol, std::string_view cell) const {
 
 diag::Subjects about(const Symbol& symbol) {
   diag::Subjects subjects = subjects_of(*symbol.row);
-  if (symbol.reading.fault == name::NameFault::none) {
+  if (symbol.reading.is_named()) {
     subjects.about.push_back({Kind::device, std::string(symbol.reading.device_path())});
   }
   return subjects;

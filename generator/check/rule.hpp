@@ -28,9 +28,9 @@ using model::Unit;
 using tables::Direction;
 struct Find;
 
-/// The plants that a rule is for: all; those with a list whose names follow the naming rule; of these the ones under
-/// the built-in rule, whose tasks are states.
-enum class For : std::uint8_t { all, named, built_in };
+/// The plants that a rule is for: all; those with a list whose names follow the naming rule; of these the ones whose
+/// names have levels, line, process and device first, and whose devices are one unit each.
+enum class For : std::uint8_t { all, named, levels };
 
 struct Rule : diag::RuleInfo {
   using OfPlant = void (*)(const Find& find);

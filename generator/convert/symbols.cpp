@@ -5,8 +5,8 @@
 
 #include "base/large_memory.hpp"
 #include "model/classify.hpp"
-#include "name/name_parser.hpp"
-#include "name/naming_rule.hpp"
+#include "name/symbol_reader.hpp"
+#include "naming/load.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::convert {
@@ -37,9 +37,9 @@ std::vector<address::Radix> radices(std::span<const List> lists, std::size_t& co
   return radices;
 }
 
-Kind kind_of(const read::ListRow& row, const model::RowAddress& address, name::NameParser& parser) {
+Kind kind_of(const read::ListRow& row, const model::RowAddress& address, name::SymbolReader& reader) {
   // Only a row without an address needs its name.
-  const name::NameReading reading = address.address ? name::NameReading() : parser.parse(row.name);
+  const name::Reading reading = address.address ? name::Reading() : reader.read({row.name, {}, {}, {}});
   model::Symbol symbol;
   const auto reason = model::classify(row, reading, address, symbol);
   if (!reason) return symbol.direction == tables::Direction::operation ? Kind::output : Kind::input;
@@ -54,13 +54,13 @@ Symbols symbols_of(std::span<const List> lists) {
   std::size_t rows = 0;
   for (const List& list : lists) rows += list.table->rows.size();
   base::reserve_large(symbols.all, rows);
-  name::NameParser parser(name::built_in_rule());
+  name::SymbolReader reader(naming::strict_naming());
   for (std::size_t i = 0; i < lists.size(); ++i) {
     const read::SymbolTable& table = *lists[i].table;
     symbols.tables.push_back(lists[i].table);
     for (const read::ListRow& row : table.rows) {
       const model::RowAddress address = model::row_address(row, {table.notation, radix[i], &table.io_words});
-      symbols.all.push_back({&row, &table.extra_of(row), table.notation, &table.io_words, kind_of(row, address, parser),
+      symbols.all.push_back({&row, &table.extra_of(row), table.notation, &table.io_words, kind_of(row, address, reader),
                              radix[i] == address::Radix::octal, address.address});
     }
   }

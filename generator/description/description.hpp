@@ -94,7 +94,10 @@ struct DeviceDescription {
   std::string type;                                         ///< the generated class; empty: named by the device level
   std::string behaviour;                                    ///< the custom class; empty: not given
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and condition
-  std::optional<tables::Time> overrun;                      ///< kNever: not examined
+  /// Symbols of the device, whatever their names, as task and symbol. Only of an exact name.
+  std::vector<std::pair<std::string, std::string>> operations;
+  std::vector<std::pair<std::string, std::string>> events;
+  std::optional<tables::Time> overrun;  ///< kNever: not examined
   std::optional<Sequence> sequence;
 
   bool by_naming = false;      ///< the naming rule gives it, not plant.json
@@ -112,6 +115,8 @@ struct DeviceDescription {
   /// Whether it is for a unit; a device with several units has another path than they.
   bool matches(std::string_view unit_path, std::string_view device_path) const;
   bool gives(DeviceKey key) const;
+  /// Whether it makes the device of symbols.
+  bool names_symbols() const { return !operations.empty() || !events.empty(); }
   /// Copies a key from another entry, which must outlive this one.
   void take(DeviceKey key, const DeviceDescription& other);
   /// The entry that gives a key.
@@ -147,6 +152,12 @@ struct GivenView {
   std::string group = {};  ///< the frame in which it is shown, instead of its station; empty: its station
 };
 
+/// Patterns of rows, by name or address, that are I/O although their address is internal or missing.
+struct GivenIo {
+  std::vector<std::string> events;
+  std::vector<std::string> operations;
+};
+
 struct Defaults {
   tables::Time travel = tables::kSecond;
   tables::Time dwell = tables::kSecond;
@@ -172,6 +183,8 @@ struct GivenCheck {
 struct Description {
   Defaults defaults;
   std::vector<std::string> inverted;  ///< symbols, or patterns
+  std::vector<std::string> plain;     ///< BOOL symbols of no device, or patterns
+  GivenIo io;
   std::vector<DeviceDescription> devices;
   std::vector<GivenFollow> follow;
   GivenMaterial material;

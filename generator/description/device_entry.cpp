@@ -35,6 +35,8 @@ class DeviceReader {
     device_.type = class_name("type");
     device_.behaviour = class_name("behaviour");
     read_inputs();
+    device_.operations = own_symbols("operations");
+    device_.events = own_symbols("events");
     device_.overrun = overrun_member(entry_, here_, faults_);
     device_.sequence = sequence_member(entry_);
     if (!device_.is_pattern()) refuse_braces();
@@ -109,6 +111,24 @@ class DeviceReader {
     for (const auto& [name, condition] : inputs->items()) {
       if (condition.is_string()) device_.inputs.emplace_back(name, condition.get<std::string>());
     }
+  }
+
+  std::vector<std::pair<std::string, std::string>> own_symbols(std::string_view key) {
+    std::vector<std::pair<std::string, std::string>> symbols;
+    const Json* tasks = member(entry_, key);
+    if (tasks == nullptr || !tasks->is_object()) return symbols;
+    if (device_.is_pattern()) {
+      faults_.add(here_ / key,
+                  ticked(key) + " names the symbols of one device, and " + ticked(device_.path) +
+                      " is a pattern; write an entry for each device",
+                  FaultKind::contradiction);
+      return symbols;
+    }
+    for (const auto& [task, symbol] : tasks->items()) {
+      check_text(task, here_ / key / std::string_view(task), faults_);
+      if (symbol.is_string()) symbols.emplace_back(task, symbol.get<std::string>());
+    }
+    return symbols;
   }
 
   /// Names in braces refer to what a pattern matches.

@@ -53,6 +53,16 @@ std::string text_or_empty(const Json& object, std::string_view key) {
   return text == nullptr ? std::string() : *text;
 }
 
+std::vector<std::string> texts_member(const Json& object, std::string_view key) {
+  std::vector<std::string> texts;
+  const Json* array = member(object, key);
+  if (array == nullptr || !array->is_array()) return texts;
+  for (const Json& one : *array) {
+    if (one.is_string()) texts.push_back(one.get<std::string>());
+  }
+  return texts;
+}
+
 bool flag_member(const Json& object, std::string_view key) {
   const Json* value = member(object, key);
   return value != nullptr && value->is_boolean() && value->get<bool>();

@@ -18,6 +18,8 @@ const nlohmann::json* member(const nlohmann::json& object, std::string_view key)
 const std::string* text_member(const nlohmann::json& object, std::string_view key);
 /// A member that is a text; empty if it is missing or not a text.
 std::string text_or_empty(const nlohmann::json& object, std::string_view key);
+/// The texts of a member that is an array; none if it is missing.
+std::vector<std::string> texts_member(const nlohmann::json& object, std::string_view key);
 bool flag_member(const nlohmann::json& object, std::string_view key);
 
 /// Collects faults of shape.

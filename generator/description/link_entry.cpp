@@ -55,6 +55,7 @@ class LinkReader {
     read_status_and_watchdog();
     read_clock();
     read_keep();
+    link_.exclude = texts_member(entry_, "exclude");
     read_map();
     return std::move(link_);
   }

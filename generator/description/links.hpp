@@ -29,7 +29,8 @@ struct LinkDescription {
   std::string controller = {};       ///< the controller whose symbols it carries; empty if not named
   link::LinkSettings settings = {};  ///< without map rows, `keep`, clock symbol and word order, which follow
   std::vector<std::string> keep = {};
-  std::string clock_of = {};  ///< the operation that is the PLC's clock; empty: the link has no clock
+  std::vector<std::string> exclude = {};  ///< symbols that it does not carry: patterns of names or addresses
+  std::string clock_of = {};              ///< the operation that is the PLC's clock; empty: the link has no clock
   std::optional<link::WordOrder> word_order = {};
   std::vector<MapEntry> map = {};
   bool has_settings = false;  ///< it has keys besides URL and controller

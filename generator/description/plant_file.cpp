@@ -78,7 +78,7 @@ class PlantFileReader {
     read_lists();
     read_naming();
     read_defaults();
-    read_inverted();
+    read_symbol_patterns();
     read_follow();
     if (const Json* devices = member(root_, "devices"); devices != nullptr && devices->is_object()) {
       file_.description.devices.reserve(devices->size());
@@ -129,6 +129,8 @@ class PlantFileReader {
                                            " is not a valid controller name for `--link NAME=URL`; "
                                            "remove `=`, `:`, control characters and blanks at its ends");
     }
+    list.prefix = text_or_empty(value, "prefix");
+    check_text(list.prefix, here / "prefix", faults_);
     list.format = text_or_empty(value, "format");
     if (!list.format.empty()) check_format(list.format, here / "format");
     if (const std::string* encoding = text_member(value, "encoding"); encoding != nullptr && !encoding->empty()) {
@@ -195,12 +197,11 @@ class PlantFileReader {
     own.overrun = overrun_member(*defaults, here, faults_).value_or(own.overrun);
   }
 
-  void read_inverted() {
-    const Json* inverted = member(root_, "inverted");
-    if (inverted == nullptr || !inverted->is_array()) return;
-    for (std::size_t i = 0; i < inverted->size(); ++i) {
-      const Json& symbol = (*inverted)[i];
-      if (symbol.is_string()) file_.description.inverted.push_back(symbol.get<std::string>());
+  void read_symbol_patterns() {
+    file_.description.inverted = texts_member(root_, "inverted");
+    file_.description.plain = texts_member(root_, "plain");
+    if (const Json* io = member(root_, "io")) {
+      file_.description.io = {texts_member(*io, "events"), texts_member(*io, "operations")};
     }
   }
 

@@ -22,6 +22,7 @@ struct ListReference {
   std::optional<text::Encoding> encoding;  ///< nothing: recognized by content
   read::ColumnMap columns;                 ///< of a table; empty: recognized
   address::IoRanges io_words;              ///< which words of CIO are inputs or outputs; empty: none
+  std::string prefix;                      ///< put before the names of its symbols and the lines of its devices
   std::size_t part = 0;                    ///< of several lists in one file; 0: all of it
   std::string controller;                  ///< the PLC it belongs to; empty: the only one
   std::optional<address::Radix> xy;        ///< how X and Y count if no row proves it

@@ -124,8 +124,8 @@ class Writer {
       : tables_(tables), plant_(plant), classes_(classes), name_space_(name_space) {
     for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
       const model::Unit& unit = plant.units[u];
-      const std::uint32_t first = unit.operations.empty() ? unit.events.front() : unit.operations.front();
-      const name::NameReading& name = plant.symbols[first].reading;
+      const std::uint32_t first = unit.first_symbol();
+      const model::SymbolReading& name = plant.symbols[first].reading;
       Devices& devices = lines_[text::to_upper(name.line())][text::to_upper(name.process())];
       std::string device = text::to_upper(name.device());
       if (unit.facet != nullptr && !unit.facet->name.empty()) device += "_" + text::to_upper(unit.facet->name);

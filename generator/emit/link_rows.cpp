@@ -146,7 +146,8 @@ std::string place_arrays(const model::PlantModel& plant) {
         } else {
           rows.number(row.number);
         }
-        rows.text(", ").text(word_order(row.word_order)).text(", ").text(on_loss(row.on_loss)).text("},  // ");
+        rows.text(", ").text(word_order(row.word_order)).text(", ").text(on_loss(row.on_loss));
+        rows.text(row.excluded ? ", true},  // " : "},  // ");
         rows.comment(plant.symbols[row.symbol].name()).text("\n");
       }
       rows.text("}};\n\n");

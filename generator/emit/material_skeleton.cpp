@@ -26,8 +26,7 @@ constexpr std::size_t kSensorDistance = 500;  ///< mm
 
 bool is_candidate(const model::PlantModel& plant, const model::Symbol& symbol) {
   return symbol.direction == tables::Direction::event && symbol.type == tables::DataType::boolean &&
-         symbol.reading.fault == name::NameFault::none && !model::is_driven(plant, symbol) &&
-         model::looks_like_part_sensor(symbol);
+         symbol.reading.is_named() && !model::is_driven(plant, symbol) && model::looks_like_part_sensor(symbol);
 }
 
 /// A state that a motor of the process is commanded to, as a condition; empty if none is named like one.
@@ -36,7 +35,7 @@ std::string running(const model::PlantModel& plant, std::string_view line, std::
   for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
     const model::Unit& unit = plant.units[u];
     if (unit.operations.empty()) continue;
-    const name::NameReading& reading = plant.symbols[unit.operations.front()].reading;
+    const model::SymbolReading& reading = plant.symbols[unit.operations.front()].reading;
     if (reading.line() != line || reading.process() != process) continue;
     for (std::size_t s = 0; s < unit.states.size(); ++s) {
       const bool named = std::any_of(kRunning.begin(), kRunning.end(), [&](std::string_view word) {

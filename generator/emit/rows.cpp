@@ -20,7 +20,7 @@ std::string_view data_type_name(tables::DataType type) {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kFormNames{"none", "number", "other"};
+constexpr std::array<std::string_view, 4> kFormNames{"none", "number", "other", "internal"};
 
 /// The name of the constant for a symbol kind: direction, type, form of the address, moved or free, inverted.
 std::string kind_name(const tables::SymbolRow& row) {

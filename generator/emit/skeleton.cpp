@@ -246,7 +246,7 @@ class Skeleton {
     }
     std::vector<std::string> symbols;
     for (const model::Symbol& symbol : plant_.symbols) {
-      if (symbol.unmodelled != model::Unmodelled::modelled) symbols.push_back(json_text(symbol.name()));
+      if (symbol.account != model::Account::modelled) symbols.push_back(json_text(symbol.name()));
     }
     if (!symbols.empty()) {
       line(fmt::format("  // In no device, but in the images and on the links: {}.", some_of(symbols)));

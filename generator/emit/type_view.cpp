@@ -87,7 +87,7 @@ std::string_view actuation_text(tables::Actuation actuation) {
 }
 
 /// Adds symbols of a type: enumerators by direction and task, each with the symbol of the example device.
-std::vector<std::string> add_side(View& view, const std::string& list, const std::vector<std::uint32_t>& side,
+std::vector<std::string> add_side(View& view, const std::string& list, std::span<const std::uint32_t> side,
                                   const model::PlantModel& plant) {
   text::IdentifierScope scope;
   std::vector<std::string> enumerators;
@@ -154,9 +154,9 @@ void add_behaviour(View& view, const model::Unit& unit, const model::PlantModel&
     item.texts["meaning"] = comment_text(short_condition_text(unit.conditions[unit.first_input + i], plant));
     inputs.push_back(std::move(item));
   }
-  add_side(own, "values", unit.values, plant);
+  add_side(own, "values", unit.behaviour_values(), plant);
   std::vector<std::string> kinds;
-  for (const std::uint32_t index : unit.values) {
+  for (const std::uint32_t index : unit.behaviour_values()) {
     const model::Symbol& symbol = plant.symbols[index];
     kinds.push_back(fmt::format("{{symplant::tables::DataType::{}, symplant::tables::Direction::{}}}",
                                 data_type_name(symbol.type), direction_name(symbol.direction)));
@@ -210,7 +210,7 @@ std::string without_digits(std::string_view device) {
 std::string class_stem(const model::Unit& unit, const model::PlantModel& plant) {
   std::string stem = without_digits(unit.device);
   if (!unit.is_archetype()) return stem;
-  std::string archetype = plant.reader->naming().naming().archetypes[unit.facet->archetype].name;
+  std::string archetype = plant.naming().archetypes[unit.facet->archetype].name;
   if (!archetype.empty()) archetype.front() = text::upper(archetype.front());
   return stem.append("_").append(archetype);
 }

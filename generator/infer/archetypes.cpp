@@ -27,17 +27,17 @@ std::vector<Task> unpaired_tasks(const Applied& applied, std::span<const Sample>
   name::PreparedText text;
   std::vector<Task> all;
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    const name::RuleReading& reading = applied.readings[i];
-    const pairing::Account account = applied.pairing.accounts[i];
-    if (account != pairing::Account::unpaired && account != pairing::Account::data) continue;
-    if (reading.outcome != name::Outcome::read || reading.role != name::Role::io || !samples[i].boolean) continue;
+    const name::Reading& reading = applied.readings[i];
+    const name::Account account = applied.pairing.accounts[i];
+    if (!is_unpaired(account) && account != name::Account::data) continue;
+    if (!reading.is_read() || reading.role != name::Role::io || !samples[i].boolean) continue;
     Task& task = all.emplace_back();
     task.sample = i;
-    task.device = reading.device_id;
-    task.operation = reading.side == name::Side::operation;
-    text.prepare(reading.path, separators);
+    task.device = reading.levels->device_id;
+    task.operation = reading.direction == name::Direction::operation;
+    text.prepare(reading.levels->path, separators);
     task.path_words = text.words().size();
-    text.prepare(reading.task.text, separators);
+    text.prepare(reading.task->text, separators);
     std::vector<std::string> words;
     for (const name::Word& word : text.words()) {
       words.emplace_back(text.folded().substr(word.begin, word.end - word.begin));

@@ -25,15 +25,15 @@ struct Sides {
   std::size_t events = 0;
 
   std::size_t total() const { return operations + events; }
-  std::optional<name::Side> pure() const {
+  std::optional<name::Direction> pure() const {
     const auto share = static_cast<double>(std::max(operations, events)) / static_cast<double>(total());
     if (total() < kLeastCount || share < kPure) return std::nullopt;
-    return operations > events ? name::Side::operation : name::Side::event;
+    return operations > events ? name::Direction::operation : name::Direction::event;
   }
   void add(bool operation) { ++(operation ? operations : events); }
 };
 
-using WordSides = std::map<std::string, name::Side>;
+using WordSides = std::map<std::string, name::Direction>;
 
 /// The fields before the word at a position.
 std::string prefix(std::size_t position) {
@@ -85,8 +85,8 @@ class CandidateFinder {
         const auto side = sides.pure();
         if (!side || word.size() > 2 || is_number(word)) continue;
         marks.emplace(word, *side);
-        total.operations += *side == name::Side::operation ? sides.total() : 0;
-        total.events += *side == name::Side::event ? sides.total() : 0;
+        total.operations += *side == name::Direction::operation ? sides.total() : 0;
+        total.events += *side == name::Direction::event ? sides.total() : 0;
       }
       const auto least = kLeastMarked * static_cast<double>(words_.size());
       if (total.operations == 0 || total.events == 0 || static_cast<double>(total.total()) < least) continue;
@@ -211,7 +211,7 @@ class CandidateFinder {
   void find_contactors() {
     for (const std::string_view words : {"MC_ON", "MC"}) {
       name::SymbolRule contact = rule("{process}_{device...}_" + std::string(words));
-      contact.side = name::Side::event;
+      contact.side = name::Direction::event;
       contact.task = "FWD";
       name::SymbolRule motions = rule("{process}_{device...}_{task:known}");
       motions.fan_out = true;
@@ -246,7 +246,7 @@ class CandidateFinder {
         name::SymbolRule one = rule(before ? after ? "{device...}_" + words + "_{task...}" : "{device...}_" + words
                                            : words + "_{device...}");
         if (!before || !after) one.task = "ON";
-        one.side = operation ? name::Side::operation : name::Side::event;
+        one.side = operation ? name::Direction::operation : name::Direction::event;
         rules.push_back(std::move(one));
       }
       add(CandidateKind::difference, std::move(rules), difference.support,

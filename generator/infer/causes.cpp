@@ -18,7 +18,7 @@ bool only(const std::vector<std::string>& words, std::initializer_list<std::span
   });
 }
 
-bool only_class(const std::vector<std::string>& words, name::Side side) {
+bool only_class(const std::vector<std::string>& words, name::Direction side) {
   const auto classes = name::built_in_words().classes;
   return std::all_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::any_of(classes.begin(), classes.end(), [&](const name::BuiltInWords::ClassWord& known) {
@@ -48,8 +48,8 @@ Cause cause_of(const Difference& difference, const name::Vocabulary& vocabulary)
   if (event.empty() && has_word(operation, known.echo, vocabulary)) return Cause::ack;
   if (has_word(event, known.done, vocabulary) && !operation.empty()) return Cause::work;
   const bool operation_side =
-      only(operation, {known.operation_affixes}) || only_class(operation, name::Side::operation);
-  const bool event_side = only(event, {known.event_affixes}) || only_class(event, name::Side::event);
+      only(operation, {known.operation_affixes}) || only_class(operation, name::Direction::operation);
+  const bool event_side = only(event, {known.event_affixes}) || only_class(event, name::Direction::event);
   if (operation_side && event_side) return Cause::sides;
   if (has_word(event, known.healthy, vocabulary)) return Cause::none;
   return Cause::unknown;

@@ -3,14 +3,10 @@
 
 namespace symplant::infer {
 
-Score score_of(const pairing::Pairing& pairing, std::span<const Sample> samples) {
-  Score score;
+name::Counts score_of(const pairing::Pairing& pairing, std::span<const Sample> samples) {
+  name::Counts score;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const pairing::Account account = pairing.accounts[i];
-    if (!samples[i].boolean || account == pairing::Account::ignored) continue;
-    ++score.counted;
-    if (account == pairing::Account::paired) ++score.paired;
-    if (account <= pairing::Account::data) ++score.accounted;
+    if (samples[i].boolean) score.add(pairing.accounts[i]);
   }
   return score;
 }
@@ -22,11 +18,11 @@ Applied apply_rule(const std::shared_ptr<const name::CompiledNaming>& naming, st
   std::vector<pairing::Input> inputs;
   inputs.reserve(samples.size());
   for (const Sample& sample : samples) {
-    const name::RuleReading& reading = applied.readings.emplace_back(applied.reader->read(sample.text));
+    const name::Reading& reading = applied.readings.emplace_back(applied.reader->read(sample.text));
     inputs.push_back(
-        {&reading, sample.text.name, reading.side.value_or(sample.side), sample.boolean, sample.controller});
+        {&reading, sample.text.name, reading.direction.value_or(sample.side), sample.boolean, sample.controller});
   }
-  applied.pairing = pairing::pair(*naming, inputs);
+  applied.pairing = pairing::pair(*naming, inputs, pairing::Extent::linked);
   applied.score = score_of(applied.pairing, samples);
   return applied;
 }

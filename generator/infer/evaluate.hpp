@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "name/compiled_naming.hpp"
-#include "name/rule_reading.hpp"
+#include "name/reading.hpp"
 #include "name/symbol_reader.hpp"
 #include "pairing/pairing.hpp"
 
@@ -18,34 +18,20 @@ namespace symplant::infer {
 /// An I/O symbol of the lists from which a rule is inferred. Views point into the lists.
 struct Sample {
   name::SymbolText text;
-  name::Side side{};
+  name::Direction side{};
   bool boolean = true;
   std::uint32_t controller = 0;
 };
 
-/// Counts of BOOL symbols that the rule does not ignore.
-struct Score {
-  std::size_t counted = 0;
-  std::size_t paired = 0;     ///< symbols that an operation drives, or that drive an event
-  std::size_t accounted = 0;  ///< paired, constant, operator's or data
-
-  double paired_share() const { return share(paired); }
-  double accounted_share() const { return share(accounted); }
-
- private:
-  double share(std::size_t part) const {
-    return counted == 0 ? 0 : static_cast<double>(part) / static_cast<double>(counted);
-  }
-};
-
-Score score_of(const pairing::Pairing& pairing, std::span<const Sample> samples);
+/// Counts BOOL symbols.
+name::Counts score_of(const pairing::Pairing& pairing, std::span<const Sample> samples);
 
 /// A rule applied to samples.
 struct Applied {
   std::unique_ptr<name::SymbolReader> reader;  ///< keeps the texts of the readings
-  std::vector<name::RuleReading> readings;     ///< one a sample
+  std::vector<name::Reading> readings;         ///< one a sample
   pairing::Pairing pairing;
-  Score score;
+  name::Counts score;
 };
 
 /// O(samples) for usual rules.

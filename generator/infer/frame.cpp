@@ -105,8 +105,8 @@ void ignore_spares(std::span<const Sample> samples, name::Naming& naming, const 
 std::vector<SampleWords> without_sides(std::vector<SampleWords> texts, const name::Vocabulary& vocabulary) {
   for (SampleWords& text : texts) {
     std::erase_if(text.words, [&](const std::string& word) {
-      return kDirections.find(word) != std::string_view::npos || vocabulary.class_side(word) ||
-             vocabulary.is_affix(word, name::Side::event) || vocabulary.is_affix(word, name::Side::operation);
+      return kDirections.find(word) != std::string_view::npos || vocabulary.class_said(word) ||
+             vocabulary.is_affix(word, name::Direction::event) || vocabulary.is_affix(word, name::Direction::operation);
     });
   }
   return texts;

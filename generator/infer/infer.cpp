@@ -61,7 +61,7 @@ std::vector<Sample> without(const std::vector<Sample>& samples, name::Naming fra
   name::SymbolReader reader(compiled);
   std::vector<Sample> others;
   for (const Sample& sample : samples) {
-    if (reader.read(sample.text).outcome == name::Outcome::no_rule) others.push_back(sample);
+    if (reader.read(sample.text).account == name::Account::no_rule) others.push_back(sample);
   }
   return others;
 }
@@ -97,13 +97,13 @@ std::vector<Candidate> all_candidates(const name::Naming& frame, std::span<const
 
 /// What a rule explains of the samples that are searched.
 struct Merit {
-  Score score;
+  name::Counts score;
   std::size_t devices = 0;  ///< with facets
 
   /// Rules that pair nearly as much with finer devices are better: a coarse device pairs by chance.
   bool exceeds(const Merit& other) const {
-    const double all = static_cast<double>(score.counted) / 100;
-    const double more = static_cast<double>(score.paired) - static_cast<double>(other.score.paired);
+    const double all = static_cast<double>(score.counted()) / 100;
+    const double more = static_cast<double>(score.paired()) - static_cast<double>(other.score.paired());
     if (more > all || more < -all) return more > 0;
     return devices != other.devices ? devices > other.devices : more > 0;
   }
@@ -119,10 +119,10 @@ Merit merit_on(const name::Naming& naming, std::span<const Sample> samples) {
   return {applied.score, devices.size()};
 }
 
-Score score_on(const name::Naming& naming, std::span<const Sample> samples) {
+name::Counts score_on(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
-  return compiled == nullptr ? Score() : apply_rule(compiled, samples).score;
+  return compiled == nullptr ? name::Counts() : apply_rule(compiled, samples).score;
 }
 
 /// The best rule that the search finds from its different starts.
@@ -175,11 +175,11 @@ Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> kn
   const std::vector<Sample> some = without(all_some, frame, panel);
   Proposal proposal = search(frame, some);
   for (const name::Naming& naming : known) {
-    const Score score = score_on(naming, some);
-    if (score.paired <= proposal.score.paired) continue;
+    const name::Counts score = score_on(naming, some);
+    if (score.paired() <= proposal.score.paired()) continue;
     proposal.naming = naming;
     proposal.score = score;
-    proposal.steps = {fmt::format("ready rule `{}`: {} paired", naming.name, score.paired)};
+    proposal.steps = {fmt::format("ready rule `{}`: {} paired", naming.name, score.paired())};
   }
   proposal.naming.rules.insert(proposal.naming.rules.begin(), panel.begin(), panel.end());
   proposal.naming = with_roles(proposal.naming, all_some);

@@ -13,7 +13,7 @@ namespace symplant::infer {
 
 struct Proposal {
   name::Naming naming;
-  Score score;                     ///< on all samples
+  name::Counts score;              ///< on all samples
   std::vector<std::string> steps;  ///< what was found and why, for --verbose
 };
 

@@ -11,11 +11,11 @@ namespace {
 void count_accounts(const ReportInput& input, Report& report) {
   for (std::uint32_t i = 0; i < input.samples.size(); ++i) {
     if (!input.samples[i].boolean) continue;
-    const pairing::Account account = input.applied.pairing.accounts[i];
-    const bool paired = account == pairing::Account::paired;
-    if (account == pairing::Account::constant) ++report.constants;
-    if (account == pairing::Account::operator_panel) ++report.operator_panel;
-    if (account == pairing::Account::data) ++report.data;
+    const name::Account account = input.applied.pairing.accounts[i];
+    const bool paired = account == name::Account::modelled;
+    if (account == name::Account::constant) ++report.constants;
+    if (account == name::Account::operator_panel) ++report.operator_panel;
+    if (account == name::Account::data) ++report.data;
     if (!input.is_operation(i) || (!paired && !input.is_left_over(i))) continue;
     ++report.operations;
     if (paired) ++report.operations_paired;
@@ -32,18 +32,18 @@ void remove_at(Values& values, const std::set<std::size_t>& indexes) {
 }  // namespace
 
 bool ReportInput::is_operation(std::uint32_t sample) const {
-  return applied.readings[sample].side.value_or(samples[sample].side) == name::Side::operation;
+  return applied.readings[sample].direction.value_or(samples[sample].side) == name::Direction::operation;
 }
 
 bool ReportInput::is_left_over(std::uint32_t sample) const {
-  const pairing::Account account = applied.pairing.accounts[sample];
-  return samples[sample].boolean && account > pairing::Account::none && account != pairing::Account::ignored;
+  const name::Account account = applied.pairing.accounts[sample];
+  return samples[sample].boolean && name::is_left_over(account) && account != name::Account::role_none;
 }
 
 bool ReportInput::is_asked(std::uint32_t sample) const {
   if (is_operation(sample) || !samples[sample].boolean) return false;
   // Role `none`: the proposal leaves these contacts to the questions.
-  if (applied.pairing.accounts[sample] != pairing::Account::none && !is_left_over(sample)) return false;
+  if (applied.pairing.accounts[sample] != name::Account::role_none && !is_left_over(sample)) return false;
   return (texts.kinds(sample) & kHealthyText) != 0;
 }
 
@@ -71,10 +71,10 @@ Report report_of(const name::Naming& naming, std::span<const Sample> samples) {
   return report;
 }
 
-Score score_of(const name::Naming& naming, std::span<const Sample> samples) {
+name::Counts score_of(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
-  return compiled == nullptr ? Score() : apply_rule(compiled, samples).score;
+  return compiled == nullptr ? name::Counts() : apply_rule(compiled, samples).score;
 }
 
 name::Naming with_answers(const name::Naming& naming, const Report& report, const std::set<std::size_t>& refused,

@@ -13,7 +13,7 @@ namespace symplant::infer {
 Report report_of(const name::Naming& naming, std::span<const Sample> samples);
 
 /// The score of a valid naming rule.
-Score score_of(const name::Naming& naming, std::span<const Sample> samples);
+name::Counts score_of(const name::Naming& naming, std::span<const Sample> samples);
 
 /// The naming rule without some correspondences, and with some questions as constants. The sets hold indexes.
 name::Naming with_answers(const name::Naming& naming, const Report& report, const std::set<std::size_t>& refused,

@@ -40,7 +40,7 @@ struct TextShape {
   std::string text;  ///< `#` for each run of digits
   std::size_t count = 0;
   std::string example;
-  name::Side side{};
+  name::Direction side{};
   name::Source source{};
 };
 
@@ -72,7 +72,7 @@ struct Shapes {
 };
 
 struct Report {
-  Score score;
+  name::Counts score;
   std::size_t operations = 0;  ///< BOOL; not ignored, and not accounted for as operator's, data or constant
   std::size_t operations_paired = 0;
   std::size_t constants = 0;

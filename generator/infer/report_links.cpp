@@ -97,7 +97,7 @@ class CorrespondenceFinder {
   using Key = std::pair<bool, std::size_t>;
 
   const std::vector<pairing::Facet>& facets() const { return input_.applied.pairing.facets; }
-  const name::RuleReading& reading(std::uint32_t sample) const { return input_.applied.readings[sample]; }
+  const name::Reading& reading(std::uint32_t sample) const { return input_.applied.readings[sample]; }
   std::size_t group_of(std::uint32_t sample) const { return group_[reading(sample).rule]; }
 
   /// A rule for operations only and one for events only are one correspondence if they meet in a facet.
@@ -182,9 +182,9 @@ class CorrespondenceFinder {
       if (naming_.archetypes[a].model != name::ArchetypeModel::constant) continue;
       const name::ArchetypeText text(input_.naming, a, 0);
       for (std::uint32_t i = 0; i < input_.samples.size(); ++i) {
-        const bool constant = input_.applied.pairing.accounts[i] == pairing::Account::constant;
+        const bool constant = input_.applied.pairing.accounts[i] == name::Account::constant;
         if (!constant || reading(i).role != name::Role::io || seen_[i]) continue;
-        if (!text.matches(reading(i).task.text, x)) continue;
+        if (!text.matches(reading(i).task->text, x)) continue;
         seen_[i] = true;
         Draft& draft = drafts_[{false, a}];
         ++draft.found.linked;
@@ -198,7 +198,7 @@ class CorrespondenceFinder {
   void count_candidates() {
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < input_.samples.size(); ++i) {
-      if (!input_.is_operation(i) || input_.applied.pairing.accounts[i] != pairing::Account::unpaired) continue;
+      if (!input_.is_operation(i) || input_.applied.pairing.accounts[i] != name::Account::no_event) continue;
       open.push_back(i);
       const auto draft = drafts_.find({true, group_of(i)});
       if (draft != drafts_.end()) ++draft->second.found.candidates;
@@ -219,7 +219,7 @@ class CorrespondenceFinder {
     std::unordered_map<std::string_view, bool> known;
     std::string x;
     return static_cast<std::size_t>(std::count_if(operations.begin(), operations.end(), [&](std::uint32_t i) {
-      const auto [match, added] = known.emplace(reading(i).task.text, false);
+      const auto [match, added] = known.emplace(reading(i).task->text, false);
       if (added) {
         match->second = std::any_of(own.begin(), own.end(), [&, task = match->first](const name::ArchetypeText& text) {
           return text.matches(task, x);
@@ -234,7 +234,7 @@ class CorrespondenceFinder {
     std::array<std::string, 2> sides;
     for (std::size_t rule = 0; rule < group_.size(); ++rule) {
       if (group_[rule] != group) continue;
-      const bool event = naming_.rules[rule].side == name::Side::event;
+      const bool event = naming_.rules[rule].side == name::Direction::event;
       std::string& side = sides[event ? 1 : 0];
       side.append(side.empty() ? "" : " | ").append(rule_text(naming_.rules[rule]));
     }

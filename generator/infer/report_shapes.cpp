@@ -21,7 +21,7 @@ class ShapeCounter {
 
   void add(std::uint32_t sample) {
     const std::string text = input_.texts.normal(sample);
-    const name::Side side = input_.is_operation(sample) ? name::Side::operation : name::Side::event;
+    const name::Direction side = input_.is_operation(sample) ? name::Direction::operation : name::Direction::event;
     const name::Source source = input_.texts.source(sample);
     const auto [known, added] = shapes_.emplace(std::make_tuple(shape_of(text), side, source), Found{0, sample});
     Found& found = known->second;
@@ -47,7 +47,7 @@ class ShapeCounter {
   };
 
   const ReportInput& input_;
-  std::map<std::tuple<std::string, name::Side, name::Source>, Found> shapes_;
+  std::map<std::tuple<std::string, name::Direction, name::Source>, Found> shapes_;
 };
 
 Shapes first_of(std::vector<TextShape> all) {
@@ -64,7 +64,7 @@ name::SymbolRule constant_rule(const TextShape& shape, bool all_have_addresses) 
   rule.name = "healthy " + shape.text;
   rule.patterns.push_back({shape.source, "{device...}"});
   rule.fields.push_back({"device", expression_of_shape(shape.text), {}});
-  if (all_have_addresses) rule.side = name::Side::event;
+  if (all_have_addresses) rule.side = name::Direction::event;
   rule.role = name::Role::constant;
   rule.value = true;
   return rule;
@@ -84,8 +84,8 @@ void add_direction_conflicts(const ReportInput& input, Report& report) {
   ShapeCounter shapes(input);
   for (std::uint32_t i = 0; i < input.samples.size(); ++i) {
     const auto address = input.samples[i].text.address;
-    const auto said = input.applied.readings[i].side_of_name;
-    if (address && said && *said != name::Side::internal && *said != *address) shapes.add(i);
+    const auto said = input.applied.readings[i].direction_of_name;
+    if (address && said && *said != *address) shapes.add(i);
   }
   report.direction_conflicts = first_of(shapes.take());
 }

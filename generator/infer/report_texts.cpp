@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostShown = 80;  ///< bytes
 
 /// What the pattern of a symbol's rule reads first.
-name::Source source_of(const name::Naming& naming, const name::RuleReading& reading) {
+name::Source source_of(const name::Naming& naming, const name::Reading& reading) {
   const name::Source source = naming.rules[reading.rule].patterns.front().source;
   return source == name::Source::name_then_comment ? name::Source::name : source;
 }
@@ -94,7 +94,7 @@ class KindWords {
 }  // namespace
 
 ReportTexts::ReportTexts(const name::CompiledNaming& naming, std::span<const Sample> samples,
-                         std::span<const name::RuleReading> readings)
+                         std::span<const name::Reading> readings)
     : naming_(naming),
       samples_(samples),
       separators_(naming.naming().separators),
@@ -102,7 +102,7 @@ ReportTexts::ReportTexts(const name::CompiledNaming& naming, std::span<const Sam
       sources_(samples.size(), name::Source::name),
       kinds_(samples.size()) {
   std::array<std::size_t, 4> counts{};
-  const auto is_read = [&](std::size_t i) { return readings[i].outcome == name::Outcome::read; };
+  const auto is_read = [&](std::size_t i) { return readings[i].is_read(); };
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (is_read(i)) ++counts[static_cast<std::size_t>(source_of(naming.naming(), readings[i]))];
   }

@@ -29,7 +29,7 @@ class ReportTexts {
  public:
   /// The arguments must outlive the object.
   ReportTexts(const name::CompiledNaming& naming, std::span<const Sample> samples,
-              std::span<const name::RuleReading> readings);
+              std::span<const name::Reading> readings);
 
   name::Source source(std::uint32_t sample) const { return sources_[sample]; }
   /// The text in normal form.

@@ -20,19 +20,19 @@ namespace {
 struct RoleWords {
   std::string_view name;
   std::span<const std::string_view> words;
-  std::optional<name::Side> side;
+  std::optional<name::Direction> side;
   name::Role role;
   std::optional<bool> value;
 };
 
 std::vector<RoleWords> role_words() {
   const name::BuiltInWords& known = name::built_in_words();
-  return {{"diagnosis", known.diagnosis, name::Side::event, name::Role::constant, false},
-          {"alarms", known.alarm, name::Side::event, name::Role::constant, false},
-          {"alarm lamps", known.alarm, name::Side::operation, name::Role::operator_panel, std::nullopt},
+  return {{"diagnosis", known.diagnosis, name::Direction::event, name::Role::constant, false},
+          {"alarms", known.alarm, name::Direction::event, name::Role::constant, false},
+          {"alarm lamps", known.alarm, name::Direction::operation, name::Role::operator_panel, std::nullopt},
           {"interlocks", known.interlock, std::nullopt, name::Role::data, std::nullopt},
           {"data", known.data, std::nullopt, name::Role::data, std::nullopt},
-          {"parts", known.parts, name::Side::event, name::Role::operator_panel, std::nullopt}};
+          {"parts", known.parts, name::Direction::event, name::Role::operator_panel, std::nullopt}};
 }
 
 /// The words of a list that occur in symbols that nothing links.
@@ -41,10 +41,9 @@ std::vector<std::string> found_words(const RoleWords& role, const std::vector<Sa
   std::vector<std::string> found;
   for (const std::string_view word : role.words) {
     const auto has = [&](const SampleWords& text) {
-      if (role.side && *role.side != (text.operation ? name::Side::operation : name::Side::event)) return false;
-      return applied.pairing.accounts[text.sample] > pairing::Account::data &&
-             applied.pairing.accounts[text.sample] != pairing::Account::ignored &&
-             contains(text.words, word, vocabulary);
+      if (role.side && *role.side != (text.operation ? name::Direction::operation : name::Direction::event))
+        return false;
+      return is_left_over(applied.pairing.accounts[text.sample]) && contains(text.words, word, vocabulary);
     };
     if (std::any_of(texts.begin(), texts.end(), has)) found.emplace_back(word);
   }
@@ -57,7 +56,7 @@ std::optional<name::SymbolRule> healthy_contacts(name::Source source, const std:
   std::string words;
   for (const std::string_view word : name::built_in_words().healthy) {
     const auto ends = [&](const SampleWords& text) {
-      return !text.operation && applied.pairing.accounts[text.sample] > pairing::Account::data &&
+      return !text.operation && is_left_over(applied.pairing.accounts[text.sample]) &&
              contains({text.words.back()}, word, vocabulary);
     };
     if (std::none_of(texts.begin(), texts.end(), ends)) continue;
@@ -67,7 +66,7 @@ std::optional<name::SymbolRule> healthy_contacts(name::Source source, const std:
   name::SymbolRule rule;
   rule.name = "questions";
   rule.patterns.push_back({source, "*_(" + words + ")"});
-  rule.side = name::Side::event;
+  rule.side = name::Direction::event;
   rule.role = name::Role::none;
   return rule;
 }

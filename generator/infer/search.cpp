@@ -22,7 +22,7 @@ int rank(CandidateKind kind, bool devices_first) {
 struct Trial {
   std::size_t candidate;
   std::vector<std::size_t> order;
-  Score score;
+  name::Counts score;
 };
 
 }  // namespace
@@ -45,7 +45,9 @@ Search::Search(const name::Naming& frame, const std::vector<Candidate>& candidat
   }
 }
 
-bool Search::better(const Score& a, const Score& b) const { return a.paired > b.paired + samples_.size() / 1000 + 1; }
+bool Search::better(const name::Counts& a, const name::Counts& b) const {
+  return a.paired() > b.paired() + samples_.size() / 1000 + 1;
+}
 
 /// Kinds apply in their order; within a kind the candidate chosen first applies first.
 std::vector<std::size_t> Search::with(const std::vector<std::size_t>& chosen, std::size_t candidate,
@@ -59,23 +61,23 @@ std::vector<std::size_t> Search::with(const std::vector<std::size_t>& chosen, st
   return order;
 }
 
-Score Search::score_of(const std::vector<std::size_t>& order) const {
-  static const name::RuleReading kNone;
+name::Counts Search::score_of(const std::vector<std::size_t>& order) const {
+  static const name::Reading kNone;
   std::vector<pairing::Input> inputs;
   inputs.reserve(samples_.size());
   for (std::size_t s = 0; s < samples_.size(); ++s) {
-    const name::RuleReading* reading = &kNone;
+    const name::Reading* reading = &kNone;
     for (const std::size_t candidate : order) {
       for (std::size_t r = 0; r < candidates_[candidate].rules.size() && reading == &kNone; ++r) {
-        const name::RuleReading& read = readings_[first_rule_[candidate] + r][s];
-        if (read.outcome != name::Outcome::no_rule) reading = &read;
+        const name::Reading& read = readings_[first_rule_[candidate] + r][s];
+        if (read.account != name::Account::no_rule) reading = &read;
       }
       if (reading != &kNone) break;
     }
-    inputs.push_back({reading, samples_[s].text.name, reading->side.value_or(samples_[s].side), samples_[s].boolean,
-                      samples_[s].controller});
+    inputs.push_back({reading, samples_[s].text.name, reading->direction.value_or(samples_[s].side),
+                      samples_[s].boolean, samples_[s].controller});
   }
-  return infer::score_of(pairing::pair(*naming_, inputs), samples_);
+  return infer::score_of(pairing::pair(*naming_, inputs, pairing::Extent::linked), samples_);
 }
 
 Choice Search::run(Start start) const {
@@ -85,7 +87,7 @@ Choice Search::run(Start start) const {
   if (start.devices < candidates_.size()) {
     chosen.push_back(start.devices);
     choice.score = score_of(chosen);
-    choice.steps.push_back(fmt::format("{}: {} paired", candidates_[start.devices].why, choice.score.paired));
+    choice.steps.push_back(fmt::format("{}: {} paired", candidates_[start.devices].why, choice.score.paired()));
   }
   const auto is_others = [&](std::size_t i) { return candidates_[i].kind == CandidateKind::others; };
   std::vector<std::size_t> open;
@@ -108,18 +110,19 @@ void Search::add_best(std::vector<std::size_t>& chosen, std::vector<std::size_t>
     std::vector<Trial> trials;
     for (const std::size_t candidate : open) {
       std::vector<std::size_t> order = with(chosen, candidate, devices_first);
-      const Score score = score_of(order);
+      const name::Counts score = score_of(order);
       trials.push_back({candidate, std::move(order), score});
     }
-    const auto best = std::max_element(trials.begin(), trials.end(),
-                                       [](const Trial& a, const Trial& b) { return a.score.paired < b.score.paired; });
+    const auto best = std::max_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
+      return a.score.paired() < b.score.paired();
+    });
     if (!better(best->score, choice.score)) break;
-    choice.steps.push_back(fmt::format("{}: {} paired, {} before", candidates_[best->candidate].why, best->score.paired,
-                                       choice.score.paired));
-    const double least = kWorthLooking * static_cast<double>(best->score.paired - choice.score.paired);
+    choice.steps.push_back(fmt::format("{}: {} paired, {} before", candidates_[best->candidate].why,
+                                       best->score.paired(), choice.score.paired()));
+    const double least = kWorthLooking * static_cast<double>(best->score.paired() - choice.score.paired());
     open.clear();
     for (const Trial& trial : trials) {
-      const double gain = static_cast<double>(trial.score.paired) - static_cast<double>(choice.score.paired);
+      const double gain = static_cast<double>(trial.score.paired()) - static_cast<double>(choice.score.paired());
       if (trial.candidate != best->candidate && gain > 0 && gain >= least) open.push_back(trial.candidate);
     }
     choice.score = best->score;

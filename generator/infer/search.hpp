@@ -16,7 +16,7 @@ namespace symplant::infer {
 /// The rules chosen, in the order in which they apply.
 struct Choice {
   std::vector<name::SymbolRule> rules;
-  Score score;
+  name::Counts score;
   std::vector<std::string> steps;  ///< what was chosen and why, for --verbose
 };
 
@@ -40,15 +40,15 @@ class Search {
                                 bool devices_first) const;
   void add_best(std::vector<std::size_t>& chosen, std::vector<std::size_t> open, bool devices_first,
                 Choice& choice) const;
-  Score score_of(const std::vector<std::size_t>& order) const;
-  bool better(const Score& a, const Score& b) const;
+  name::Counts score_of(const std::vector<std::size_t>& order) const;
+  bool better(const name::Counts& a, const name::Counts& b) const;
 
   const std::vector<Candidate>& candidates_;
   std::span<const Sample> samples_;
   std::vector<std::size_t> first_rule_;  ///< of each candidate
   std::shared_ptr<const name::CompiledNaming> naming_;
   std::unique_ptr<name::SymbolReader> reader_;
-  std::vector<std::vector<name::RuleReading>> readings_;  ///< by rule, then by sample
+  std::vector<std::vector<name::Reading>> readings_;  ///< by rule, then by sample
 };
 
 }  // namespace symplant::infer

@@ -37,7 +37,7 @@ std::vector<SampleWords> words_of(std::span<const Sample> samples, name::Source 
     if (text.words().empty()) continue;
     SampleWords& words = all.emplace_back();
     words.sample = i;
-    words.operation = samples[i].side == name::Side::operation;
+    words.operation = samples[i].side == name::Direction::operation;
     for (const name::Word& word : text.words()) {
       words.words.emplace_back(text.folded().substr(word.begin, word.end - word.begin));
     }

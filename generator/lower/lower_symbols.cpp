@@ -15,6 +15,7 @@ using model::kNone;
 
 tables::AddressForm form_of(const model::Symbol& symbol) {
   if (!symbol.address) return tables::AddressForm::none;
+  if (symbol.address->area == address::Area::memory) return tables::AddressForm::internal;
   // The checks report an address whose size differs from the symbol's; it has no number on a link.
   if (static_cast<int>(symbol.address->size) != model::data_type_bits(symbol.type)) return tables::AddressForm::none;
   if (!symbol.address->plain || symbol.address->number > 0xFFFF'FFFF) return tables::AddressForm::other;
@@ -67,7 +68,7 @@ class SymbolLowering {
   }
 
   static bool is_driven_by_condition_or_part(const model::Symbol& symbol) {
-    return symbol.unmodelled == model::Unmodelled::follows || symbol.unmodelled == model::Unmodelled::senses_parts;
+    return symbol.account == model::Account::follows || symbol.account == model::Account::senses_parts;
   }
 
   /// Whether a symbol acts: an operation of a unit that moves, or an event that its unit or a condition drives.

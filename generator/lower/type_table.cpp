@@ -15,8 +15,8 @@ std::uint64_t bit(std::uint32_t position) { return std::uint64_t{1} << position;
 bool is_driven(const model::PlantModel& plant, std::uint32_t event) {
   const std::uint32_t unit = plant.symbols[event].unit;
   if (unit == kNone) {
-    const model::Unmodelled why = plant.symbols[event].unmodelled;
-    return why == model::Unmodelled::follows || why == model::Unmodelled::senses_parts;
+    const model::Account why = plant.symbols[event].account;
+    return why == model::Account::follows || why == model::Account::senses_parts;
   }
   const auto& events = plant.units[unit].events;
   const auto position = std::find(events.begin(), events.end(), event) - events.begin();

@@ -101,12 +101,6 @@ struct Named {
 tables::Direction direction_of(const address::Address& address) {
   return address.area == address::Area::output ? tables::Direction::operation : tables::Direction::event;
 }
-tables::Direction direction_of(name::Direction direction) {
-  return direction == name::Direction::operation ? tables::Direction::operation : tables::Direction::event;
-}
-tables::Direction direction_of(name::Side side) {
-  return side == name::Side::operation ? tables::Direction::operation : tables::Direction::event;
-}
 
 bool is_constant(std::string_view klass) {
   constexpr std::string_view kConstant = "CONSTANT";
@@ -115,10 +109,11 @@ bool is_constant(std::string_view klass) {
 }
 
 /// Fills in a symbol but for its reading; returns the reason if the row is not one.
-std::optional<InternalReason> classify_named(const read::ListRow& row, const RowAddress& address,
+std::optional<InternalReason> classify_named(const read::ListRow& row, const RowAddress& address, bool given_io,
                                              const std::optional<Named>& named, Symbol& symbol) {
   if (is_constant(row.klass)) return InternalReason::constant;
-  if (address.address && address.address->area == address::Area::memory) return InternalReason::memory;
+  const bool internal = address.address && address.address->area == address::Area::memory;
+  if (internal && !given_io) return InternalReason::memory;
 
   std::optional<DataType> type = data_type(row.type);
   if (row.type.empty()) {
@@ -195,31 +190,22 @@ RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect
   return result;
 }
 
-std::optional<InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
+std::optional<InternalReason> classify(const read::ListRow& row, const name::Reading& reading,
                                        const RowAddress& address, Symbol& symbol) {
   std::optional<Named> named;
-  if (address.address) {
+  const bool by_address = !reading.is_read() || reading.direction_by == name::Evidence::address;
+  if (reading.given_io) {
+    named = Named{reading.given_direction, DirectionBy::description};
+  } else if (by_address && address.address) {
     named = Named{direction_of(*address.address), DirectionBy::address};
-  } else if (reading.fault == name::NameFault::none) {
-    named = Named{direction_of(reading.direction), DirectionBy::name};
+  } else if (reading.is_read()) {
+    named = Named{*reading.direction, DirectionBy::name};
   }
-  symbol.reading = reading;
-  return classify_named(row, address, named, symbol);
-}
-
-std::optional<InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
-                                       const RowAddress& address, Symbol& symbol) {
-  std::optional<Named> named;
-  if (reading.outcome == name::Outcome::read) {
-    const bool by_address = reading.side_by == name::Evidence::address && address.address;
-    named = Named{direction_of(*reading.side), by_address ? DirectionBy::address : DirectionBy::name};
-  } else if (address.address) {
-    named = Named{direction_of(*address.address), DirectionBy::address};
-  }
-  symbol.reading.fault = name::NameFault::not_linked;
-  const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
-  symbol.reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
-  return classify_named(row, address, named, symbol);
+  if (reading.levels != nullptr) symbol.reading = {reading.levels, reading.task->text};
+  if (const auto reason = classify_named(row, address, reading.given_io, named, symbol)) return reason;
+  symbol.named = reading.direction_of_name.value_or(symbol.direction);
+  if (!reading.is_read()) symbol.account = name::account_of(reading, symbol.type == DataType::boolean);
+  return std::nullopt;
 }
 
 RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::optional<address::Radix> forced) {

@@ -30,13 +30,10 @@ struct RowAddress {
 /// `dialect` is that of the row's list.
 RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect);
 
-/// Fills in a new I/O symbol without unit and leader. Returns the reason if the row is not an I/O symbol, which then is
-/// not complete. The address decides the direction before the name.
-std::optional<InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
-                                       const RowAddress& address, Symbol& symbol);
-/// The same under a custom naming rule, which decides by the evidence that it names. The symbol is in no unit yet, and
-/// its reading has the direction of the name only, and no levels.
-std::optional<InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
+/// Fills in a new I/O symbol without unit and leader, whose account is that of the reading. Returns the reason if the
+/// row is not an I/O symbol, which then is not complete. The naming rule's evidence decides the direction, mostly the
+/// address before the name.
+std::optional<InternalReason> classify(const read::ListRow& row, const name::Reading& reading,
                                        const RowAddress& address, Symbol& symbol);
 
 /// The radix of X and Y in the lists of a controller: as rows with both address columns prove, else `forced`, else

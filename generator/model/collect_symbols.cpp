@@ -68,14 +68,11 @@ class SymbolCollector {
   explicit SymbolCollector(Derived& derived)
       : plant_(derived.plant), evidence_(derived.evidence), names_(plant_.lists) {
     base::reserve_large(plant_.symbols, names_.rows());
-    if (plant_.reader == nullptr) return;
-    plant_.levels = std::make_shared<std::vector<name::LevelTexts>>();
-    plant_.levels->reserve(names_.rows());  // symbols point to them
   }
 
   /// Adds the rows of the next list. `take(i)` is called for each row that is a symbol.
-  template <class Reading, class Take>
-  void add(std::uint32_t list, const std::vector<Reading>& readings, Take take) {
+  template <class Take>
+  void add(std::uint32_t list, const std::vector<name::Reading>& readings, Take take) {
     const std::vector<read::ListRow>& rows = plant_.lists[list].table->rows;
     for (std::size_t i = 0; i < std::min(RowNames::kAhead, rows.size()); ++i) names_.announce(rows[i], next_ + i);
     for (std::size_t i = 0; i < rows.size(); ++i, ++next_) {
@@ -92,8 +89,7 @@ class SymbolCollector {
 
  private:
   /// Whether the row is a symbol.
-  template <class Reading>
-  bool add_row(const read::ListRow& row, std::uint32_t list, const Reading& reading) {
+  bool add_row(const read::ListRow& row, std::uint32_t list, const name::Reading& reading) {
     const RowAddress address = address_of({&row, list});
     Symbol& symbol = plant_.symbols.emplace_back();
     const std::optional<InternalReason> reason = classify(row, reading, address, symbol);
@@ -104,7 +100,6 @@ class SymbolCollector {
       return false;
     }
     symbol.list = list;
-    keep_levels(symbol, reading);
     const bool is_alias = row.extra != read::kNoExtra && !plant_.lists[list].table->extra_of(row).alias.empty();
     if (is_alias && symbol.direction_by == DirectionBy::address) symbol.direction_by = DirectionBy::alias;
     return true;
@@ -123,16 +118,6 @@ class SymbolCollector {
       }
     }
     if (reason == InternalReason::type && address.address) evidence_.typeless_io.push_back({at.row, address.cell});
-  }
-
-  static void keep_levels(const Symbol&, const name::NameReading&) {}
-  /// Under a custom rule the levels are not those of the name.
-  void keep_levels(Symbol& symbol, const name::RuleReading& reading) {
-    name::LevelTexts& levels = plant_.levels->emplace_back();
-    levels.line = reading.line;
-    levels.process = reading.process;
-    levels.device = reading.device;
-    symbol.reading = name::NameReading::of(levels, symbol.reading.fault, symbol.reading.direction);
   }
 
   RowAddress address_of(const RowOfList& at) const { return row_address(*at.row, plant_.lists[at.list].dialect()); }
@@ -158,7 +143,10 @@ void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {
     });
     const auto controller = static_cast<std::uint32_t>(known - plant.controllers.begin());
     if (known == plant.controllers.end()) plant.controllers.push_back(list.controller);
-    plant.lists.push_back({list.table, controller, {}, {}});
+    PlantList& added = plant.lists.emplace_back();
+    added.table = list.table;
+    added.controller = controller;
+    added.prefix = list.prefix;
   }
 }
 
@@ -185,19 +173,18 @@ void choose_radices(PlantModel& plant, const std::vector<ListInput>& lists) {
 
 }  // namespace
 
-std::vector<const name::RuleReading*> collect_symbols(Derived& derived, const std::vector<ListInput>& lists) {
+std::vector<const name::Reading*> collect_symbols(Derived& derived, const std::vector<ListInput>& lists) {
   PlantModel& plant = derived.plant;
   collect_lists(plant, lists);
   choose_radices(plant, lists);
   SymbolCollector collector(derived);
-  std::vector<const name::RuleReading*> readings;
+  std::vector<const name::Reading*> readings;
+  const bool paired = plant.naming().units == name::Units::facets;
   for (std::uint32_t list = 0; list < lists.size(); ++list) {
-    const name::NamedTable& named = lists[list].named;
-    if (plant.reader != nullptr) {
-      collector.add(list, named.by_rule, [&](std::size_t row) { readings.push_back(&named.by_rule[row]); });
-    } else {
-      collector.add(list, named.readings, [](std::size_t) {});
-    }
+    const std::vector<name::Reading>& of_rows = lists[list].named.readings;
+    collector.add(list, of_rows, [&](std::size_t row) {
+      if (paired) readings.push_back(&of_rows[row]);
+    });
   }
   return readings;
 }

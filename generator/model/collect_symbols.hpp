@@ -8,8 +8,8 @@
 
 namespace symplant::model {
 
-/// Fills in lists, controllers and symbols of a plant, and the evidence about other rows. Under a custom naming rule
-/// returns the reading of each symbol, in `lists`. O(rows).
-std::vector<const name::RuleReading*> collect_symbols(Derived& derived, const std::vector<ListInput>& lists);
+/// Fills in lists, controllers and symbols of a plant, and the evidence about other rows. If the naming rule makes
+/// facets, returns the reading of each symbol, in `lists`. O(rows).
+std::vector<const name::Reading*> collect_symbols(Derived& derived, const std::vector<ListInput>& lists);
 
 }  // namespace symplant::model

@@ -1,19 +1,19 @@
 // The two stages of the derivation.
 #include "model/derive.hpp"
 
+#include <algorithm>
 #include <utility>
 
-#include "base/index_table.hpp"
 #include "base/large_memory.hpp"
 #include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
+#include "model/group_symbols.hpp"
 #include "model/layout.hpp"
 #include "model/links.hpp"
 #include "model/made_transitions.hpp"
 #include "model/match_entries.hpp"
 #include "model/material/entries.hpp"
 #include "model/material/resolve.hpp"
-#include "model/pair_units.hpp"
 #include "model/relations.hpp"
 #include "model/resolve_malfunctions.hpp"
 #include "model/shared_addresses.hpp"
@@ -24,47 +24,8 @@
 namespace symplant::model {
 namespace {
 
-constexpr std::size_t kFew = 6;  ///< as many as fit in the smallest allocation
-
-/// Adds every BOOL symbol whose name follows the rule to the unit of its device.
-void gather_units(PlantModel& plant) {
-  base::IndexTable by_path(plant.symbols.size() / 4);
-  base::reserve_large(plant.units, plant.symbols.size() / 4);
-  std::uint32_t last = kNone;  // rows of one device are mostly adjacent
-  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
-    Symbol& symbol = plant.symbols[i];
-    if (symbol.driven_without_unit()) continue;
-    if (symbol.type != tables::DataType::boolean) {
-      symbol.unmodelled = Unmodelled::numeric;
-      continue;
-    }
-    if (symbol.reading.fault != name::NameFault::none) {
-      symbol.unmodelled = Unmodelled::name;
-      continue;
-    }
-    const std::string_view path = symbol.reading.device_path();
-    if (last == kNone || plant.units[last].path != path) {
-      const auto next = static_cast<std::uint32_t>(plant.units.size());
-      last = by_path.find_or_add(text::hash_ignoring_case(path), next, [&](std::uint32_t unit) {
-        return text::equal_ignoring_case(plant.units[unit].path, path);
-      });
-      if (last == next) {
-        Unit& unit = plant.units.emplace_back();
-        unit.path = path;
-        unit.device = symbol.reading.device();
-        unit.operations.reserve(kFew);
-        unit.events.reserve(kFew);
-      }
-    }
-    Unit& unit = plant.units[last];
-    symbol.unit = last;
-    (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(i);
-  }
-}
-
-/// Of several symbols with one task and direction only the first is kept.
-void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& symbols) {
-  if (side.size() < 2) return;
+/// Keeps the first of several symbols with one task.
+void keep_first_of_task(std::vector<std::uint32_t>& side, std::vector<Symbol>& symbols) {
   const auto taken = [&](std::size_t index) {
     for (std::size_t i = 0; i < index; ++i) {
       if (text::equal_ignoring_case(symbols[side[i]].reading.task(), symbols[side[index]].reading.task())) return true;
@@ -72,7 +33,7 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
     return false;
   };
   const auto drop = [&](std::uint32_t symbol) {
-    symbols[symbol].unmodelled = Unmodelled::task_taken;
+    symbols[symbol].account = Account::task_taken;
     symbols[symbol].unit = kNone;
   };
   if (side.size() <= 16) {
@@ -96,6 +57,19 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
   });
 }
 
+/// Of several symbols with one task and direction only the first is kept. What the description gives comes first.
+void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& symbols) {
+  if (side.size() < 2) return;
+  const auto is_described = [&](std::uint32_t symbol) { return symbols[symbol].described; };
+  if (std::any_of(side.begin(), side.end(), is_described)) {
+    std::stable_partition(side.begin(), side.end(), is_described);
+    keep_first_of_task(side, symbols);
+    std::sort(side.begin(), side.end());
+  } else {
+    keep_first_of_task(side, symbols);
+  }
+}
+
 /// False if the unit exceeds the limits; then its symbols become unmodelled.
 bool within_limits(Unit& unit, Derived& derived, description::Faults& faults) {
   PlantModel& plant = derived.plant;
@@ -109,10 +83,11 @@ bool within_limits(Unit& unit, Derived& derived, description::Faults& faults) {
       states <= tables::kMaxStates) {
     return true;
   }
+  for (const std::uint32_t symbol : unit.values) plant.symbols[symbol].value_of = kNone;
   TooLarge large{unit.path, unit.operations, unit.operations.size(), unit.events.size(), states};
   large.symbols.insert(large.symbols.end(), unit.events.begin(), unit.events.end());
   for (const std::uint32_t symbol : large.symbols) {
-    plant.symbols[symbol].unmodelled = Unmodelled::unit_too_large;
+    plant.symbols[symbol].account = Account::unit_too_large;
     plant.symbols[symbol].unit = kNone;
   }
   derived.evidence.too_large.push_back(std::move(large));
@@ -143,6 +118,7 @@ void derive_units(Derived& derived, MadeNames& made, description::Faults& faults
       for (const auto* side : {&unit.operations, &unit.events}) {
         for (const std::uint32_t symbol : *side) plant.symbols[symbol].unit = static_cast<std::uint32_t>(kept);
       }
+      for (const std::uint32_t symbol : unit.values) plant.symbols[symbol].value_of = static_cast<std::uint32_t>(kept);
       plant.units[kept] = std::move(unit);
     }
     ++kept;
@@ -156,23 +132,17 @@ void derive_units(Derived& derived, MadeNames& made, description::Faults& faults
   }
 }
 
-void group_symbols(Derived& derived, const std::vector<const name::RuleReading*>& readings) {
-  derived.plant.reader != nullptr ? pair_units(derived, readings) : gather_units(derived.plant);
-}
-
 /// Makes the entries of the material flow and marks the symbols of their sensors, before the symbols are grouped.
 void prepare_material(Derived& derived, const description::GivenMaterial& given,
-                      const std::vector<const name::RuleReading*>& readings) {
+                      const std::vector<const name::Reading*>& readings) {
   description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
   PlantModel& plant = derived.plant;
   if (for_devices(given)) {  // of which sensors may be a part
     const std::vector<Symbol> ungrouped = plant.symbols;
-    const auto levels = plant.levels == nullptr ? std::vector<name::LevelTexts>() : *plant.levels;
     group_symbols(derived, readings);
     derived.material = make_material(plant, given, faults);
     plant.units.clear();
     plant.symbols = ungrouped;
-    if (plant.levels != nullptr) *plant.levels = levels;
   } else {
     derived.material = make_material(plant, given, faults);
   }
@@ -185,9 +155,8 @@ Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
                std::shared_ptr<const name::SymbolReader> reader, const description::Description* description) {
   Derived derived;
   derived.plant.name = std::move(plant_name);
-  derived.plant.rule = lists.front().named.rule;
   derived.plant.reader = std::move(reader);
-  const std::vector<const name::RuleReading*> readings = collect_symbols(derived, lists);
+  const std::vector<const name::Reading*> readings = collect_symbols(derived, lists);
   if (description != nullptr) {
     description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
     apply_symbol_settings(derived.plant, *description, faults);

@@ -12,12 +12,10 @@ namespace symplant::model {
 
 /// The first stage: classifies the rows and groups the symbols by device. Units have operations and events and no
 /// states yet. `lists` holds at least one list, and one naming rule has parsed all of them. Names of controllers
-/// compare without regard to the case of ASCII letters. Under a custom rule `reader` has read the lists, and symbols
-/// are grouped by facet. Symbols that follow a condition of `description`, which may be null, are in no unit. O(rows *
-/// patterns for symbols).
+/// compare without regard to the case of ASCII letters. `reader` has read the lists. Symbols that follow a condition of
+/// `description`, which may be null, are in no unit. O(rows * patterns for symbols).
 Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
-               std::shared_ptr<const name::SymbolReader> reader = nullptr,
-               const description::Description* description = nullptr);
+               std::shared_ptr<const name::SymbolReader> reader, const description::Description* description = nullptr);
 
 /// The second stage, with the same description: matches the description's entries with devices, derives each unit's
 /// model, resolves relations, shared addresses and links. A null `description` means that there is none; `source` is

@@ -10,11 +10,21 @@
 namespace symplant::model {
 namespace {
 
+/// The state of a device whose symbols name none.
+constexpr std::string_view kOnlyState = "IDLE";
+
 /// The result of inferences 1 and 2.
 struct InferredRest {
   std::uint32_t rest = kNone;
   bool spring = false;
 };
+
+/// Whether the only state is the one of a device whose symbols name none.
+bool is_placeholder(const Unit& unit) {
+  const State& only = unit.states.front();
+  return only.operation == kNone && only.event == kNone &&
+         (unit.described == nullptr || unit.described->states.empty());
+}
 
 /// Inference 1: the only state gets a counterpart without an event, ordered first.
 InferredRest add_rest_state(Unit& unit) {
@@ -43,7 +53,7 @@ InferredRest infer_single_solenoid(Unit& unit, UnitEvidence& evidence) {
 void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults, UnitEvidence& evidence,
                                description::Faults& faults) {
   InferredRest inferred;
-  if (unit.states.size() == 1) {
+  if (unit.states.size() == 1 && !is_placeholder(unit)) {
     inferred = add_rest_state(unit);
   } else if (unit.states.size() == 2 && !unit.is_archetype()) {
     inferred = infer_single_solenoid(unit, evidence);
@@ -237,6 +247,7 @@ UnitEvidence derive_states(Unit& unit, const std::vector<Symbol>& symbols, const
   sort_by_facet(unit);
   // All tasks are commands and reports of states that do not exist, which is reported elsewhere.
   if (unit.states.empty()) unit.states = states_of(unit, symbols, TaskRoles());
+  if (unit.states.empty()) unit.states.push_back({std::string(kOnlyState)});  // of a device without states
   choose_actuation_and_rest(unit, defaults, evidence, faults);
   choose_initial(unit, symbols, evidence, faults);
   choose_overrun(unit, defaults.overrun, faults);

@@ -13,8 +13,8 @@ namespace {
 
 /// The line and process of a unit, as its first symbol has them.
 Station station_of(const PlantModel& plant, const Unit& unit) {
-  const std::uint32_t first = unit.operations.empty() ? unit.events.front() : unit.operations.front();
-  const name::NameReading& reading = plant.symbols[first].reading;
+  const std::uint32_t first = unit.first_symbol();
+  const SymbolReading& reading = plant.symbols[first].reading;
   return {std::string(reading.line()), std::string(reading.process())};
 }
 

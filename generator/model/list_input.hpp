@@ -16,6 +16,7 @@ struct ListInput {
   name::NamedTable named;              ///< of `*table`
   std::string controller{};            ///< whose addresses these are; empty: the default controller
   std::optional<address::Radix> xy{};  ///< without a value: what the rows prove, else hexadecimal
+  std::string prefix{};                ///< of the names of its symbols and the lines of its devices
 };
 
 }  // namespace symplant::model

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <utility>
 
 #include "address/address.hpp"
 #include "description/faults.hpp"
@@ -299,6 +300,45 @@ bool is_mitsubishis(const PlantModel& plant, std::uint32_t controller) {
   });
 }
 
+/// Marks the symbols that the link does not carry. A pattern is of names or addresses.
+void exclude_symbols(const PlantModel& plant, std::uint32_t controller, const description::LinkDescription& link,
+                     ControllerLink& result, description::Faults& faults) {
+  const auto index = static_cast<std::size_t>(&link - plant.description->links.data());
+  const description::Pointer here = description::Pointer("/links") / index / "exclude";
+  std::vector<std::uint32_t> excluded;
+  for (std::size_t i = 0; i < link.exclude.size(); ++i) {
+    const std::string& pattern = link.exclude[i];
+    const auto matches = [&](std::string_view text) { return !text.empty() && text::matches_pattern(text, pattern); };
+    const std::size_t before = excluded.size();
+    for (std::uint32_t s = 0; s < plant.symbols.size(); ++s) {
+      const Symbol& symbol = plant.symbols[s];
+      if (plant.controller_of(symbol) != controller) continue;
+      if (matches(symbol.name()) || matches(symbol.row->vendor_address) || matches(symbol.row->iec_address)) {
+        excluded.push_back(s);
+      }
+    }
+    if (excluded.size() != before) continue;
+    faults.warn(here / i, description::ticked(pattern) + " matches no symbol of the link by name or address",
+                description::FaultKind::matches_nothing);
+  }
+  std::sort(excluded.begin(), excluded.end());
+  excluded.erase(std::unique(excluded.begin(), excluded.end()), excluded.end());
+  if (std::binary_search(excluded.begin(), excluded.end(), result.link.clock.symbol)) {
+    faults.add(here, "the clock of the link, " + description::ticked(plant.symbols[result.link.clock.symbol].name()) +
+                         ", is excluded; make the pattern narrower");
+  }
+  std::vector<link::MapRow> rows;
+  auto next = result.rows.begin();
+  for (const std::uint32_t symbol : excluded) {
+    while (next != result.rows.end() && next->symbol < symbol) rows.push_back(*next++);
+    const bool is_set = next != result.rows.end() && next->symbol == symbol;
+    rows.push_back(is_set ? *next++ : link::MapRow{.symbol = symbol});
+    rows.back().excluded = true;
+  }
+  rows.insert(rows.end(), next, result.rows.end());
+  result.rows = std::move(rows);
+}
+
 }  // namespace
 
 void resolve_links(PlantModel& plant, const std::vector<const description::LinkDescription*>& links,
@@ -315,6 +355,7 @@ void resolve_links(PlantModel& plant, const std::vector<const description::LinkD
     result.link.clock.symbol = resolve_clock(plant, c, *links[c], faults);
     result.keep.assign(links[c]->keep.begin(), links[c]->keep.end());
     if (!links[c]->map.empty()) LinkResolver(plant, c, *links[c], faults).run(result);
+    exclude_symbols(plant, c, *links[c], result, faults);
   }
 }
 

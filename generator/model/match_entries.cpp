@@ -65,6 +65,7 @@ class EntryMatcher {
       if (device.is_pattern()) continue;
       const auto found = by_path.find(device.path);
       if (found == by_path.end() && covers_facets(device)) continue;
+      if (found == by_path.end() && device.names_symbols()) continue;  // its symbols have faults, which are reported
       if (found == by_path.end()) {
         const auto nearest =
             faults_.nearest(device.path, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; });

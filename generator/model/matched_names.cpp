@@ -11,15 +11,15 @@ namespace {
 
 constexpr std::size_t kMostNamed = 3;
 
-const name::NameReading& reading_of(const PlantModel& plant, const Unit& unit) {
-  return plant.symbols[unit.operations.empty() ? unit.events.front() : unit.operations.front()].reading;
+const SymbolReading& reading_of(const PlantModel& plant, const Unit& unit) {
+  return plant.symbols[unit.first_symbol()].reading;
 }
 
 }  // namespace
 
 MatchedNames MatchedNames::of(const PlantModel& plant, const Unit& unit, std::string_view pattern) {
   MatchedNames names;
-  const name::NameReading& reading = reading_of(plant, unit);
+  const SymbolReading& reading = reading_of(plant, unit);
   names.line_ = reading.line();
   names.process_ = reading.process();
   names.device_ = unit.device;

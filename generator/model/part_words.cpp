@@ -36,14 +36,14 @@ bool has_word(std::string_view name) {
 }  // namespace
 
 bool looks_like_part_sensor(const Symbol& symbol) {
-  if (symbol.reading.fault != name::NameFault::none) return has_word(symbol.name());
+  if (!symbol.reading.is_named()) return has_word(symbol.name());
   return has_word(symbol.reading.device()) || has_word(symbol.reading.task());
 }
 
 bool is_driven(const PlantModel& plant, const Symbol& symbol) {
   if (symbol.leader != kNone) return true;
-  if (symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts) return true;
-  if (symbol.unmodelled == Unmodelled::constant) return true;
+  if (symbol.account == Account::follows || symbol.account == Account::senses_parts) return true;
+  if (symbol.account == Account::constant) return true;
   if (symbol.unit == kNone) return false;
   const Unit& unit = plant.units[symbol.unit];
   for (std::uint32_t e = 0; e < unit.events.size(); ++e) {

@@ -47,8 +47,8 @@ std::string PlantList::name() const {
 }
 
 std::string_view PlantModel::rule_text() const {
-  if (reader == nullptr) return rule->pattern;
-  const std::string& named = reader->naming().naming().name;
+  if (levels() != nullptr) return levels()->pattern;
+  const std::string& named = naming().name;
   return named.empty() ? std::string_view("naming.json") : std::string_view(named);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,6 @@
 #include "model/controller_link.hpp"
 #include "model/malfunction.hpp"
 #include "model/material.hpp"
-#include "name/name_parser.hpp"
 #include "name/symbol_reader.hpp"
 #include "pairing/pairing.hpp"
 #include "read/symbol_table.hpp"
@@ -37,60 +37,69 @@ enum class InternalReason : std::uint8_t {
 inline constexpr std::size_t kInternalReasons = 4;
 std::string_view internal_reason_text(InternalReason reason);
 
-/// Why an I/O symbol is in no unit. It is still in the images, on the links and in traces.
-enum class Unmodelled : std::uint8_t {
-  modelled,        ///< it is in a unit
-  numeric,         ///< states come from BOOL symbols only
-  name,            ///< its name does not follow the rule
-  task_taken,      ///< another symbol of its unit has its task and direction
-  unit_too_large,  ///< its unit has more symbols or states than a unit may have
-  // Under a custom naming rule:
-  unpaired,        ///< nothing to link it with
-  no_rule,         ///< no rule matches it
-  ignored,         ///< a pattern of `ignore` matches it
-  named_internal,  ///< its name says that it is neither operation nor event
-  operator_panel,  ///< a lamp, a push button
-  data,            ///< a bit of a number, or one of several symbols of one text
-  constant,        ///< a contact that keeps its value
-  role_none,       ///< its rule has the role `none`
-  follows,         ///< it follows a condition (PlantModel::follows)
-  senses_parts,    ///< a sensor of PlantModel::material
-};
-inline constexpr int kUnmodelled = 15;
+using name::Account;
 
 /// What gave a symbol its direction.
 enum class DirectionBy : std::uint8_t {
-  name,     ///< its name: it has no address
-  address,  ///< the address in the list
-  alias,    ///< the address of the operand that it is an alias of
+  name,         ///< its name: it has no address
+  address,      ///< the address in the list
+  alias,        ///< the address of the operand that it is an alias of
+  description,  ///< plant.json or `--io`: its address is internal or missing
+};
+
+/// The levels of a symbol's device and its task in it. All are empty if no naming rule reads the symbol.
+class SymbolReading {
+ public:
+  SymbolReading() = default;
+  /// What is given must outlive the reading; null levels: no rule reads the symbol.
+  SymbolReading(const name::DeviceLevels* levels, std::string_view task) : levels_(levels), task_(task) {}
+
+  /// Whether a rule reads the symbol, and gives it a direction.
+  bool is_named() const { return levels_ != nullptr; }
+  std::string_view line() const { return levels_ == nullptr ? std::string_view() : levels_->line; }
+  std::string_view process() const { return levels_ == nullptr ? std::string_view() : levels_->process; }
+  std::string_view device() const { return levels_ == nullptr ? std::string_view() : levels_->device; }
+  /// Line, process and device, those that are not empty, joined by `_`: identifies the device.
+  std::string_view device_path() const { return levels_ == nullptr ? std::string_view() : levels_->path; }
+  std::string_view task() const { return task_; }
+  const name::DeviceLevels* levels() const { return levels_; }
+
+ private:
+  const name::DeviceLevels* levels_ = nullptr;
+  std::string_view task_;
 };
 
 /// One I/O symbol, which points into its list. There may be millions: mind the size.
 struct Symbol {
   const read::ListRow* row = nullptr;
-  name::NameReading reading;
+  SymbolReading reading;
   std::optional<address::Address> address;
   std::uint64_t initial = 0;  ///< in the form of tables::InitialValue; 0 if the list has none
   std::uint32_t list = 0;     ///< index in PlantModel::lists
   std::uint32_t unit = kNone;
-  std::uint32_t leader = kNone;  ///< the symbol on its address whose value it follows; kNone: it leads
+  std::uint32_t value_of = kNone;  ///< of a number: the unit that has the name of its device, or kNone
+  std::uint32_t leader = kNone;    ///< the symbol on its address whose value it follows; kNone: it leads
   tables::Direction direction{};
   DirectionBy direction_by = DirectionBy::name;
   tables::DataType type{};
-  Unmodelled unmodelled = Unmodelled::modelled;
+  tables::Direction named{};  ///< the direction that its name says; without one, `direction`
+  Account account = Account::modelled;
   bool address_is_iec = false;  ///< `address` is that of the cell for IEC addresses
   bool initial_known = true;    ///< false: its Initial could not be read
   bool inverted = false;        ///< its bit is on while what it means is off
+  bool described = false;       ///< the description gives its device and task, whatever its name
 
   std::string_view name() const { return row->name; }
+  /// The unit of its device: that it is in, or whose value it is; else kNone.
+  std::uint32_t unit_of_device() const { return unit != kNone ? unit : value_of; }
   /// The cell that `address` was read from; empty without an address.
   std::string_view address_cell() const {
     return !address ? std::string_view() : address_is_iec ? row->iec_address : row->vendor_address;
   }
   /// Whether a condition or parts drive it: then it is in no unit.
-  bool driven_without_unit() const {
-    return unmodelled == Unmodelled::follows || unmodelled == Unmodelled::senses_parts;
-  }
+  bool driven_without_unit() const { return account == Account::follows || account == Account::senses_parts; }
+  /// Whether the naming rule has no say: what drives it or its device is given, or that it has none.
+  bool is_given() const { return described || driven_without_unit() || account == Account::plain; }
   /// The address as the list writes it: the vendor's, else the IEC one; empty if there is none.
   std::string_view written_address() const {
     return row->vendor_address.empty() ? row->iec_address : row->vendor_address;
@@ -154,7 +163,7 @@ enum class InitialFrom : std::uint8_t { description, initial_column, rest_state,
 struct Unit {
   std::string_view path;    ///< LINE_PROC_DEV as its first row writes it; `DEVICE.FACET` if the facet has a name
   std::string_view device;  ///< the device level
-  const pairing::Facet* facet = nullptr;  ///< under a custom naming rule; in PlantModel::pairing
+  const pairing::Facet* facet = nullptr;  ///< in PlantModel::pairing; null if each device is one unit
   std::vector<std::uint32_t> operations;  ///< I: symbols, in list order
   std::vector<std::uint32_t> events;      ///< O: symbols, in list order
   std::vector<State> states;              ///< S
@@ -169,7 +178,8 @@ struct Unit {
   std::vector<std::string_view> input_names;         ///< of the behavior's inputs, sorted by bytes
   std::vector<Outputs> outputs;                      ///< one for each state; empty if no state has any
   std::vector<std::vector<std::uint32_t>> disables;  ///< for each state: units, ascending; empty if no state has any
-  std::vector<std::uint32_t> values;                 ///< numeric symbols of its device, if it has a behavior
+  std::vector<std::uint32_t> reports;  ///< events that nothing links: they name no state unless the description does
+  std::vector<std::uint32_t> values;   ///< numeric symbols of its device, in list order; a behavior sees them
   /// The description of its device, by name and by patterns; null without one. Points into PlantModel::description or
   /// PlantModel::joined.
   const description::DeviceDescription* described = nullptr;
@@ -183,8 +193,12 @@ struct Unit {
 
   /// The first one in list order.
   std::uint32_t first_symbol() const {
-    return std::min(operations.empty() ? kNone : operations.front(), events.empty() ? kNone : events.front());
+    const auto front = [](const std::vector<std::uint32_t>& symbols) {
+      return symbols.empty() ? kNone : symbols.front();
+    };
+    return std::min({front(operations), front(events), front(values)});
   }
+  bool is_report(std::uint32_t symbol) const { return std::binary_search(reports.begin(), reports.end(), symbol); }
   /// The path of its device.
   std::string_view device_path() const { return facet == nullptr ? path : facet->path; }
   /// Whether the naming rule gives all of its model.
@@ -192,6 +206,10 @@ struct Unit {
   /// Whether digits at the end of its states are sequence numbers.
   bool has_sequence() const { return facet == nullptr || facet->numbered; }
   bool has_behaviour() const { return described != nullptr && !described->behaviour.empty(); }
+  /// The numeric symbols that custom code sees.
+  std::span<const std::uint32_t> behaviour_values() const {
+    return has_behaviour() ? std::span<const std::uint32_t>(values) : std::span<const std::uint32_t>();
+  }
   bool moves() const { return !transitions.empty() || actuation == tables::Actuation::spring || has_behaviour(); }
   /// Whether the unit can reach a state: by a transition, by the return of a spring, or by custom code.
   bool reaches(std::uint32_t state) const;
@@ -216,6 +234,8 @@ struct PlantList {
   RadixChoice own;                                 ///< from the rows and the option of this list
   std::size_t compared = 0;                        ///< the number of rows with two comparable addresses
 
+  std::string prefix;  ///< of the names of its symbols and the lines of its devices
+
   std::string name() const;  ///< the name of the file without its folders
   /// How its addresses are read.
   address::Dialect dialect() const { return {table->notation, radix.radix, &table->io_words}; }
@@ -229,14 +249,14 @@ struct PlantModel {
   std::vector<std::shared_ptr<const description::DeviceDescription>> joined;  ///< of devices that several entries match
   std::vector<PlantList> lists;          ///< in the description's order; at least one
   std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
-  const name::NamingRule* rule = nullptr;
-  /// The custom naming rule; null under the built-in one. Holds the texts of names.
-  std::shared_ptr<const name::SymbolReader> reader;
-  std::shared_ptr<const pairing::Pairing> pairing;        ///< under a custom rule: the facets of the units; else null
-  std::shared_ptr<std::vector<name::LevelTexts>> levels;  ///< under a custom rule: those of each symbol; else null
-  std::vector<std::string> naming_files;                  ///< naming.json and its links; none with the built-in rule
-  std::vector<Symbol> symbols;                            ///< I/O symbols, in the order of lists and in list order
-  std::vector<Unit> units;                                ///< in the order of their first symbol
+  std::shared_ptr<const name::SymbolReader> reader;  ///< of the naming rule; holds the texts of names; never null
+  std::shared_ptr<const pairing::Pairing> pairing;   ///< the facets of the units; null if each device is one unit
+  std::shared_ptr<std::vector<name::DeviceLevels>> facet_levels;  ///< by facet; null with `pairing`
+  std::shared_ptr<std::vector<name::DeviceLevels>>
+      described_levels;                   ///< of devices that the description makes; or null
+  std::vector<std::string> naming_files;  ///< naming.json and its links; none with a profile
+  std::vector<Symbol> symbols;            ///< I/O symbols, in the order of lists and in list order
+  std::vector<Unit> units;                ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<Follow> follows;  ///< sorted by symbol
   Material material;
@@ -244,8 +264,15 @@ struct PlantModel {
   std::vector<ControllerLink> links;      ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};
 
-  /// For messages: the pattern of the built-in rule, or the name of the custom one.
+  const name::Naming& naming() const { return reader->naming().naming(); }
+  /// The levels that the naming rule gives names; null unless all of it is one exact rule.
+  const name::LevelRule* levels() const { return reader->naming().levels(); }
+  /// For messages: the levels of names, or the name of the rule.
   std::string_view rule_text() const;
+  /// Whether the naming rule makes an operation and an event of its unit belong together; true if it makes no facets.
+  bool is_linked(std::uint32_t symbol) const {
+    return pairing == nullptr || symbols[symbol].described || pairing->accounts[symbol] == Account::modelled;
+  }
   const PlantList& list_of(const Symbol& symbol) const { return lists[symbol.list]; }
   /// The index in `lists` of the list with this row. O(lists): for messages.
   std::uint32_t list_of(const read::ListRow& row) const;

@@ -28,16 +28,13 @@ class Relations {
       : plant_(plant), made_(made), faults_(faults), names_(plant, faults) {}
 
   void run() {
-    bool some_behaviour = false;
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
       Unit& unit = plant_.units[u];
       if (unit.described == nullptr) continue;
       add_conditions(unit);
       add_inputs(unit);
       add_disables(u);
-      some_behaviour = some_behaviour || !unit.described->behaviour.empty();
     }
-    if (some_behaviour) add_values();
     check_classes(plant_, faults_);
     add_requirements();
     add_follows();
@@ -229,18 +226,6 @@ class Relations {
     return found->second;
   }
 
-  /// Adds the numeric symbols of every device with a behavior.
-  void add_values() {
-    for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
-      const Symbol& symbol = plant_.symbols[i];
-      if (symbol.type == tables::DataType::boolean || symbol.reading.fault != name::NameFault::none) continue;
-      const auto found = names_.unit(symbol.reading.device_path(), {});
-      if (!found) continue;
-      Unit& unit = plant_.units[*found];
-      if (unit.has_behaviour()) unit.values.push_back(i);
-    }
-  }
-
   void add_requirements() {
     const auto& given = plant_.description->requirements;
     for (std::uint32_t i = 0; i < given.size(); ++i) {
@@ -339,7 +324,7 @@ class Relations {
       if (sound) {
         follows.push_back(std::move(follow));
       } else {
-        symbol.unmodelled = Unmodelled::unpaired;
+        symbol.account = name::unpaired(symbol.direction);
       }
     }
     plant_.follows = std::move(follows);

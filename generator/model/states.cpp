@@ -70,9 +70,10 @@ const State* find_state(const std::vector<State>& states, std::string_view name)
 
 std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbols, const TaskRoles& roles) {
   std::vector<Draft> drafts = drafts_of(unit, symbols);
-  if (unit.described != nullptr) {
+  if (unit.described != nullptr || !unit.reports.empty()) {
     std::erase_if(drafts, [&](const Draft& draft) {
-      return roles.of(draft.task, draft.operation != kNone, draft.event != kNone) != TaskRole::state;
+      if (roles.of(draft.task, draft.operation != kNone, draft.event != kNone) != TaskRole::state) return true;
+      return draft.operation == kNone && unit.is_report(unit.events[draft.event]) && !roles.names_state(draft.task);
     });
   }
   if (!unit.has_sequence()) {
@@ -108,6 +109,7 @@ void add_given_states(Unit& unit, description::Faults& faults) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     const description::Pointer here = pointer / i;
     const State* same = find_state(unit.states, given[i]);
+    if (same != nullptr && same->event != kNone && unit.is_report(unit.events[same->event])) continue;
     if (same != nullptr) {
       const bool by_symbol = same->operation != kNone || same->event != kNone;
       faults.add(here, description::ticked(given[i]) +

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/described_devices.hpp"
+#include "model/symbol_names.hpp"
 #include "text/ascii.hpp"
 #include "text/pattern.hpp"
 
@@ -18,47 +20,30 @@ using description::ticked;
 bool is_pattern(std::string_view name) { return name.find_first_of("*?") != std::string_view::npos; }
 bool is_bit(const Symbol& symbol) { return symbol.type == tables::DataType::boolean; }
 
-/// Finds symbols by name.
-class SymbolNames {
- public:
-  explicit SymbolNames(const PlantModel& plant) : plant_(plant) {
-    by_name_.reserve(plant.symbols.size());
-    for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) by_name_.try_emplace(plant.symbols[i].name(), i);
-  }
-
-  /// kNone, and a fault, if there is no such symbol.
-  std::uint32_t find(const std::string& name, const Pointer& here, description::Faults& faults) const {
-    if (const auto found = by_name_.find(name); found != by_name_.end()) return found->second;
-    const auto nearest = faults.nearest(name, plant_.symbols.size(),
-                                        [&](std::size_t i) -> std::string_view { return plant_.symbols[i].name(); });
-    faults.add(here, description::missing("symbol " + ticked(name), nearest), FaultKind::unknown_name);
-    return kNone;
-  }
-
- private:
-  const PlantModel& plant_;
-  text::ByName<std::uint32_t> by_name_;
-};
-
-void apply_inverted(PlantModel& plant, const SymbolNames& names, const std::vector<std::string>& inverted,
-                    description::Faults& faults) {
-  for (std::size_t i = 0; i < inverted.size(); ++i) {
-    const Pointer here = Pointer("/inverted") / i;
-    if (!is_pattern(inverted[i])) {
-      const std::uint32_t symbol = names.find(inverted[i], here, faults);
+/// Calls `take(symbol)` for each BOOL symbol that a name or a pattern means; reports those that mean none.
+template <class Take>
+void for_each_bit(PlantModel& plant, const SymbolNames& names, const std::vector<std::string>& texts,
+                  std::string_view key, description::Faults& faults, const Take& take) {
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const Pointer here = Pointer(std::string(key)) / i;
+    if (!is_pattern(texts[i])) {
+      const std::uint32_t symbol = names.find(texts[i], here, faults);
       if (symbol == kNone) continue;
-      plant.symbols[symbol].inverted = true;
-      if (!is_bit(plant.symbols[symbol])) {
-        faults.add(here, ticked(inverted[i]) + " is a number; only BOOL symbols can be inverted");
+      if (is_bit(plant.symbols[symbol])) {
+        take(plant.symbols[symbol]);
+      } else {
+        faults.add(here,
+                   ticked(texts[i]) + " is a number; only BOOL symbols can be in `" + std::string(key.substr(1)) + "`");
       }
       continue;
     }
     bool any = false;
     for (Symbol& symbol : plant.symbols) {
-      if (!is_bit(symbol) || !text::matches_pattern(symbol.name(), inverted[i])) continue;
-      symbol.inverted = any = true;
+      if (!is_bit(symbol) || !text::matches_pattern(symbol.name(), texts[i])) continue;
+      take(symbol);
+      any = true;
     }
-    if (!any) faults.warn(here, ticked(inverted[i]) + " matches no BOOL symbol", FaultKind::matches_nothing);
+    if (!any) faults.warn(here, ticked(texts[i]) + " matches no BOOL symbol", FaultKind::matches_nothing);
   }
 }
 
@@ -90,7 +75,7 @@ class FollowMatcher {
     }
     for (std::uint32_t i = 0; i < entries_.size(); ++i) {
       if (entries_[i] == kNone) continue;
-      plant_.symbols[i].unmodelled = Unmodelled::follows;
+      plant_.symbols[i].account = Account::follows;
       plant_.follows.push_back({i, {}, entries_[i]});
     }
   }
@@ -169,10 +154,17 @@ description::Pointer follow_pointer(const PlantModel& plant, std::uint32_t given
 
 void apply_symbol_settings(PlantModel& plant, const description::Description& description,
                            description::Faults& faults) {
-  if (description.inverted.empty() && description.follow.empty()) return;
+  if (description.inverted.empty() && description.follow.empty() && description.plain.empty() &&
+      std::none_of(description.devices.begin(), description.devices.end(),
+                   [](const description::DeviceDescription& device) { return device.names_symbols(); })) {
+    return;
+  }
   const SymbolNames names(plant);
-  apply_inverted(plant, names, description.inverted, faults);
+  for_each_bit(plant, names, description.inverted, "/inverted", faults, [](Symbol& symbol) { symbol.inverted = true; });
+  for_each_bit(plant, names, description.plain, "/plain", faults,
+               [](Symbol& symbol) { symbol.account = Account::plain; });
   FollowMatcher(plant, names, description.follow, faults).run();
+  claim_symbols(plant, description, names, faults);
 }
 
 /// Removes, again and again, the entries that no remaining entry reads: what is left is in a cycle or read by one.

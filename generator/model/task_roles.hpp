@@ -24,6 +24,8 @@ class TaskRoles {
   TaskRoles(const Unit& unit, const std::vector<Symbol>& symbols);
 
   TaskRole of(std::string_view task, bool has_operation, bool has_event) const;
+  /// Whether the description names it as a state.
+  bool names_state(std::string_view task) const { return states_.contains(task); }
 
  private:
   using Tasks = std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "name/exact_levels.hpp"
 #include "name/naming_parts.hpp"
 #include "text/folding.hpp"
 #include "text/pattern.hpp"
@@ -54,7 +55,16 @@ std::optional<Field> field_of(std::string_view name) {
 CompiledRule compiled_rule(std::string_view list, const SymbolRule& rule, std::size_t index, const NamingParts& parts,
                            std::vector<NamingFault>& faults) {
   CompiledRule compiled{
-      {}, RuleFields(rule, parts.vocabulary), Replacements(), RequiredWords(rule.has, parts.separators)};
+      {}, {}, RuleFields(rule, parts.vocabulary), Replacements(), RequiredWords(rule.has, parts.separators)};
+  if (rule.exact) {
+    auto levels = exact_levels(rule);
+    if (levels) {
+      compiled.levels = std::move(*levels);
+    } else {
+      faults.push_back({index_pointer(list, index) + levels.error().pointer, levels.error().message});
+    }
+    return compiled;
+  }
   compiled.replace = compiled_replacements(rule.replace, index_pointer(list, index, "replace"), faults);
   std::array<bool, kFields> has{};
   for (const SourcePattern& source : rule.patterns) {
@@ -126,6 +136,10 @@ std::shared_ptr<const CompiledNaming> CompiledNaming::compile(Naming naming, std
 }
 
 const Vocabulary& CompiledNaming::vocabulary() const { return parts_->vocabulary; }
+
+const LevelRule* CompiledNaming::levels() const {
+  return parts_->rules.size() == 1 && parts_->rules.front().levels ? &*parts_->rules.front().levels : nullptr;
+}
 
 std::string_view archetype_role_name(ArchetypeRole role) {
   constexpr std::array<std::string_view, kArchetypeRoles> kNames = {

@@ -28,6 +28,8 @@ class CompiledNaming {
   const Vocabulary& vocabulary() const;
 
   const NamingParts& parts() const { return *parts_; }
+  /// The levels of names, if all rules are one exact rule: then a name that is not read has a NameFault. Else null.
+  const LevelRule* levels() const;
 
  private:
   explicit CompiledNaming(Naming naming);

@@ -22,27 +22,24 @@ std::optional<address::Area> area_of(const read::ListRow& row, const address::Di
 
 }  // namespace
 
-NamedTable read_names(const read::SymbolTable& table, const NamingRule& rule) {
-  NamedTable named{&table, &rule, {}, {}};
+NamedTable read_names(const read::SymbolTable& table, SymbolReader& reader, std::string_view prefix, IoRows* io) {
+  NamedTable named{&table, {}};
   base::reserve_large(named.readings, table.rows.size());
-  NameParser parser(rule);
-  for (const read::ListRow& row : table.rows) named.readings.push_back(parser.parse(row.name));
-  return named;
-}
-
-NamedTable read_names(const read::SymbolTable& table, SymbolReader& reader) {
-  NamedTable named{&table, &built_in_rule(), {}, {}};
-  base::reserve_large(named.by_rule, table.rows.size());
   const address::Dialect dialect{table.notation, address::Radix::hexadecimal, &table.io_words};
   for (const read::ListRow& row : table.rows) {
     const auto area = area_of(row, dialect);
-    if (area == address::Area::memory) {
-      named.by_rule.emplace_back();
+    const bool is_internal = !area || area == address::Area::memory;
+    std::optional<Direction> given;
+    if (io != nullptr && is_internal) given = io->direction_of(row.name, row.vendor_address, row.iec_address);
+    if (area == address::Area::memory && !given) {
+      named.readings.emplace_back();
       continue;
     }
-    std::optional<Side> side;
-    if (area) side = *area == address::Area::output ? Side::operation : Side::event;
-    named.by_rule.push_back(reader.read({row.name, row.comment, table.extra_of(row).parent_comment, side}));
+    std::optional<Direction> side = given;
+    if (!is_internal) side = *area == address::Area::output ? Direction::operation : Direction::event;
+    named.readings.push_back(reader.read({row.name, row.comment, table.extra_of(row).parent_comment, side, prefix}));
+    named.readings.back().given_io = given.has_value();
+    named.readings.back().given_direction = given.value_or(Direction::event);
   }
   return named;
 }

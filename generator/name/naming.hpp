@@ -11,12 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "name/naming_rule.hpp"
+#include "name/level_rule.hpp"
 
 namespace symplant::name {
-
-/// What a symbol is for the PLC, as a name says it.
-enum class Side : std::uint8_t { operation, event, internal };
 
 /// What a rule's symbols are. Only `io` symbols are linked; the others are accounted for.
 enum class Role : std::uint8_t { io, operator_panel, data, constant, none };
@@ -45,9 +42,9 @@ struct Normalise {
 
 /// What a field of a pattern may hold.
 struct FieldRule {
-  std::string field;                                ///< without braces
-  std::string expression;                           ///< of RE2, for the whole field; empty: anything
-  std::vector<std::pair<std::string, Side>> words;  ///< of a direction field: word, side
+  std::string field;                 ///< without braces
+  std::string expression;            ///< of RE2, for the whole field; empty: anything
+  std::vector<DirectionWord> words;  ///< of a direction field
 };
 
 struct SourcePattern {
@@ -60,11 +57,13 @@ struct SymbolRule {
   std::string name;                     ///< for messages; empty: its number
   std::vector<SourcePattern> patterns;  ///< all must match
   std::vector<FieldRule> fields;
-  std::vector<std::pair<std::string, Side>> classes;  ///< words of the field `class`; empty: the vocabulary's
-  std::vector<Replacement> replace;                   ///< after those of Normalise
+  std::vector<DirectionWord> classes;  ///< words of the field `class`; empty: the vocabulary's
+  std::vector<Replacement> replace;    ///< after those of Normalise
   std::vector<std::string> has;     ///< the text must have one of these words or phrases, digits at a word's end apart
-  std::optional<Side> side;         ///< only symbols whose address is on this side
+  std::optional<Direction> side;    ///< only symbols whose address is on this side
   std::optional<std::string> task;  ///< the task of all its symbols
+  bool exact = false;               ///< the pattern is the whole name as written, each of its fields one level
+  bool unlinked_states = false;     ///< events that nothing links name states, too
   bool fan_out = false;             ///< an operation drives every device of its process whose words contain its own
   Role role = Role::io;
   std::optional<bool> value;  ///< of the role `constant`
@@ -92,6 +91,12 @@ struct TaskRules {
   std::vector<std::pair<std::string, std::string>> synonyms;  ///< words, canonical word
   SensorIndex sensor_index = SensorIndex::on;
   bool sequence = false;  ///< trailing digits are sequence numbers
+};
+
+/// What becomes a unit.
+enum class Units : std::uint8_t {
+  facets,  ///< symbols of a device that archetypes and words link
+  device,  ///< all symbols of a device (Park, Wang and Park); names differ in more than the case of ASCII letters
 };
 
 enum class ArchetypeModel : std::uint8_t { mirror, handshake, constant, two_position, contactor };
@@ -143,6 +148,7 @@ struct Naming {
   std::vector<SymbolRule> rest;                      ///< roles of symbols that nothing links
   std::vector<std::pair<Level, std::string>> fixed;  ///< line, process or device that no name carries
   DirectionRule direction;
+  Units units = Units::facets;
   TaskRules tasks;
   std::vector<NamedLink> links;
   std::vector<Archetype> archetypes;

@@ -34,18 +34,18 @@ class RuleFields : public FieldTest {
   std::string add_expression(Field field, std::string_view expression);
   bool fits(Field field, const PreparedText& text, std::size_t begin, std::size_t end, bool known,
             bool fused) const override;
-  /// The side that a word of the direction field or of the class field says.
-  std::optional<Side> direction_side(std::string_view shown, std::string_view folded, bool fused) const;
-  std::optional<Side> class_side(std::string_view folded) const;
+  /// What a word of the direction field or of the class field says; nothing for another word.
+  std::optional<Said> direction_said(std::string_view shown, std::string_view folded, bool fused) const;
+  std::optional<Said> class_said(std::string_view folded) const;
 
  private:
   bool fits_direction(const PreparedText& text, std::size_t begin, std::size_t end, bool fused) const;
   bool fits_known(const PreparedText& text, std::size_t begin, std::size_t end) const;
 
   const Vocabulary* vocabulary_;
-  std::unordered_map<std::string, Side> directions_;         // as written
-  std::unordered_map<std::string, Side> folded_directions_;  // folded
-  std::unordered_map<std::string, Side> classes_;            // folded; empty: the vocabulary's
+  std::unordered_map<std::string, Said> directions_;         // as written
+  std::unordered_map<std::string, Said> folded_directions_;  // folded
+  std::unordered_map<std::string, Said> classes_;            // folded; empty: the vocabulary's
   std::array<std::unique_ptr<re2::RE2>, kFields> expressions_;
 };
 
@@ -56,6 +56,7 @@ struct CompiledPattern {
 
 struct CompiledRule {
   std::vector<CompiledPattern> patterns;
+  std::optional<LevelRule> levels;  ///< of an exact rule, which has no patterns
   RuleFields fields;
   Replacements replace;
   RequiredWords has;

@@ -10,17 +10,18 @@ namespace symplant::name {
 namespace {
 
 /// The words of a direction field that gives none.
-const std::vector<std::pair<std::string, Side>>& usual_directions() {
-  static const std::vector<std::pair<std::string, Side>> words = {
-      {"I", Side::event},      {"X", Side::event},     {"E", Side::event},      {"DI", Side::event},
-      {"AI", Side::event},     {"SI", Side::event},    {"O", Side::operation},  {"Q", Side::operation},
-      {"Y", Side::operation},  {"A", Side::operation}, {"DO", Side::operation}, {"AO", Side::operation},
-      {"SO", Side::operation}, {"M", Side::internal}};
+const std::vector<DirectionWord>& usual_directions() {
+  static const std::vector<DirectionWord> words = {
+      {"I", Direction::event},      {"X", Direction::event},      {"E", Direction::event},
+      {"DI", Direction::event},     {"AI", Direction::event},     {"SI", Direction::event},
+      {"O", Direction::operation},  {"Q", Direction::operation},  {"Y", Direction::operation},
+      {"A", Direction::operation},  {"DO", Direction::operation}, {"AO", Direction::operation},
+      {"SO", Direction::operation}, {"M", std::nullopt}};
   return words;
 }
 
 template <class Map>
-std::optional<Side> side_in(const Map& map, std::string_view word) {
+std::optional<Said> said_in(const Map& map, std::string_view word) {
   const auto found = map.find(std::string(word));
   if (found == map.end()) return std::nullopt;
   return found->second;
@@ -29,15 +30,15 @@ std::optional<Side> side_in(const Map& map, std::string_view word) {
 }  // namespace
 
 RuleFields::RuleFields(const SymbolRule& rule, const Vocabulary& vocabulary) : vocabulary_(&vocabulary) {
-  const std::vector<std::pair<std::string, Side>>* words = &usual_directions();
+  const std::vector<DirectionWord>* words = &usual_directions();
   for (const FieldRule& field : rule.fields) {
     if (field.field == field_name(Field::direction) && !field.words.empty()) words = &field.words;
   }
-  for (const auto& [word, side] : *words) {
-    directions_.emplace(text::normal_form(word), side);
-    folded_directions_.emplace(text::folded(text::normal_form(word)), side);
+  for (const auto& [word, says] : *words) {
+    directions_.emplace(text::normal_form(word), says);
+    folded_directions_.emplace(text::folded(text::normal_form(word)), says);
   }
-  for (const auto& [word, side] : rule.classes) classes_.emplace(text::folded(text::normal_form(word)), side);
+  for (const auto& [word, says] : rule.classes) classes_.emplace(text::folded(text::normal_form(word)), says);
 }
 RuleFields::~RuleFields() = default;
 RuleFields::RuleFields(RuleFields&&) noexcept = default;
@@ -55,7 +56,7 @@ bool RuleFields::fits(Field field, const PreparedText& text, std::size_t begin, 
                       bool fused) const {
   if (field == Field::x) return true;
   if (field == Field::direction && !fits_direction(text, begin, end, fused)) return false;
-  if (field == Field::klass && !class_side(text.folded().substr(begin, end - begin))) return false;
+  if (field == Field::klass && !class_said(text.folded().substr(begin, end - begin))) return false;
   if (known && !fits_known(text, begin, end)) return false;
   const re2::RE2* expression = expressions_[static_cast<std::size_t>(field)].get();
   if (expression == nullptr) return true;
@@ -64,17 +65,17 @@ bool RuleFields::fits(Field field, const PreparedText& text, std::size_t begin, 
 
 bool RuleFields::fits_direction(const PreparedText& text, std::size_t begin, std::size_t end, bool fused) const {
   const auto part = [&](std::string_view whole) { return whole.substr(begin, end - begin); };
-  if (!direction_side(part(text.shown()), part(text.folded()), fused)) return false;
+  if (!direction_said(part(text.shown()), part(text.folded()), fused)) return false;
   // A fused prefix is not the begin of a longer word: `iConv`, but not `indicator`.
   return !fused || end == text.size() || text.shown()[end] < 'a' || text.shown()[end] > 'z';
 }
 
-std::optional<Side> RuleFields::direction_side(std::string_view shown, std::string_view folded, bool fused) const {
-  return fused ? side_in(directions_, shown) : side_in(folded_directions_, folded);
+std::optional<Said> RuleFields::direction_said(std::string_view shown, std::string_view folded, bool fused) const {
+  return fused ? said_in(directions_, shown) : said_in(folded_directions_, folded);
 }
 
-std::optional<Side> RuleFields::class_side(std::string_view folded) const {
-  return classes_.empty() ? vocabulary_->class_side(folded) : side_in(classes_, folded);
+std::optional<Said> RuleFields::class_said(std::string_view folded) const {
+  return classes_.empty() ? vocabulary_->class_said(folded) : said_in(classes_, folded);
 }
 
 bool RuleFields::fits_known(const PreparedText& text, std::size_t begin, std::size_t end) const {
@@ -86,8 +87,8 @@ bool RuleFields::fits_known(const PreparedText& text, std::size_t begin, std::si
       const bool is_motion = vocabulary_->motion(word).has_value();
       const bool is_number = std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
       if (is_motion && has_motion) return false;
-      if (!is_motion && !(is_number && has_motion) && !vocabulary_->is_affix(word, Side::event) &&
-          !vocabulary_->is_affix(word, Side::operation)) {
+      if (!is_motion && !(is_number && has_motion) && !vocabulary_->is_affix(word, Direction::event) &&
+          !vocabulary_->is_affix(word, Direction::operation)) {
         return false;
       }
       has_motion = has_motion || is_motion;

@@ -3,11 +3,12 @@
 
 #include <array>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
+#include "name/device_store.hpp"
 #include "name/naming_parts.hpp"
 #include "name/task_reader.hpp"
+#include "name/task_store.hpp"
 #include "name/text_store.hpp"
 #include "text/ascii.hpp"
 #include "text/folding.hpp"
@@ -51,37 +52,40 @@ struct SymbolReader::Work {
       : naming(std::move(of)),
         parts(naming->parts()),
         matched(parts.rules.size()),
+        devices(naming->naming().units == Units::device ? DeviceStore::Case::ascii : DeviceStore::Case::unicode),
         replaced(parts.rules.size() + parts.rest.size()) {}
 
   PreparedText& source(const SymbolText& symbol, std::size_t slot);
   const PreparedText& text_for(const SymbolText& symbol, const CompiledRule& rule, std::size_t slot);
   bool match(const SymbolText& symbol, const SymbolRule& given, const CompiledRule& rule);
+  bool match_levels(const SymbolText& symbol, const CompiledRule& rule);
   bool match(const SymbolText& symbol, std::size_t rule) {
     return match(symbol, naming->naming().rules[rule], parts.rules[rule]);
   }
-  void read_rest(const SymbolText& symbol, RuleReading& reading);
+  void read_rest(const SymbolText& symbol, Reading& reading);
   bool match(const SymbolText& symbol, const CompiledRule& rule, const CompiledPattern& pattern, MatchedText& match);
   bool is_ignored(const SymbolText& symbol);
   void forget_texts() {
     for (SourceText& source : sources) source.made = false;
   }
   std::string field(Field field, char joint) const;
-  RuleReading reading_by(std::size_t rule, const SymbolText& symbol);
-  void read_levels(RuleReading& reading);
-  void read_side(const SymbolText& symbol, std::size_t rule, RuleReading& reading);
-  void read_task(std::size_t rule, RuleReading& reading);
+  Reading reading_by(std::size_t rule, const SymbolText& symbol);
+  void read_device(std::string_view prefix, const CompiledRule& rule, Reading& reading);
+  void read_direction(const SymbolText& symbol, const CompiledRule& rule, Reading& reading);
+  void read_task(const SymbolRule& given, const CompiledRule& rule, Reading& reading);
+  void read_words(std::string_view text, Direction side, TaskReading& task);
 
   std::shared_ptr<const CompiledNaming> naming;
   const NamingParts& parts;
   std::vector<std::size_t> matched;
   TextStore texts;
-  TextStore devices;                                   // folded levels
-  TextStore processes;                                 // folded levels
-  std::unordered_map<std::string, TaskReading> tasks;  // by side and text
+  DeviceStore devices;
+  TaskStore tasks;
   std::array<SourceText, kSources> sources;
   std::vector<PreparedText> replaced;  // texts to which a rule's replacements were applied
   std::array<MatchedText, kSources> matches;
   std::size_t match_count = 0;
+  LevelReading levels;  // of an exact rule that matches
 };
 
 PreparedText& SymbolReader::Work::source(const SymbolText& symbol, std::size_t slot) {
@@ -122,9 +126,15 @@ bool SymbolReader::Work::match(const SymbolText& symbol, const CompiledRule& rul
   return attempt(slot_of(pattern.source)) || (pattern.source == Source::name_then_comment && attempt(1));
 }
 
+bool SymbolReader::Work::match_levels(const SymbolText& symbol, const CompiledRule& rule) {
+  levels = name::read_levels(*rule.levels, symbol.name);
+  return levels.fault == NameFault::none;
+}
+
 bool SymbolReader::Work::match(const SymbolText& symbol, const SymbolRule& given, const CompiledRule& rule) {
   if (given.side && symbol.address != given.side) return false;
   match_count = 0;
+  if (rule.levels) return match_levels(symbol, rule);
   for (const CompiledPattern& pattern : rule.patterns) {
     if (match_count == matches.size() || !match(symbol, rule, pattern, matches[match_count])) return false;
     ++match_count;
@@ -132,7 +142,7 @@ bool SymbolReader::Work::match(const SymbolText& symbol, const SymbolRule& given
   return match_count != 0 && (rule.has.empty() || rule.has.are_in(*matches[0].text, parts.vocabulary));
 }
 
-void SymbolReader::Work::read_rest(const SymbolText& symbol, RuleReading& reading) {
+void SymbolReader::Work::read_rest(const SymbolText& symbol, Reading& reading) {
   const std::vector<SymbolRule>& rest = naming->naming().rest;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (!match(symbol, rest[i], parts.rest[i])) continue;
@@ -162,79 +172,96 @@ std::string SymbolReader::Work::field(Field field, char joint) const {
   return {};
 }
 
-void SymbolReader::Work::read_levels(RuleReading& reading) {
-  std::array<std::string, 3> levels;
-  constexpr std::array kLevelFields = {Field::line, Field::process, Field::device};
-  std::string path;
-  std::string key;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    levels[i] = field(kLevelFields[i], '_');
-    if (levels[i].empty()) levels[i] = parts.fixed[i];
-    if (!path.empty() && !levels[i].empty()) path += '_';
-    path += levels[i];
-    if (i == 2) reading.process_id = processes.number(key);
-    key.append(text::folded(levels[i])).append(1, '\0');
+void SymbolReader::Work::read_device(std::string_view prefix, const CompiledRule& rule, Reading& reading) {
+  constexpr std::array kFieldOf = {Field::line, Field::process, Field::device};
+  constexpr std::array kLevelOf = {Level::line, Level::process, Level::device};
+  if (rule.levels && rule.levels->has_path && prefix.empty()) {  // nothing is copied
+    const DeviceStore::Texts own = {levels.of(Level::line), levels.of(Level::process), levels.of(Level::device)};
+    const char* const end = own[2].data() + own[2].size();
+    reading.levels = devices.find_or_add(own, {own[0].data(), static_cast<std::size_t>(end - own[0].data())});
+    return;
   }
-  reading.line = texts.keep(levels[0]);
-  reading.process = texts.keep(levels[1]);
-  reading.device = texts.keep(levels[2]);
-  reading.path = texts.keep(path);
-  reading.device_id = devices.number(key);
+  std::array<std::string, 3> texts_of;
+  for (std::size_t i = 0; i < texts_of.size(); ++i) {
+    texts_of[i] = rule.levels ? std::string(levels.of(kLevelOf[i])) : field(kFieldOf[i], '_');
+    if (texts_of[i].empty()) texts_of[i] = parts.fixed[i];
+  }
+  if (!prefix.empty()) {
+    const bool has_line = !texts_of[0].empty();
+    texts_of[0].insert(0, prefix);
+    if (!has_line && texts_of[0].ends_with('_')) texts_of[0].pop_back();  // a path has `_` between two levels
+  }
+  reading.levels = devices.find_or_add({texts_of[0], texts_of[1], texts_of[2]}, {});
 }
 
-void SymbolReader::Work::read_side(const SymbolText& symbol, std::size_t rule, RuleReading& reading) {
-  const RuleFields& fields = parts.rules[rule].fields;
-  std::array<std::optional<Side>, 4> sides;  // by Evidence
-  sides[static_cast<std::size_t>(Evidence::address)] = symbol.address;
+void SymbolReader::Work::read_direction(const SymbolText& symbol, const CompiledRule& rule, Reading& reading) {
+  std::array<std::optional<Said>, 4> said;  // by Evidence
+  if (symbol.address) said[static_cast<std::size_t>(Evidence::address)] = symbol.address;
+  if (rule.levels && levels.direction != nullptr) {
+    said[static_cast<std::size_t>(Evidence::field)] = levels.direction->says;
+  }
   for (std::size_t i = 0; i < match_count; ++i) {
     const auto& [text, captures] = matches[i];
     if (const Capture& found = captures[static_cast<std::size_t>(Field::direction)]; found.set) {
-      const auto side = fields.direction_side(text->shown().substr(found.begin, found.end - found.begin),
-                                              text->folded().substr(found.begin, found.end - found.begin), found.fused);
-      sides[static_cast<std::size_t>(found.fused ? Evidence::prefix : Evidence::field)] = side;
+      const auto says =
+          rule.fields.direction_said(text->shown().substr(found.begin, found.end - found.begin),
+                                     text->folded().substr(found.begin, found.end - found.begin), found.fused);
+      said[static_cast<std::size_t>(found.fused ? Evidence::prefix : Evidence::field)] = says;
     }
     if (const Capture& found = captures[static_cast<std::size_t>(Field::klass)]; found.set) {
       reading.klass = texts.keep(text->shown().substr(found.begin, found.end - found.begin));
-      sides[static_cast<std::size_t>(Evidence::klass)] =
-          fields.class_side(text->folded().substr(found.begin, found.end - found.begin));
+      said[static_cast<std::size_t>(Evidence::klass)] =
+          rule.fields.class_said(text->folded().substr(found.begin, found.end - found.begin));
     }
   }
+  reading.account = Account::no_direction;
   for (const Evidence evidence : naming->naming().direction.evidence) {
-    const std::optional<Side> side = sides[static_cast<std::size_t>(evidence)];
-    if (!side) continue;
-    if (evidence != Evidence::address && !reading.side_of_name) reading.side_of_name = side;
-    if (reading.side) continue;
-    reading.side = side;
-    reading.side_by = evidence;
+    const std::optional<Said>& says = said[static_cast<std::size_t>(evidence)];
+    if (!says) continue;
+    if (evidence != Evidence::address && !reading.direction_of_name) reading.direction_of_name = *says;
+    if (reading.account != Account::no_direction) continue;
+    reading.account = *says ? Account::modelled : Account::named_internal;
+    reading.direction = *says;
+    reading.direction_by = evidence;
   }
 }
 
-void SymbolReader::Work::read_task(std::size_t rule, RuleReading& reading) {
-  const SymbolRule& given = naming->naming().rules[rule];
-  const std::string text = given.task ? *given.task : field(Field::task, ' ');
-  const Side side = reading.side.value_or(Side::internal);
-  std::string key(1, static_cast<char>('0' + static_cast<int>(side)));
-  key += text;
-  const auto [found, added] = tasks.try_emplace(std::move(key));
-  if (added) {
-    PreparedText words;
-    words.prepare(text, parts.separators);
-    std::vector<std::string_view> shown;
-    std::vector<std::string_view> folded;
-    for (const Word& word : words.words()) {
-      shown.push_back(words.shown().substr(word.begin, word.end - word.begin));
-      folded.push_back(words.folded().substr(word.begin, word.end - word.begin));
-    }
-    const ReadTask task = name::read_task(shown, folded, side, naming->naming().tasks, parts.vocabulary);
-    found->second = {texts.keep(text),
-                     texts.keep(task.canonical),
-                     texts.keep(task.index),
-                     texts.keep(task.group),
-                     texts.keep(task.numbered_group),
-                     task.pair,
-                     task.rest};
+/// Reads the words of a task, which is kept.
+void SymbolReader::Work::read_words(std::string_view text, Direction side, TaskReading& task) {
+  if (naming->naming().units == Units::device) {  // nothing pairs tasks by their words
+    task = {text, text, {}, text, text, kNoPair, false};
+    return;
   }
-  reading.task = found->second;
+  PreparedText words;
+  words.prepare(text, parts.separators);
+  std::vector<std::string_view> shown;
+  std::vector<std::string_view> folded;
+  for (const Word& word : words.words()) {
+    shown.push_back(words.shown().substr(word.begin, word.end - word.begin));
+    folded.push_back(words.folded().substr(word.begin, word.end - word.begin));
+  }
+  const ReadTask read = name::read_task(shown, folded, side, naming->naming().tasks, parts.vocabulary);
+  task = {text,
+          texts.keep(read.canonical),
+          texts.keep(read.index),
+          texts.keep(read.group),
+          texts.keep(read.numbered_group),
+          read.pair,
+          read.rest};
+}
+
+void SymbolReader::Work::read_task(const SymbolRule& given, const CompiledRule& rule, Reading& reading) {
+  const Direction side = reading.direction.value_or(Direction::event);
+  const auto of = [&](std::string_view text) {
+    return tasks.find_or_add(text, side, [&](TaskReading& task) { read_words(texts.keep(text), side, task); });
+  };
+  if (given.task) {
+    reading.task = of(*given.task);
+  } else if (rule.levels) {
+    reading.task = of(levels.of(Level::task));
+  } else {
+    reading.task = of(field(Field::task, ' '));
+  }
 }
 
 SymbolReader::SymbolReader(std::shared_ptr<const CompiledNaming> naming)
@@ -242,26 +269,24 @@ SymbolReader::SymbolReader(std::shared_ptr<const CompiledNaming> naming)
 SymbolReader::~SymbolReader() = default;
 
 /// The reading of a symbol that the rule has just matched.
-RuleReading SymbolReader::Work::reading_by(std::size_t rule, const SymbolText& symbol) {
-  RuleReading reading;
+Reading SymbolReader::Work::reading_by(std::size_t rule, const SymbolText& symbol) {
+  const SymbolRule& given = naming->naming().rules[rule];
+  Reading reading;
   reading.rule = static_cast<std::uint16_t>(rule);
-  reading.role = naming->naming().rules[rule].role;
-  read_side(symbol, rule, reading);
-  read_levels(reading);
-  read_task(rule, reading);
-  reading.outcome = !reading.side                     ? Outcome::no_direction
-                    : *reading.side == Side::internal ? Outcome::internal
-                                                      : Outcome::read;
+  reading.role = given.role;
+  read_direction(symbol, parts.rules[rule], reading);
+  read_device(symbol.prefix, parts.rules[rule], reading);
+  read_task(given, parts.rules[rule], reading);
   return reading;
 }
 
-RuleReading SymbolReader::read(const SymbolText& symbol) {
+Reading SymbolReader::read(const SymbolText& symbol) {
   Work& work = *work_;
   work.forget_texts();
-  RuleReading reading;
-  reading.side = symbol.address;
+  Reading reading;
+  reading.direction = symbol.address;
   if (work.is_ignored(symbol)) {
-    reading.outcome = Outcome::ignored;
+    reading.account = Account::ignored;
     return reading;
   }
   for (std::size_t rule = 0; rule < work.parts.rules.size(); ++rule) {
@@ -274,15 +299,16 @@ RuleReading SymbolReader::read(const SymbolText& symbol) {
   return reading;
 }
 
-RuleReading SymbolReader::read_by(std::size_t rule, const SymbolText& symbol) {
+Reading SymbolReader::read_by(std::size_t rule, const SymbolText& symbol) {
   work_->forget_texts();
   if (work_->match(symbol, rule)) return work_->reading_by(rule, symbol);
-  RuleReading reading;
-  reading.side = symbol.address;
+  Reading reading;
+  reading.direction = symbol.address;
   return reading;
 }
 
 const CompiledNaming& SymbolReader::naming() const { return *work_->naming; }
 const std::vector<std::size_t>& SymbolReader::matched() const { return work_->matched; }
+std::uint32_t SymbolReader::devices() const { return work_->devices.size(); }
 
 }  // namespace symplant::name

@@ -75,8 +75,8 @@ std::string join(const std::vector<TaskWord>& words, std::string TaskWord::*text
 
 }  // namespace
 
-ReadTask read_task(const std::vector<std::string_view>& shown, const std::vector<std::string_view>& folded, Side side,
-                   const TaskRules& rules, const Vocabulary& vocabulary) {
+ReadTask read_task(const std::vector<std::string_view>& shown, const std::vector<std::string_view>& folded,
+                   Direction side, const TaskRules& rules, const Vocabulary& vocabulary) {
   std::vector<TaskWord> words;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (!vocabulary.is_affix(folded[i], side)) words.push_back({std::string(shown[i]), std::string(folded[i])});
@@ -97,7 +97,7 @@ ReadTask read_task(const std::vector<std::string_view>& shown, const std::vector
   task.pair = motion.pair;
   task.rest = motion.rest;
   task.index = motion.index;
-  const bool counted = side == Side::event && rules.sensor_index != SensorIndex::off && !rules.sequence;
+  const bool counted = side == Direction::event && rules.sensor_index != SensorIndex::off && !rules.sequence;
   const std::string canonical(motion.canonical);
   const std::string rest_word = text::folded(motion.rest_word);
   const std::string number(motion.index);

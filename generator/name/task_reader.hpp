@@ -21,7 +21,7 @@ struct ReadTask {
 };
 
 /// `shown` and `folded` are the words of the task. O(words).
-ReadTask read_task(const std::vector<std::string_view>& shown, const std::vector<std::string_view>& folded, Side side,
-                   const TaskRules& rules, const Vocabulary& vocabulary);
+ReadTask read_task(const std::vector<std::string_view>& shown, const std::vector<std::string_view>& folded,
+                   Direction side, const TaskRules& rules, const Vocabulary& vocabulary);
 
 }  // namespace symplant::name

@@ -18,13 +18,13 @@ constexpr std::size_t kLeastFused = 2;
 
 }  // namespace
 
-Vocabulary::Vocabulary(const TaskRules& rules, const std::vector<std::pair<std::string, Side>>& classes) {
-  for (const auto& [word, side] : classes) classes_.emplace(keep(text::folded(word)), side);
+Vocabulary::Vocabulary(const TaskRules& rules, const std::vector<DirectionWord>& classes) {
+  for (const DirectionWord& word : classes) classes_.emplace(keep(text::folded(word.word)), word.says);
   if (rules.vocabulary) add_built_in(built_in_words());
   for (const auto& [rest, other] : rules.pairs) add_pair(rest, other, false);
   for (const auto& [words, canonical] : rules.synonyms) add_synonym(words, canonical);
-  for (const std::string& word : rules.operation_affixes) add_affix(Side::operation, word);
-  for (const std::string& word : rules.event_affixes) add_affix(Side::event, word);
+  for (const std::string& word : rules.operation_affixes) add_affix(Direction::operation, word);
+  for (const std::string& word : rules.event_affixes) add_affix(Direction::event, word);
   std::stable_sort(fused_affixes_.begin(), fused_affixes_.end(),
                    [](std::string_view a, std::string_view b) { return a.size() > b.size(); });
 }
@@ -32,8 +32,8 @@ Vocabulary::Vocabulary(const TaskRules& rules, const std::vector<std::pair<std::
 void Vocabulary::add_built_in(const BuiltInWords& words) {
   for (const BuiltInWords::Pair& pair : words.pairs) add_pair(pair.rest, pair.other, pair.noun);
   for (const BuiltInWords::Synonym& synonym : words.synonyms) add_synonym(synonym.words, synonym.canonical);
-  for (const std::string_view word : words.operation_affixes) add_affix(Side::operation, word);
-  for (const std::string_view word : words.event_affixes) add_affix(Side::event, word);
+  for (const std::string_view word : words.operation_affixes) add_affix(Direction::operation, word);
+  for (const std::string_view word : words.event_affixes) add_affix(Direction::event, word);
   for (const BuiltInWords::ClassWord& word : words.classes) classes_.emplace(word.word, word.side);
 }
 
@@ -75,9 +75,9 @@ void Vocabulary::add_synonym(std::string_view words, std::string_view canonical)
   longest_synonym_ = std::max(longest_synonym_, count);
 }
 
-void Vocabulary::add_affix(Side side, std::string_view word) {
+void Vocabulary::add_affix(Direction side, std::string_view word) {
   const std::string_view folded = fold(word);
-  auto& words = side == Side::operation ? operation_affixes_ : event_affixes_;
+  auto& words = side == Direction::operation ? operation_affixes_ : event_affixes_;
   if (words.insert(folded).second && folded.size() >= kLeastFused) fused_affixes_.push_back(folded);
 }
 
@@ -88,13 +88,14 @@ const Vocabulary::Entry* Vocabulary::entry(std::string_view folded) const {
 
 std::optional<Motion> Vocabulary::motion(std::string_view folded) const {
   std::size_t end = folded.size();
-  while (end > 0 && text::is_digit(folded[end - 1])) --end;
-  const std::string_view stem = folded.substr(0, end);
   const auto found = [&](const Entry& known) {
     const Pair& pair = pairs_[known.pair];
     return Motion{
         known.rest ? pair.rest : pair.other, pair.rest, known.pair, known.rest, known.noun, folded.substr(end)};
   };
+  if (const Entry* known = entry(folded)) return found(*known);  // also a word with digits, such as `90`
+  while (end > 0 && text::is_digit(folded[end - 1])) --end;
+  const std::string_view stem = folded.substr(0, end);
   if (const Entry* known = entry(stem)) return found(*known);
   for (const std::string_view affix : fused_affixes_) {
     if (stem.size() <= affix.size()) continue;
@@ -108,8 +109,8 @@ std::optional<Motion> Vocabulary::motion(std::string_view folded) const {
   return std::nullopt;
 }
 
-bool Vocabulary::is_affix(std::string_view folded, Side side) const {
-  return (side == Side::operation ? operation_affixes_ : event_affixes_).contains(folded);
+bool Vocabulary::is_affix(std::string_view folded, Direction side) const {
+  return (side == Direction::operation ? operation_affixes_ : event_affixes_).contains(folded);
 }
 
 std::string_view Vocabulary::synonym(std::string_view folded_words) const {
@@ -117,7 +118,7 @@ std::string_view Vocabulary::synonym(std::string_view folded_words) const {
   return found == synonyms_.end() ? std::string_view() : found->second;
 }
 
-std::optional<Side> Vocabulary::class_side(std::string_view folded) const {
+std::optional<Said> Vocabulary::class_said(std::string_view folded) const {
   const auto found = classes_.find(folded);
   if (found == classes_.end()) return std::nullopt;
   return found->second;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "name/naming.hpp"
-#include "name/rule_reading.hpp"
+#include "name/reading.hpp"
 
 namespace symplant::name {
 
@@ -29,7 +29,7 @@ struct BuiltInWords {
   };
   struct ClassWord {
     std::string_view word;
-    Side side;
+    Direction side;
   };
   struct Cause {
     std::string_view operation;  ///< words, separated by blanks
@@ -70,14 +70,14 @@ struct Motion {
 /// Immutable; may be shared by threads. Views point into it, into the naming rule, or into the words asked for.
 class Vocabulary {
  public:
-  Vocabulary(const TaskRules& rules, const std::vector<std::pair<std::string, Side>>& classes);
+  Vocabulary(const TaskRules& rules, const std::vector<DirectionWord>& classes);
 
   /// The motion of a folded word, without regard to digits at its end and to affixes fused with it.
   std::optional<Motion> motion(std::string_view folded) const;
-  bool is_affix(std::string_view folded, Side side) const;
+  bool is_affix(std::string_view folded, Direction side) const;
   /// The canonical words for folded words separated by blanks; empty if they are no synonym.
   std::string_view synonym(std::string_view folded_words) const;
-  std::optional<Side> class_side(std::string_view folded) const;
+  std::optional<Said> class_said(std::string_view folded) const;
   /// Whether a folded word is a motion, an affix, a class, or the first word of a synonym.
   bool knows(std::string_view folded) const;
   std::size_t longest_synonym() const { return longest_synonym_; }  ///< in words
@@ -95,7 +95,7 @@ class Vocabulary {
   void add_built_in(const BuiltInWords& words);
   void add_pair(std::string_view rest, std::string_view other, bool noun);
   void add_synonym(std::string_view words, std::string_view canonical);
-  void add_affix(Side side, std::string_view word);
+  void add_affix(Direction side, std::string_view word);
   std::string_view keep(std::string text);
   std::string_view fold(std::string_view text);
   const Entry* entry(std::string_view folded) const;
@@ -106,7 +106,7 @@ class Vocabulary {
   std::unordered_set<std::string_view> operation_affixes_;
   std::unordered_set<std::string_view> event_affixes_;
   std::vector<std::string_view> fused_affixes_;  // longest first
-  std::unordered_map<std::string_view, Side> classes_;
+  std::unordered_map<std::string_view, Said> classes_;
   std::unordered_set<std::string_view> starts_;  // first words of synonyms
   std::size_t longest_synonym_ = 1;
   std::unordered_set<std::string> kept_;

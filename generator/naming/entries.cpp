@@ -7,21 +7,21 @@ namespace symplant::naming {
 
 using description::member;
 
-std::optional<name::Side> side_of(std::string_view word) {
-  if (word == "operation") return name::Side::operation;
-  if (word == "event") return name::Side::event;
-  if (word == "internal") return name::Side::internal;
+std::optional<name::Said> said_of(std::string_view word) {
+  if (word == "operation") return name::Direction::operation;
+  if (word == "event") return name::Direction::event;
+  if (word == "internal") return name::Said();
   return std::nullopt;
 }
 
-std::vector<std::pair<std::string, name::Side>> sides_of(const Json& object) {
-  std::vector<std::pair<std::string, name::Side>> sides;
-  if (!object.is_object()) return sides;
+std::vector<name::DirectionWord> direction_words_of(const Json& object) {
+  std::vector<name::DirectionWord> words;
+  if (!object.is_object()) return words;
   for (const auto& [word, value] : object.items()) {
-    const auto side = value.is_string() ? side_of(value.get_ref<const std::string&>()) : std::nullopt;
-    if (side) sides.emplace_back(word, *side);
+    const auto says = value.is_string() ? said_of(value.get_ref<const std::string&>()) : std::nullopt;
+    if (says) words.push_back({word, *says});
   }
-  return sides;
+  return words;
 }
 
 std::vector<std::string> texts_of(const Json& object, std::string_view key) {

@@ -15,10 +15,10 @@ namespace symplant::naming {
 
 using Json = nlohmann::json;
 
-/// A side of "operation", "event" or "internal".
-std::optional<name::Side> side_of(std::string_view word);
-/// The words of an object, each with its side.
-std::vector<std::pair<std::string, name::Side>> sides_of(const Json& object);
+/// What "operation", "event" or "internal" says; nothing for another word.
+std::optional<name::Said> said_of(std::string_view word);
+/// The words of an object, each with what it says.
+std::vector<name::DirectionWord> direction_words_of(const Json& object);
 /// The texts of a member that is an array; none if it is missing.
 std::vector<std::string> texts_of(const Json& object, std::string_view key);
 /// The pairs of texts of a member that is an array of pairs; none if it is missing.

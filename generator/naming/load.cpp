@@ -137,6 +137,15 @@ diag::Location LoadedNaming::link_location(std::size_t link) const {
   return location("/links/" + std::to_string(link));
 }
 
+const std::shared_ptr<const name::CompiledNaming>& strict_naming() {
+  static const std::shared_ptr<const name::CompiledNaming> strict = [] {
+    NamingReading reading = read_naming(find_profile("strict")->text());
+    std::vector<name::NamingFault> faults;
+    return name::CompiledNaming::compile(std::move(*reading.naming), faults);
+  }();
+  return strict;
+}
+
 std::shared_ptr<const LoadedNaming> load_naming(const NamingReference& reference, const base::FileSystem& files,
                                                 diag::Diagnostics& diagnostics) {
   return NamingLoader(reference, files, diagnostics).load();

@@ -39,6 +39,10 @@ struct LoadedNaming {
   diag::Location link_location(std::size_t link) const;
 };
 
+/// The profile `strict`, which applies where no rule is given: LINE_PROC_DEV_I|O_TASK (Park, Wang and Park, "Symbol
+/// naming rules for plant model generation in the PLC simulation"). Compiled once; thread-safe.
+const std::shared_ptr<const name::CompiledNaming>& strict_naming();
+
 /// Null if a finding of severity error was added. O(text).
 std::shared_ptr<const LoadedNaming> load_naming(const NamingReference& reference, const base::FileSystem& files,
                                                 diag::Diagnostics& diagnostics);

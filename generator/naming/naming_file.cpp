@@ -86,6 +86,7 @@ class NamingReader {
     });
     read_fixed();
     read_direction();
+    if (text_or_empty(root_, "units") == "device") naming_.units = name::Units::device;
     read_tasks();
     read_links();
     read_archetypes();

@@ -11,9 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view side_text(name::Side side) {
-  constexpr std::array<std::string_view, 3> kSides = {"operation", "event", "internal"};
-  return kSides[static_cast<std::size_t>(side)];
+std::string_view said_text(name::Said says) {
+  if (!says) return "internal";
+  return *says == name::Direction::operation ? "operation" : "event";
 }
 
 std::string_view role_text(name::Role role) {
@@ -46,9 +46,9 @@ std::string duration_text(std::int64_t time) {
   return std::to_string(time) + "ns";
 }
 
-Json sides_json(const std::vector<std::pair<std::string, name::Side>>& words) {
+Json words_json(const std::vector<name::DirectionWord>& words) {
   Json json = Json::object();
-  for (const auto& [word, side] : words) json[word] = side_text(side);
+  for (const name::DirectionWord& word : words) json[word.word] = said_text(word.says);
   return json;
 }
 
@@ -80,13 +80,15 @@ Json rule_json(const name::SymbolRule& rule) {
     for (const name::SourcePattern& one : rule.patterns) json["pattern"][source_text(one.source)] = one.pattern;
   }
   for (const name::FieldRule& field : rule.fields) {
-    json["fields"][field.field] = field.words.empty() ? Json(field.expression) : sides_json(field.words);
+    json["fields"][field.field] = field.words.empty() ? Json(field.expression) : words_json(field.words);
   }
-  if (!rule.classes.empty()) json["classes"] = sides_json(rule.classes);
+  if (!rule.classes.empty()) json["classes"] = words_json(rule.classes);
   if (!rule.replace.empty()) json["replace"] = replace_json(rule.replace);
   if (!rule.has.empty()) json["has"] = rule.has;
-  if (rule.side) json["side"] = side_text(*rule.side);
+  if (rule.side) json["side"] = said_text(rule.side);
   if (rule.task) json["task"] = *rule.task;
+  if (rule.exact) json["exact"] = true;
+  if (rule.unlinked_states) json["unlinked"] = "states";
   if (rule.fan_out) json["fan-out"] = true;
   if (rule.role != name::Role::io) json["role"] = role_text(rule.role);
   if (rule.value) json["value"] = *rule.value;
@@ -193,6 +195,7 @@ std::string naming_text(const name::Naming& naming, std::string_view links_file)
   for (const auto& [level, text] : naming.fixed) fixed[kLevels[static_cast<std::size_t>(level)]] = text;
   lines.add("fixed", fixed);
   lines.add("direction", direction_json(naming.direction));
+  if (naming.units == name::Units::device) lines.add("units", "device");
   lines.add("tasks", tasks_json(naming.tasks));
   if (!links_file.empty()) lines.add("links", links_file);
   if (links_file.empty()) {

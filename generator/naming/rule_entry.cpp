@@ -53,8 +53,10 @@ class RuleEntry {
     read_classes();
     rule_.replace = replacements_of(entry_);
     rule_.has = texts_of(entry_, "has");
-    rule_.side = side_of(text_or_empty(entry_, "side"));
+    rule_.side = said_of(text_or_empty(entry_, "side")).value_or(name::Said());
     read_task();
+    rule_.exact = description::flag_member(entry_, "exact");
+    rule_.unlinked_states = text_or_empty(entry_, "unlinked") == "states";
     rule_.fan_out = description::flag_member(entry_, "fan-out");
     read_role();
     return std::move(rule_);
@@ -93,7 +95,7 @@ class RuleEntry {
       name::FieldRule one;
       one.field = field;
       if (value.is_string()) one.expression = value.get<std::string>();
-      one.words = sides_of(value);
+      one.words = direction_words_of(value);
       if (field == "class" && !one.words.empty()) {
         rule_.classes = std::move(one.words);
       } else {
@@ -111,7 +113,7 @@ class RuleEntry {
     if (!some_pattern_has("class")) {
       contradiction("classes", "the pattern has no field `{class}`; add it to the pattern, or remove this");
     }
-    rule_.classes = sides_of(*classes);
+    rule_.classes = direction_words_of(*classes);
   }
 
   void read_task() {

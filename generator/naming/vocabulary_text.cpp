@@ -19,7 +19,7 @@ Json words_json(std::span<const std::string_view> words) {
   return Json(std::vector<std::string_view>(words.begin(), words.end()));
 }
 
-Json classes_json(const name::BuiltInWords& words, name::Side side) {
+Json classes_json(const name::BuiltInWords& words, name::Direction side) {
   Json json = Json::array();
   for (const name::BuiltInWords::ClassWord& one : words.classes) {
     if (one.side == side) json.push_back(one.word);
@@ -50,8 +50,8 @@ std::string vocabulary_text() {
       {"synonyms", motions_json(words)},
       {"operation-affixes", words_json(words.operation_affixes)},
       {"event-affixes", words_json(words.event_affixes)},
-      {"operation-classes", classes_json(words, name::Side::operation)},
-      {"event-classes", classes_json(words, name::Side::event)},
+      {"operation-classes", classes_json(words, name::Direction::operation)},
+      {"event-classes", classes_json(words, name::Direction::event)},
       {"operator", words_json(words.panel)},
       {"alarm", words_json(words.alarm)},
       {"diagnosis", words_json(words.diagnosis)},

@@ -58,7 +58,7 @@ class ArchetypePairing {
     base::IndexTable by_text;
     for (std::uint32_t i = 0; i < work_.inputs.size(); ++i) {
       if (!work_.is_free(i)) continue;
-      const std::string_view text = work_.reading(i).task.text;
+      const std::string_view text = work_.reading(i).task->text;
       const auto next = static_cast<std::uint32_t>(texts_.size());
       const std::uint32_t index = by_text.find_or_add(text::hash_ignoring_case(text), next,
                                                       [&](std::uint32_t other) { return texts_[other] == text; });

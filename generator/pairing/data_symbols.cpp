@@ -60,7 +60,7 @@ class DataSymbols {
       if (first != i) repeated[first].push_back(i);
     }
     for (const auto& [first, others] : repeated) {
-      const bool motion = work_.reading(first).task.pair != name::kNoPair;
+      const bool motion = work_.reading(first).task->pair != name::kNoPair;
       if (motion && others.size() < kMostOfMotion) continue;
       work_.result.accounts[first] = Account::data;
       for (const std::uint32_t input : others) work_.result.accounts[input] = Account::data;
@@ -79,7 +79,7 @@ class DataSymbols {
  private:
   static constexpr std::size_t kLongestNumber = 5;
 
-  std::string_view text_of(std::uint32_t input) const { return work_.reading(input).task.text; }
+  std::string_view text_of(std::uint32_t input) const { return work_.reading(input).task->text; }
 
   bool same_side(std::uint32_t a, std::uint32_t b) const {
     return work_.device[a] == work_.device[b] && work_.inputs[a].side == work_.inputs[b].side;

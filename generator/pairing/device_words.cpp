@@ -25,7 +25,7 @@ bool same_process(const Work& work, std::uint32_t a, std::uint32_t b) {
   const std::uint32_t first = work.devices[a];
   const std::uint32_t second = work.devices[b];
   return work.inputs[first].controller == work.inputs[second].controller &&
-         work.reading(first).process_id == work.reading(second).process_id;
+         work.reading(first).levels->process_id == work.reading(second).levels->process_id;
 }
 
 }  // namespace symplant::pairing

@@ -1,6 +1,7 @@
 // What pairing takes and makes: symbols that a naming rule has read, and facets.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -8,22 +9,23 @@
 #include <vector>
 
 #include "description/description.hpp"
-#include "name/rule_reading.hpp"
+#include "name/reading.hpp"
 
 namespace symplant::pairing {
 
 /// An I/O symbol.
 struct Input {
-  const name::RuleReading* reading = nullptr;
-  std::string_view name;         ///< for links
-  name::Side side{};             ///< operation or event
-  bool boolean = true;           ///< others are data
+  const name::Reading* reading = nullptr;
+  std::string_view name;  ///< for links
+  name::Direction side{};
+  bool boolean = true;           ///< others are numbers
   std::uint32_t controller = 0;  ///< only symbols of one controller are joined
 };
 
 struct Member {
   std::uint32_t input = 0;
-  std::string task;  ///< in the facet: the state that it leads to or reports, or a command or report of the base
+  std::string task;         ///< in the facet: the state that it leads to or reports, or a command or report of the base
+  bool makes_state = true;  ///< false: an event that nothing links, whose task is a state only if plant.json says so
 };
 
 /// What made a facet.
@@ -38,31 +40,24 @@ struct Facet {
   std::string name;       ///< empty: the facet has the device's name
   std::string full_path;  ///< `DEVICE.FACET`; empty if the facet has the device's name
   FacetBy by = FacetBy::words;
-  bool numbered = false;            ///< its states are in the order of their sequence numbers
-  std::uint32_t archetype = 0;      ///< index in Naming::archetypes
-  std::vector<Member> members;      ///< in list order
-  std::vector<std::string> states;  ///< S in its order; empty if `numbered`
-  bool first_is_rest = false;       ///< the vocabulary or the archetype says that the first state is the rest position
+  bool linked = true;                  ///< false: its device has it because symbols name the device; nothing joins them
+  bool is_default = false;             ///< it has the name of its device, whatever other facets the device has
+  bool numbered = false;               ///< its states are in the order of their sequence numbers
+  std::uint32_t archetype = 0;         ///< index in Naming::archetypes
+  std::vector<Member> members;         ///< in list order
+  std::vector<std::uint32_t> numbers;  ///< numeric symbols of the device, if this is its default facet, in list order
+  std::vector<std::string> states;     ///< S in its order; empty if `numbered`
+  bool first_is_rest = false;  ///< the vocabulary or the archetype says that the first state is the rest position
   /// What the rule says of its model; null if nothing. The user's description has priority, key by key.
   std::shared_ptr<const description::DeviceDescription> base;
 
   std::string_view unit_path() const { return full_path.empty() ? path : std::string_view(full_path); }
+  /// The one that comes first in the lists.
+  std::uint32_t first_input() const {
+    return std::min(members.empty() ? UINT32_MAX : members.front().input,
+                    numbers.empty() ? UINT32_MAX : numbers.front());
+  }
 };
-
-/// What a symbol is accounted for as.
-enum class Account : std::uint8_t {
-  paired,    ///< in a facet
-  constant,  ///< a contact that has one value
-  operator_panel,
-  data,      ///< not BOOL, a weight, or one of several symbols of one text
-  none,      ///< its rule has the role `none`
-  unpaired,  ///< read, but nothing to link it with
-  ignored,
-  no_rule,
-  no_direction,
-  internal,
-};
-inline constexpr std::size_t kAccounts = 10;
 
 /// Something that the user should know; `input` is the symbol.
 struct Remark {
@@ -80,9 +75,9 @@ struct Remark {
 };
 
 struct Pairing {
-  std::vector<Facet> facets;      ///< in the order of their first symbol
-  std::vector<Account> accounts;  ///< one an input
-  std::vector<bool> constant_on;  ///< one an input: the value of a constant
+  std::vector<Facet> facets;            ///< in the order of their first symbol
+  std::vector<name::Account> accounts;  ///< one an input: `modelled` if it is linked
+  std::vector<bool> constant_on;        ///< one an input: the value of a constant
   std::vector<Remark> remarks;
 };
 

@@ -149,15 +149,15 @@ std::shared_ptr<const description::DeviceDescription> FacetBuilder::base(std::ui
 
 std::string FacetBuilder::further_task(std::uint32_t input) {
   if (!work_.is_read(input)) return unique(std::string(work_.inputs[input].name));
-  const name::RuleReading& reading = work_.reading(input);
+  const name::Reading& reading = work_.reading(input);
   std::string task;
   if (work_.is_read(device_) && work_.device[device_] != work_.device[input]) {
-    const std::string_view own = work_.reading(device_).device;
-    for_each_word(reading.device, [&](std::string_view word) {
+    const std::string_view own = work_.reading(device_).levels->device;
+    for_each_word(reading.levels->device, [&](std::string_view word) {
       if (!has_word(own, word)) task.append(word).push_back('_');
     });
   }
-  return unique(task + joined_words(reading.task.text));
+  return unique(task + joined_words(reading.task->text));
 }
 
 std::string FacetBuilder::unique(std::string task) {

@@ -36,7 +36,9 @@ class Names {
  public:
   explicit Names(Work& work) : drafts_(work.drafts), devices_(work.devices.size()), before_(work.drafts.size(), kNone) {
     for (const Draft& draft : drafts_) {
-      if (draft.device != kNone && draft.facet.by != FacetBy::archetype) ++devices_[draft.device].unnamed;
+      if (draft.device == kNone || draft.facet.by == FacetBy::archetype) continue;
+      Device& device = devices_[draft.device];
+      ++(draft.facet.linked ? device.linked : device.unlinked);
     }
   }
 
@@ -44,7 +46,9 @@ class Names {
     Draft& draft = drafts_[index];
     if (draft.device == kNone) return;
     Device& device = devices_[draft.device];
-    if (draft.facet.by != FacetBy::archetype && device.unnamed > 1) draft.facet.name = name_of(draft.facet);
+    if (draft.facet.by != FacetBy::archetype && !has_name_of_device(draft.facet, device)) {
+      draft.facet.name = name_of(draft.facet);
+    }
     if (draft.facet.name.empty()) return;
     make_unique(draft, device);
     before_[index] = std::exchange(device.last, index);
@@ -55,10 +59,17 @@ class Names {
 
  private:
   struct Device {
-    std::uint32_t unnamed = 0;   ///< facets other than those of archetypes
+    std::uint32_t linked = 0;    ///< facets other than those of archetypes
+    std::uint32_t unlinked = 0;  ///< facets
     std::uint32_t named = 0;     ///< facets with a name so far
     std::uint32_t last = kNone;  ///< of these
   };
+
+  /// The only one of its device does; links come first.
+  static bool has_name_of_device(const Facet& facet, const Device& device) {
+    if (facet.is_default) return true;
+    return facet.linked ? device.linked == 1 : device.linked == 0 && device.unlinked == 1;
+  }
 
   void make_unique(Draft& draft, const Device& device) {
     const std::string name = draft.facet.name;
@@ -101,29 +112,27 @@ void check_paths(Work& work, const std::vector<std::uint32_t>& order) {
     const Draft& known = work.drafts[first];
     if (first == d || (known.device == draft.device && draft.device != kNone)) continue;
     work.result.remarks.push_back(
-        {Remark::Kind::path_ambiguous, draft.facet.members.front().input, known.facet.members.front().input, 0});
+        {Remark::Kind::path_ambiguous, draft.facet.first_input(), known.facet.first_input(), 0});
   }
 }
 
 }  // namespace
 
-/// Gives the role of a rule about the rest to each symbol that nothing links.
 void account_for_rest(Work& work) {
   for (std::uint32_t i = 0; i < work.inputs.size(); ++i) {
     Account& account = work.result.accounts[i];
-    const name::RuleReading& reading = work.reading(i);
-    if (account == Account::paired || account == Account::ignored || reading.rest == name::Role::io) continue;
+    const name::Reading& reading = work.reading(i);
+    if (account == Account::modelled || account == Account::ignored || reading.rest == name::Role::io) continue;
     account = account_of(work.inputs[i], reading.rest);
     if (account == Account::constant && reading.rest_value) work.result.constant_on[i] = true;
   }
 }
 
 void finish(Work& work) {
-  account_for_rest(work);
   std::vector<std::uint32_t> order(work.drafts.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return work.drafts[a].facet.members.front().input < work.drafts[b].facet.members.front().input;
+    return work.drafts[a].facet.first_input() < work.drafts[b].facet.first_input();
   });
   Names names(work);
   for (const std::uint32_t d : order) names.give(d);

@@ -51,11 +51,11 @@ class LinkPairing {
   }
 
   /// The symbol of that name; kNone, and a remark, if a row cannot link it on this side.
-  std::uint32_t find(const std::string& name, name::Side side, std::uint32_t row) {
+  std::uint32_t find(const std::string& name, name::Direction side, std::uint32_t row) {
     const std::uint32_t input = symbols_.find(name)->second;
     if (input == kNone || !work_.inputs[input].boolean) {
       work_.result.remarks.push_back(
-          {Remark::Kind::link_unknown, input == kNone ? 0 : input, side == name::Side::operation ? 1U : 0U, row});
+          {Remark::Kind::link_unknown, input == kNone ? 0 : input, side == name::Direction::operation ? 1U : 0U, row});
       return kNone;
     }
     if (work_.inputs[input].side == side) return input;
@@ -65,10 +65,10 @@ class LinkPairing {
 
   void take(std::uint32_t row) {
     const name::NamedLink& link = work_.naming.links[row];
-    const std::uint32_t event = find(link.event, name::Side::event, row);
+    const std::uint32_t event = find(link.event, name::Direction::event, row);
     if (!link.operation.empty()) {
       current_ = kNone;
-      const std::uint32_t operation = find(link.operation, name::Side::operation, row);
+      const std::uint32_t operation = find(link.operation, name::Direction::operation, row);
       if (operation == kNone) return;
       current_ = device_of(operation, event);
       add(operation, link.state, row);

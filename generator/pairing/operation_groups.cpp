@@ -14,18 +14,18 @@ std::uint64_t hash_of(std::uint32_t device, std::string_view kind) {
 }
 
 bool is_numbered(const Work& work, std::uint32_t input) {
-  const std::string_view task = work.reading(input).task.canonical;
+  const std::string_view task = work.reading(input).task->canonical;
   return work.naming.tasks.sequence && !task.empty() && text::is_digit(task.back());
 }
 
 std::string_view kind_of_operation(const Work& work, std::uint32_t operation) {
-  return is_numbered(work, operation) ? kNumbered : work.reading(operation).task.group;
+  return is_numbered(work, operation) ? kNumbered : work.reading(operation).task->group;
 }
 
 }  // namespace
 
 EventKinds::EventKinds(const Work& work, std::uint32_t event) {
-  const name::TaskReading& task = work.reading(event).task;
+  const name::TaskReading& task = *work.reading(event).task;
   if (is_numbered(work, event)) {
     kinds_[count_++] = kNumbered;
     return;

@@ -12,25 +12,25 @@ namespace symplant::pairing {
 NumberedDevices::NumberedDevices(const Work& work, const OperationGroups& groups) : work_(work), groups_(groups) {
   for (const OperationGroup& group : groups.all()) {
     const std::uint32_t device = group.device;
-    const std::string_view name = work_.reading(work_.devices[device]).device;
+    const std::string_view name = work_.reading(work_.devices[device]).levels->device;
     by_name_.find_or_add(hash_of(device, name), device,
                          [&](std::uint32_t known) { return is_at(known, device, name); });
   }
 }
 
 std::uint64_t NumberedDevices::hash_of(std::uint32_t device, std::string_view name) const {
-  const std::uint32_t process = work_.reading(work_.devices[device]).process_id;
+  const std::uint32_t process = work_.reading(work_.devices[device]).levels->process_id;
   return text::hash_ignoring_case(name) ^ (process * 0x9E37'79B9'7F4A'7C15U);
 }
 
 bool NumberedDevices::is_at(std::uint32_t known, std::uint32_t device, std::string_view name) const {
   return same_process(work_, known, device) &&
-         text::equal_ignoring_case(work_.reading(work_.devices[known]).device, name);
+         text::equal_ignoring_case(work_.reading(work_.devices[known]).levels->device, name);
 }
 
 std::uint32_t NumberedDevices::find(std::uint32_t event, const EventKinds& kinds) const {
   const std::uint32_t device = work_.device[event];
-  std::string_view name = work_.reading(event).device;
+  std::string_view name = work_.reading(event).levels->device;
   const std::size_t last = name.find_last_not_of("0123456789");
   if (last == name.npos || last + 1 == name.size()) return kNone;
   name = name.substr(0, name.find_last_not_of('_', last) + 1);
@@ -50,7 +50,7 @@ FanOut::FanOut(const Work& work, const OperationGroups& groups) : work_(work), g
 }
 
 std::uint64_t FanOut::hash_of_word(std::uint32_t device, std::string_view word) const {
-  const std::uint32_t process = work_.reading(work_.devices[device]).process_id;
+  const std::uint32_t process = work_.reading(work_.devices[device]).levels->process_id;
   return text::hash_ignoring_case(word) ^ (process * 0x9E37'79B9'7F4A'7C15U);
 }
 
@@ -62,7 +62,7 @@ std::uint32_t FanOut::find_word(std::uint32_t device, std::string_view word) con
 
 void FanOut::count_words() {
   for (std::uint32_t device = 0; device < work_.devices.size(); ++device) {
-    for_each_word(work_.reading(work_.devices[device]).device, [&](std::string_view word) {
+    for_each_word(work_.reading(work_.devices[device]).levels->device, [&](std::string_view word) {
       const auto next = static_cast<std::uint32_t>(words_.size());
       const std::uint32_t index = by_word_.find_or_add(hash_of_word(device, word), next, [&](std::uint32_t known) {
         return same_process(work_, words_[known].device, device) && text::equal_ignoring_case(words_[known].text, word);
@@ -77,7 +77,7 @@ void FanOut::count_words() {
 void FanOut::add(std::uint32_t group) {
   const OperationGroup& key = groups_.all()[group];
   std::uint32_t rarest = kNone;
-  for_each_word(work_.reading(work_.devices[key.device]).device, [&](std::string_view word) {
+  for_each_word(work_.reading(work_.devices[key.device]).levels->device, [&](std::string_view word) {
     const std::uint32_t index = find_word(key.device, word);
     if (rarest == kNone || words_[index].devices < words_[rarest].devices) rarest = index;
   });
@@ -110,13 +110,13 @@ std::uint32_t FanOut::find(std::uint32_t event, const EventKinds& kinds) const {
 }
 
 void FanOut::find(std::uint32_t event, std::string_view kind, std::uint32_t& best) const {
-  const std::string_view name = work_.reading(event).device;
+  const std::string_view name = work_.reading(event).levels->device;
   std::size_t most = 0;
   for_each_word(name, [&](std::string_view word) {
     const std::uint32_t index = find_word(work_.device[event], word);
     for (std::uint32_t e = first_entry(index, kind); e != kNone; e = entries_[e].next) {
       const OperationGroup& group = groups_.all()[entries_[e].group];
-      const std::size_t words = count_contained(work_.reading(group.first).device, name);
+      const std::size_t words = count_contained(work_.reading(group.first).levels->device, name);
       if (words == 0 || words < most) continue;
       if (words == most && group.first >= groups_.all()[best].first) continue;
       best = entries_[e].group;

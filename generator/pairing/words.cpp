@@ -1,5 +1,6 @@
 // Joins symbols by their tasks.
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "base/large_memory.hpp"
 #include "pairing/facet_builder.hpp"
 #include "pairing/other_devices.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::pairing {
 namespace {
@@ -20,6 +22,7 @@ class WordPairing {
     base::reserve_large(group_of_, work_.inputs.size());
     group_of_.resize(work_.inputs.size(), kNone);
     find_groups();
+    merge_ends();
     const std::vector<std::uint32_t> order = sort_by_group();
     work_.drafts.reserve(work_.drafts.size() + groups_.all().size());
     for (std::size_t begin = 0; begin < order.size();) {
@@ -55,6 +58,44 @@ class WordPairing {
     }
   }
 
+  /// The symbols of a group that has one operation and one event.
+  struct End {
+    std::uint32_t group = kNone;
+    std::uint32_t operations = 0;
+    std::uint32_t events = 0;
+    std::uint32_t operation = kNone;
+  };
+
+  /// Two ends of one motion that differ by a number, each with its operation and its event, are one unit: LEFT0 and
+  /// RIGHT90 of a turntable.
+  void merge_ends() {
+    std::vector<End> ends(groups_.all().size());
+    for (std::uint32_t i = 0; i < group_of_.size(); ++i) {
+      if (group_of_[i] == kNone) continue;
+      End& end = ends[group_of_[i]];
+      end.group = group_of_[i];
+      ++(work_.is_operation(i) ? end.operations : end.events);
+      if (work_.is_operation(i)) end.operation = i;
+    }
+    std::map<std::pair<std::uint32_t, std::string>, std::vector<End>> motions;  // by device and words without digits
+    for (const End& end : ends) {
+      if (end.operations != 1 || end.events != 1 || work_.reading(end.operation).task->pair == name::kNoPair) continue;
+      std::string words(groups_.all()[end.group].kind);
+      if (std::erase_if(words, text::is_digit) == 0) continue;
+      motions[{groups_.all()[end.group].device, std::move(words)}].push_back(end);
+    }
+    std::vector<std::uint32_t> merged(groups_.all().size(), kNone);
+    for (const auto& [motion, of_motion] : motions) {
+      if (of_motion.size() != 2) continue;
+      const name::TaskReading& one = *work_.reading(of_motion[0].operation).task;
+      const name::TaskReading& other = *work_.reading(of_motion[1].operation).task;
+      if (one.pair == other.pair && one.rest != other.rest) merged[of_motion[1].group] = of_motion[0].group;
+    }
+    for (std::uint32_t& group : group_of_) {
+      if (group != kNone && merged[group] != kNone) group = merged[group];
+    }
+  }
+
   /// The symbols of linked groups, by group, then in list order.
   std::vector<std::uint32_t> sort_by_group() const {
     std::vector<std::uint32_t> begins(groups_.all().size() + 1);
@@ -77,18 +118,18 @@ class WordPairing {
   void add_facet(std::span<const std::uint32_t> inputs) {
     const OperationGroup& group = groups_.all()[group_of_[inputs.front()]];
     for (const std::uint32_t input : inputs)
-      builder_.add(input, state_of(input, inputs), work_.reading(input).task.rest);
+      builder_.add(input, state_of(input, inputs), work_.reading(input).task->rest);
     work_.add(builder_.take(group.first, group.numbered), group.device);
   }
 
   /// An event reports the state that an operation of its position leads to: CLAMP is CLAMP1 where the operation is.
   const std::string& state_of(std::uint32_t input, std::span<const std::uint32_t> inputs) {
-    const name::TaskReading& task = work_.reading(input).task;
+    const name::TaskReading& task = *work_.reading(input).task;
     std::string_view state = task.canonical;
     std::string_view number;
     if (!work_.is_operation(input) && task.pair != name::kNoPair) {
       for (const std::uint32_t other : inputs) {
-        const name::TaskReading& of = work_.reading(other).task;
+        const name::TaskReading& of = *work_.reading(other).task;
         if (!work_.is_operation(other)) continue;
         number = of.index;
         if (of.rest != task.rest || (!task.rest && of.pair != task.pair)) continue;

@@ -10,20 +10,9 @@ namespace symplant::pairing {
 namespace {
 
 Account account_of(const Input& input, const name::Naming& naming, bool& on) {
-  const name::RuleReading& reading = *input.reading;
-  switch (reading.outcome) {
-    case name::Outcome::read:
-      break;
-    case name::Outcome::no_rule:
-      return Account::no_rule;
-    case name::Outcome::ignored:
-      return Account::ignored;
-    case name::Outcome::no_direction:
-      return Account::no_direction;
-    case name::Outcome::internal:
-      return Account::internal;
-  }
-  if (reading.role == name::Role::io) return input.boolean ? Account::unpaired : Account::data;
+  const name::Reading& reading = *input.reading;
+  if (!reading.is_read()) return name::account_of(reading, input.boolean);
+  if (reading.role == name::Role::io) return input.boolean ? name::unpaired(input.side) : Account::numeric;
   const Account account = account_of(input, reading.role);
   if (account == Account::constant) on = naming.rules[reading.rule].value.value_or(true);
   return account;
@@ -37,9 +26,9 @@ Account account_of(const Input& input, name::Role role) {
       return Account::operator_panel;
     case name::Role::constant:
       if (!input.boolean) return Account::data;
-      return input.side == name::Side::event ? Account::constant : Account::none;
+      return input.side == name::Direction::event ? Account::constant : Account::role_none;
     case name::Role::none:
-      return Account::none;
+      return Account::role_none;
     case name::Role::io:
     case name::Role::data:
       break;
@@ -54,20 +43,19 @@ Work::Work(const name::CompiledNaming& of, std::span<const Input> symbols)
   result.constant_on.resize(inputs.size());
   std::vector<std::vector<std::uint32_t>> by_controller;
   for (std::uint32_t i = 0; i < inputs.size(); ++i) {
-    const name::RuleReading& of_input = reading(i);
+    const name::Reading& of_input = reading(i);
     bool on = false;
     result.accounts.push_back(account_of(inputs[i], naming, on));
     if (on) result.constant_on[i] = true;
-    if (of_input.outcome != name::Outcome::read || of_input.path.empty()) {
+    if (!of_input.is_read() || of_input.levels->path.empty()) {
       device.push_back(kNone);
       continue;
     }
     if (inputs[i].controller >= by_controller.size()) by_controller.resize(inputs[i].controller + 1);
     std::vector<std::uint32_t>& known = by_controller[inputs[i].controller];
-    if (of_input.device_id >= known.size()) {
-      known.resize(std::max<std::size_t>(of_input.device_id + std::size_t{1}, known.size() * 2), kNone);
-    }
-    std::uint32_t& index = known[of_input.device_id];
+    const std::uint32_t id = of_input.levels->device_id;
+    if (id >= known.size()) known.resize(std::max<std::size_t>(id + std::size_t{1}, known.size() * 2), kNone);
+    std::uint32_t& index = known[id];
     if (index == kNone) {
       index = static_cast<std::uint32_t>(devices.size());
       devices.push_back(i);
@@ -77,9 +65,11 @@ Work::Work(const name::CompiledNaming& of, std::span<const Input> symbols)
 }
 
 void Work::add(Facet facet, std::uint32_t of_device) {
-  for (const Member& member : facet.members) result.accounts[member.input] = Account::paired;
+  for (const Member& member : facet.members) {
+    if (facet.linked) result.accounts[member.input] = Account::modelled;
+  }
   if (of_device != kNone) {
-    const name::RuleReading& levels = reading(devices[of_device]);
+    const name::DeviceLevels& levels = *reading(devices[of_device]).levels;
     facet.path = levels.path;
     facet.line = levels.line;
     facet.process = levels.process;

@@ -11,6 +11,7 @@
 namespace symplant::pairing {
 
 inline constexpr std::uint32_t kNone = UINT32_MAX;
+using name::Account;
 
 struct Draft {
   Facet facet;
@@ -20,12 +21,12 @@ struct Draft {
 struct Work {
   Work(const name::CompiledNaming& of, std::span<const Input> symbols);
 
-  const name::RuleReading& reading(std::uint32_t input) const { return *inputs[input].reading; }
+  const name::Reading& reading(std::uint32_t input) const { return *inputs[input].reading; }
   bool is_read(std::uint32_t input) const { return device[input] != kNone; }
   /// Whether no facet has the symbol yet, and one may take it.
-  bool is_free(std::uint32_t input) const { return is_read(input) && result.accounts[input] == Account::unpaired; }
-  bool is_operation(std::uint32_t input) const { return inputs[input].side == name::Side::operation; }
-  /// Adds a facet of a device, and accounts for its members.
+  bool is_free(std::uint32_t input) const { return is_read(input) && is_unpaired(result.accounts[input]); }
+  bool is_operation(std::uint32_t input) const { return inputs[input].side == name::Direction::operation; }
+  /// Adds a facet of a device, and accounts for its members if they are linked.
   void add(Facet facet, std::uint32_t of_device);
   /// Adds a facet whose only name is that of a symbol that no rule reads.
   void add(Facet facet, std::string_view path);
@@ -52,6 +53,10 @@ void set_weights_aside(Work& work);
 void pair_by_archetypes(Work& work);
 /// Joins symbols by their tasks.
 void pair_by_words(Work& work);
+/// Gives the role of a rule about the rest to each symbol that nothing links.
+void account_for_rest(Work& work);
+/// Adds to each device what nothing links: operations, events and numbers.
+void add_unlinked(Work& work);
 /// Names the facets, sorts them, and looks for paths of several devices.
 void finish(Work& work);
 

@@ -9,7 +9,7 @@ namespace {
 
 /// What a level of a symbol's name says; empty views where the level has none.
 Part part_of(const model::Symbol& symbol, Level level) {
-  const name::NameReading& reading = symbol.reading;
+  const model::SymbolReading& reading = symbol.reading;
   Part part;
   if (level == Level::list) {
     part.list = symbol.list;
@@ -43,14 +43,14 @@ std::string Part::path() const {
   return path;
 }
 
-std::vector<Part> parts_of(const model::PlantModel& plant, const Score& score, Level level) {
+std::vector<Part> parts_of(const model::PlantModel& plant, const PlantScore& score, Level level) {
   std::vector<Part> parts;
   if (level == Level::list) {
     for (std::uint32_t list = 0; list < plant.lists.size(); ++list) parts.push_back({list});
   }
   base::IndexTable table;
   for (std::size_t i = 0; i < plant.symbols.size(); ++i) {
-    if (score.verdicts[i] == Verdict::not_counted) continue;
+    if (!name::is_counted(score.accounts[i])) continue;
     Part part = part_of(plant.symbols[i], level);
     std::uint32_t index = part.list;
     if (level != Level::list) {
@@ -58,7 +58,7 @@ std::vector<Part> parts_of(const model::PlantModel& plant, const Score& score, L
       index = table.find_or_add(hash_of(part), next, [&](std::uint32_t other) { return same(parts[other], part); });
       if (index == next) parts.push_back(part);
     }
-    parts[index].counts.add(score.verdicts[i]);
+    parts[index].counts.add(score.accounts[i]);
   }
   return parts;
 }

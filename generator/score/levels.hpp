@@ -30,6 +30,6 @@ struct Part {
 };
 
 /// The parts of a level that have counted symbols, in the order of their first one; of Level::list all. O(symbols).
-std::vector<Part> parts_of(const model::PlantModel& plant, const Score& score, Level level);
+std::vector<Part> parts_of(const model::PlantModel& plant, const PlantScore& score, Level level);
 
 }  // namespace symplant::score

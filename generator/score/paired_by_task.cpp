@@ -111,9 +111,9 @@ class TaskPairs {
   const name::ReadTask& motion_of(std::string_view task) {
     const auto [found, added] = tasks_.try_emplace(task);
     if (!added) return found->second;
-    if (!vocabulary_) vocabulary_.emplace(kRules, std::vector<std::pair<std::string, name::Side>>{});
+    if (!vocabulary_) vocabulary_.emplace(kRules, std::vector<name::DirectionWord>{});
     const std::string folded = text::folded(task);
-    found->second = name::read_task({task}, {folded}, name::Side::operation, kRules, *vocabulary_);
+    found->second = name::read_task({task}, {folded}, name::Direction::operation, kRules, *vocabulary_);
     return found->second;
   }
 

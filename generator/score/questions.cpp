@@ -61,9 +61,9 @@ class HealthyWords {
 };
 
 /// Whether an answer could account for the symbol.
-bool may_be_constant(const model::Symbol& symbol, Verdict verdict) {
+bool may_be_constant(const model::Symbol& symbol, Account account) {
   return symbol.direction == tables::Direction::event &&
-         (verdict == Verdict::no_operation || verdict == Verdict::no_rule || verdict == Verdict::role_none);
+         (account == Account::no_operation || account == Account::no_rule || account == Account::role_none);
 }
 
 }  // namespace
@@ -76,12 +76,8 @@ std::string Questions::rule() const {
          R"-()", "role": "constant", "value": true })-";
 }
 
-Questions questions_of(const model::PlantModel& plant, const Score& score) {
-  const name::Naming plain;
-  std::optional<const name::NamingParts> plain_parts;
-  if (plant.reader == nullptr) plain_parts.emplace(plain);
-  const name::Naming& naming = plant.reader != nullptr ? plant.reader->naming().naming() : plain;
-  const name::NamingParts& parts = plain_parts ? *plain_parts : plant.reader->naming().parts();
+Questions questions_of(const model::PlantModel& plant, const PlantScore& score) {
+  const name::NamingParts& parts = plant.reader->naming().parts();
   const HealthyWords healthy(parts.separators);
   const auto& known = name::built_in_words().healthy;
   std::vector<bool> found(known.size());
@@ -89,15 +85,15 @@ Questions questions_of(const model::PlantModel& plant, const Score& score) {
   Questions questions;
   name::PreparedText text;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
-    if (!may_be_constant(plant.symbols[i], score.verdicts[i])) continue;
+    if (!may_be_constant(plant.symbols[i], score.accounts[i])) continue;
     for (const std::string_view written : {plant.symbols[i].name(), plant.symbols[i].row->comment}) {
-      std::string normal = name::normalised(written, naming.normalise, parts.vocabulary, parts.separators);
+      std::string normal = name::normalised(written, plant.naming().normalise, parts.vocabulary, parts.separators);
       parts.replace.apply(normal);
       text.prepare(normal, parts.separators);
       const auto word = healthy.at_end(text);
       if (!word) continue;
       found[*word] = true;
-      shapes.add(i, score.verdicts[i]);
+      shapes.add(i, score.accounts[i]);
       questions.by_address = questions.by_address && plant.symbols[i].address;
       break;
     }

@@ -19,6 +19,6 @@ struct Questions {
 };
 
 /// Events that are not accounted for and whose name or comment ends in a healthy word. O(symbols).
-Questions questions_of(const model::PlantModel& plant, const Score& score);
+Questions questions_of(const model::PlantModel& plant, const PlantScore& score);
 
 }  // namespace symplant::score

@@ -11,8 +11,7 @@
 namespace symplant::score {
 
 bool reads_comments_only(const model::PlantModel& plant) {
-  if (plant.reader == nullptr) return false;
-  const std::vector<name::SymbolRule>& rules = plant.reader->naming().naming().rules;
+  const std::vector<name::SymbolRule>& rules = plant.naming().rules;
   return !rules.empty() && std::all_of(rules.begin(), rules.end(), [](const name::SymbolRule& rule) {
     return std::all_of(rule.patterns.begin(), rule.patterns.end(), [](const name::SourcePattern& pattern) {
       return pattern.source == name::Source::comment || pattern.source == name::Source::parent_and_comment;
@@ -21,20 +20,20 @@ bool reads_comments_only(const model::PlantModel& plant) {
 }
 
 std::string_view known_text(const model::PlantModel& plant, const model::Symbol& symbol, bool by_comment) {
-  const bool wanted = by_comment || (plant.reader != nullptr && symbol.row->is_named_by_address());
+  const bool wanted = by_comment || (plant.levels() == nullptr && symbol.row->is_named_by_address());
   return wanted && !symbol.row->comment.empty() ? symbol.row->comment : symbol.name();
 }
 
 Shapes::Shapes(const model::PlantModel& plant) : plant_(plant), by_comment_(reads_comments_only(plant)) {}
 
-void Shapes::add(std::uint32_t symbol, Verdict verdict) {
+void Shapes::add(std::uint32_t symbol, Account account) {
   text_ = text::shape_of(known_text(plant_, plant_.symbols[symbol], by_comment_));
   const auto next = static_cast<std::uint32_t>(shapes_.size());
-  const std::uint64_t hash = text::hash_ignoring_case(text_) + static_cast<std::uint64_t>(verdict);
+  const std::uint64_t hash = text::hash_ignoring_case(text_) + static_cast<std::uint64_t>(account);
   const std::uint32_t index = table_.find_or_add(hash, next, [&](std::uint32_t other) {
-    return shapes_[other].verdict == verdict && text::equal_ignoring_case(shapes_[other].text, text_);
+    return shapes_[other].account == account && text::equal_ignoring_case(shapes_[other].text, text_);
   });
-  if (index == next) shapes_.push_back({text_, verdict, 0, symbol});
+  if (index == next) shapes_.push_back({text_, account, 0, symbol});
   ++shapes_[index].count;
 }
 
@@ -43,10 +42,10 @@ std::vector<Shape> Shapes::take() {
   return std::move(shapes_);
 }
 
-std::vector<Shape> left_over_shapes(const model::PlantModel& plant, const Score& score) {
+std::vector<Shape> left_over_shapes(const model::PlantModel& plant, const PlantScore& score) {
   Shapes shapes(plant);
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
-    if (is_left_over(score.verdicts[i])) shapes.add(i, score.verdicts[i]);
+    if (is_left_over(score.accounts[i])) shapes.add(i, score.accounts[i]);
   }
   return shapes.take();
 }

@@ -12,10 +12,10 @@
 
 namespace symplant::score {
 
-/// Symbols of one shape and verdict.
+/// Symbols of one shape and account.
 struct Shape {
   std::string text;  ///< `#` for each run of digits, one blank for each run of blanks
-  Verdict verdict{};
+  Account account{};
   std::size_t count = 0;
   std::uint32_t first = 0;  ///< its first symbol
 };
@@ -25,7 +25,7 @@ class Shapes {
  public:
   explicit Shapes(const model::PlantModel& plant);
 
-  void add(std::uint32_t symbol, Verdict verdict);
+  void add(std::uint32_t symbol, Account account);
   /// The most frequent first, those of equal counts in list order.
   std::vector<Shape> take();
 
@@ -44,6 +44,6 @@ std::string_view known_text(const model::PlantModel& plant, const model::Symbol&
 bool reads_comments_only(const model::PlantModel& plant);
 
 /// The symbols that are not accounted for, those to repair first in front. O(symbols).
-std::vector<Shape> left_over_shapes(const model::PlantModel& plant, const Score& score);
+std::vector<Shape> left_over_shapes(const model::PlantModel& plant, const PlantScore& score);
 
 }  // namespace symplant::score

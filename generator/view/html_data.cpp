@@ -110,8 +110,8 @@ class DataWriter {
     json_.end_array();
     json_.key("reasons");
     json_.begin_array();
-    for (int reason = 0; reason < model::kUnmodelled; ++reason) {
-      json_.value(unmodelled_reason(static_cast<model::Unmodelled>(reason)));
+    for (std::size_t reason = 0; reason < name::kAccounts; ++reason) {
+      json_.value(unmodelled_reason(static_cast<model::Account>(reason)));
     }
     json_.end_array();
     json_.key("internal");
@@ -133,8 +133,9 @@ class DataWriter {
     json_.value(visible(symbol.row->vendor_address));
     json_.value(visible(symbol.row->iec_address));
     json_.value(symbol.initial == 0 ? std::string() : value_text(symbol.type, symbol.initial));
-    json_.value(symbol.unit == kNone ? -1 : unit_positions_[symbol.unit]);
-    json_.value(static_cast<int>(symbol.unmodelled));
+    const std::uint32_t unit = symbol.unit_of_device();
+    json_.value(unit == kNone ? -1 : unit_positions_[unit]);
+    json_.value(static_cast<int>(symbol.account));
     if (symbol.leader != kNone) json_.value(visible(plant_.symbols[symbol.leader].name()));
     json_.end_array();
   }
@@ -146,7 +147,7 @@ class DataWriter {
 
   void write_unit(std::uint32_t index) {
     const model::Unit& unit = plant_.units[index];
-    const name::NameReading& reading = plant_.symbols[unit.first_symbol()].reading;
+    const model::SymbolReading& reading = plant_.symbols[unit.first_symbol()].reading;
     json_.begin_object();
     json_.member("path", visible(unit.path));
     json_.member("line", visible(reading.line()));

@@ -50,6 +50,10 @@ class UnitWriter {
       json_.end_object();
     });
     if (unit_.described != nullptr && !unit_.described->type.empty()) json_.member("type", unit_.described->type);
+    if (!unit_.values.empty()) {
+      json_.key("values");
+      write_names(unit_.values, plant_, json_);
+    }
     if (unit_.has_behaviour()) write_behaviour();
     json_.end_object();
   }
@@ -59,7 +63,7 @@ class UnitWriter {
   std::string_view event(std::uint32_t position) const { return plant_.symbols[unit_.events[position]].name(); }
 
   void write_head() {
-    const name::NameReading& reading = plant_.symbols[unit_.first_symbol()].reading;
+    const model::SymbolReading& reading = plant_.symbols[unit_.first_symbol()].reading;
     json_.member("path", unit_.path);
     json_.member("line", reading.line());
     json_.member("process", reading.process());
@@ -169,6 +173,8 @@ std::string_view direction_by_key(model::DirectionBy by) {
       return "address";
     case model::DirectionBy::alias:
       return "alias";
+    case model::DirectionBy::description:
+      return "description";
     case model::DirectionBy::name:
       break;
   }
@@ -188,12 +194,12 @@ void write_symbol(const model::Symbol& symbol, const model::PlantModel& plant, J
   json.key("initial");
   write_value(symbol.type, symbol.initial, json);
   json.key("unit");
-  if (symbol.unit == kNone) {
+  if (symbol.unit_of_device() == kNone) {
     json.null();
   } else {
-    json.value(plant.units[symbol.unit].path);
+    json.value(plant.units[symbol.unit_of_device()].path);
   }
-  if (symbol.unmodelled != model::Unmodelled::modelled) json.member("unmodelled", unmodelled_key(symbol.unmodelled));
+  if (symbol.account != model::Account::modelled) json.member("unmodelled", unmodelled_key(symbol.account));
   if (symbol.leader != kNone) json.member("follows", plant.symbols[symbol.leader].name());
   if (symbol.inverted) json.member("inverted", true);
   json.end_object();

@@ -94,6 +94,7 @@ class TableWriter {
     add_outputs("l_leave", unit, false);
     add_disables(unit, references_.disabled_by[index]);
     if (unit.has_behaviour()) add_behaviour(unit);
+    if (!unit.has_behaviour() && !unit.values.empty()) add_values(unit);
     if (!references_.requirements[index].empty()) {
       begin("required");
       for (const std::uint32_t requirement : references_.requirements[index])
@@ -189,6 +190,11 @@ class TableWriter {
     }
   }
 
+  void add_values(const model::Unit& unit) {
+    begin("values");
+    for (const std::uint32_t value : unit.values) row(std::string(plant_.symbols[value].name()));
+  }
+
   void add_behaviour(const model::Unit& unit) {
     begin("behaviour");
     row(unit.described->behaviour);
@@ -200,15 +206,18 @@ class TableWriter {
   }
 
   void add_counts() {
-    std::array<std::size_t, model::kUnmodelled> counts{};
-    for (const model::Symbol& symbol : plant_.symbols) ++counts[static_cast<std::size_t>(symbol.unmodelled)];
+    std::array<std::size_t, name::kAccounts> counts{};
+    for (const model::Symbol& symbol : plant_.symbols) {
+      const bool in_device = symbol.unit_of_device() != model::kNone;
+      ++counts[static_cast<std::size_t>(in_device ? name::Account::modelled : symbol.account)];
+    }
     const std::size_t unmodelled = plant_.symbols.size() - counts[0];
     line(fmt::format("{} device{}, {} I/O symbol{}, {} of them in no device", plant_.units.size(),
                      plant_.units.size() == 1 ? "" : "s", plant_.symbols.size(), plant_.symbols.size() == 1 ? "" : "s",
                      unmodelled));
     for (std::size_t reason = 1; reason < counts.size(); ++reason) {
       if (counts[reason] == 0) continue;
-      line(fmt::format("  {}: {}", counts[reason], unmodelled_reason(static_cast<model::Unmodelled>(reason))));
+      line(fmt::format("  {}: {}", counts[reason], unmodelled_reason(static_cast<model::Account>(reason))));
     }
   }
 

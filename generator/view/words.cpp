@@ -82,74 +82,84 @@ std::string_view initial_reason(model::InitialFrom from) {
   return "";
 }
 
-std::string_view unmodelled_key(model::Unmodelled reason) {
+std::string_view unmodelled_key(model::Account reason) {
   switch (reason) {
-    case model::Unmodelled::modelled:
+    case model::Account::modelled:
       return "";
-    case model::Unmodelled::numeric:
+    case model::Account::numeric:
       return "numeric";
-    case model::Unmodelled::name:
-      return "name";
-    case model::Unmodelled::task_taken:
+    case model::Account::task_taken:
       return "task-taken";
-    case model::Unmodelled::unit_too_large:
+    case model::Account::unit_too_large:
       return "unit-too-large";
-    case model::Unmodelled::unpaired:
+    case model::Account::no_operation:
+    case model::Account::no_event:
       return "unpaired";
-    case model::Unmodelled::no_rule:
+    case model::Account::no_direction:
+      return "no-direction";
+    case model::Account::no_rule:
       return "no-rule";
-    case model::Unmodelled::ignored:
+    case model::Account::ignored:
       return "ignored";
-    case model::Unmodelled::named_internal:
+    case model::Account::named_internal:
       return "internal";
-    case model::Unmodelled::operator_panel:
+    case model::Account::operator_panel:
       return "operator";
-    case model::Unmodelled::data:
+    case model::Account::data:
       return "data";
-    case model::Unmodelled::constant:
+    case model::Account::constant:
       return "constant";
-    case model::Unmodelled::role_none:
+    case model::Account::role_none:
       return "none";
-    case model::Unmodelled::follows:
+    case model::Account::follows:
       return "follows";
-    case model::Unmodelled::senses_parts:
+    case model::Account::senses_parts:
       return "senses-parts";
+    case model::Account::plain:
+      return "plain";
+    case model::Account::condition:
+      break;
   }
   return "";
 }
 
-std::string_view unmodelled_reason(model::Unmodelled reason) {
+std::string_view unmodelled_reason(model::Account reason) {
   switch (reason) {
-    case model::Unmodelled::modelled:
+    case model::Account::modelled:
       return "";
-    case model::Unmodelled::numeric:
+    case model::Account::numeric:
       return "numeric: states come from BOOL symbols only";
-    case model::Unmodelled::name:
-      return "its name does not follow the naming rule";
-    case model::Unmodelled::task_taken:
+    case model::Account::task_taken:
       return "another symbol of its device has its task and direction";
-    case model::Unmodelled::unit_too_large:
+    case model::Account::unit_too_large:
       return "its device has more symbols or states than a device may have";
-    case model::Unmodelled::unpaired:
+    case model::Account::no_operation:
+    case model::Account::no_event:
       return "no symbol of the other direction fits it";
-    case model::Unmodelled::no_rule:
-      return "no rule of the naming rule matches it";
-    case model::Unmodelled::ignored:
+    case model::Account::no_direction:
+      return "neither its address nor its name says a direction";
+    case model::Account::no_rule:
+      return "its name does not follow the naming rule";
+    case model::Account::ignored:
       return "the naming rule ignores it";
-    case model::Unmodelled::named_internal:
+    case model::Account::named_internal:
       return "internal by its name";
-    case model::Unmodelled::operator_panel:
+    case model::Account::operator_panel:
       return "operator panel";
-    case model::Unmodelled::data:
+    case model::Account::data:
       return "data: a bit of a number, or one of several symbols of one text";
-    case model::Unmodelled::constant:
+    case model::Account::constant:
       return "constant: a contact that keeps its value";
-    case model::Unmodelled::role_none:
+    case model::Account::role_none:
       return "of no role, by the naming rule";
-    case model::Unmodelled::follows:
+    case model::Account::follows:
       return "driven by a condition";
-    case model::Unmodelled::senses_parts:
+    case model::Account::senses_parts:
       return "driven by a sensor of parts";
+    case model::Account::plain:
+      return "plain: plant.json says that it belongs to no device";
+    case model::Account::condition:
+      break;
   }
   return "";
 }

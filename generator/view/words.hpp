@@ -24,8 +24,8 @@ std::string_view initial_key(model::InitialFrom from);
 std::string_view initial_reason(model::InitialFrom from);
 
 /// Why a symbol is in no device: a key for programs (`task-taken`; empty if it is in a device), and a text.
-std::string_view unmodelled_key(model::Unmodelled reason);
-std::string_view unmodelled_reason(model::Unmodelled reason);
+std::string_view unmodelled_key(model::Account reason);
+std::string_view unmodelled_reason(model::Account reason);
 
 /// The tasks of a symbol: `O_P2`, `I_P1`.
 std::string operation_text(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t operation);

@@ -2,6 +2,7 @@
 #include "symplant/link/io_map.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "symplant/tables/lists.hpp"
 
@@ -38,7 +39,14 @@ class MapMaker {
   IoMap run() {
     sort_out();
     std::stable_partition(carried_.begin(), carried_.end(), [](const Carried& c) { return c.number != tables::kNone; });
-    for (const Carried& carried : carried_) assign(carried);
+    // Symbols with internal addresses are the last ones with a number to be found: the others keep theirs.
+    const auto is_internal = [&](const Carried& c) {
+      return c.number == tables::kNone && tables_.symbols[c.symbol].form() == tables::AddressForm::internal;
+    };
+    const auto internal = std::stable_partition(carried_.begin(), carried_.end(), std::not_fn(is_internal));
+    for (auto carried = carried_.begin(); carried != internal; ++carried) assign(*carried);
+    place_after_numbers();
+    for (auto carried = internal; carried != carried_.end(); ++carried) assign(*carried);
     std::sort(map_.points.begin(), map_.points.end(),
               [](const IoPoint& a, const IoPoint& b) { return a.symbol < b.symbol; });
     std::sort(map_.too_many.begin(), map_.too_many.end());
@@ -65,6 +73,10 @@ class MapMaker {
       const bool is_set = next != end && next->symbol == index;
       const MapRow row = is_set ? *next++ : MapRow{.symbol = index};
       if (tables::controller_of(tables_, index) != controller_) continue;
+      if (row.excluded) {
+        map_.excluded.push_back(index);
+        continue;
+      }
       const tables::SymbolRow& symbol = tables_.symbols[index];
       const bool given = row.number != MapRow::kDefault;
       if (!given && symbol.form() == tables::AddressForm::none) {
@@ -73,7 +85,8 @@ class MapMaker {
         map_.of_8_bits.push_back(index);
       } else {
         const std::uint32_t number = given ? row.number : own_number(symbol);
-        if (number == tables::kNone) map_.packed[static_cast<std::size_t>(table_of(symbol))] = true;
+        const bool internal = symbol.form() == tables::AddressForm::internal;
+        if (number == tables::kNone && !internal) map_.packed[static_cast<std::size_t>(table_of(symbol))] = true;
         const OnLoss on_loss = row.on_loss == OnLoss::as_link ? settings_.on_loss : row.on_loss;
         const WordOrder order = row.word_order == WordOrder::as_link ? settings_.word_order : row.word_order;
         carried_.push_back({index, number, given, order, on_loss});
@@ -82,6 +95,14 @@ class MapMaker {
     for (Carried& carried : carried_) {
       const Table table = table_of(tables_.symbols[carried.symbol]);
       if (map_.packed[static_cast<std::size_t>(table)] && !carried.given) carried.number = tables::kNone;
+    }
+  }
+
+  /// The next packed symbols of a table come after its numbers.
+  void place_after_numbers() {
+    for (const IoPoint& point : map_.points) {
+      std::uint32_t& next = next_[static_cast<std::size_t>(point.table)];
+      next = std::max(next, (point.last() + kRounding) / kRounding * kRounding);
     }
   }
 

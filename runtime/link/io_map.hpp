@@ -47,6 +47,7 @@ struct IoMap {
   std::optional<std::uint32_t> status_block;   ///< its first input register; it has kStatusRegisters
   bool no_room_for_status = false;             ///< there is no block, since there is no room above the map
   std::optional<std::uint32_t> watchdog;       ///< its holding register
+  std::vector<std::uint32_t> excluded;         ///< symbols that the settings leave out
   std::vector<std::uint32_t> without_address;  ///< symbols on no link, since they have no address
   std::vector<std::uint32_t> of_8_bits;  ///< numeric symbols of 8 bits without a number in the settings: on no link
   std::vector<std::uint32_t> too_many;   ///< symbols beyond the 65,536 addresses of a table

@@ -45,6 +45,7 @@ struct MapRow {
   std::uint32_t number = kDefault;  ///< protocol address, counted from 0; kDefault: as in the default map
   WordOrder word_order = WordOrder::as_link;
   OnLoss on_loss = OnLoss::as_link;
+  bool excluded = false;  ///< the link does not carry it
 };
 
 /// Register of the status block or the watchdog: a number, or one of these.

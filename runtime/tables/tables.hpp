@@ -234,9 +234,10 @@ enum class Direction : std::uint8_t { operation, event };
 
 /// How a symbol's address gives its number on a link.
 enum class AddressForm : std::uint8_t {
-  none,    ///< no address: the symbol is not on a link
-  number,  ///< a plain number (X0001, %IX1, %IW5), or byte.bit (%IX0.1), whose number is 8 * byte + bit
-  other,   ///< an address without a number: on a link such symbols are packed in list order
+  none,      ///< no address: the symbol is not on a link
+  number,    ///< a plain number (X0001, %IX1, %IW5), or byte.bit (%IX0.1), whose number is 8 * byte + bit
+  other,     ///< an address without a number: on a link such symbols are packed in list order
+  internal,  ///< an address in the memory of the PLC: on a link such symbols come after those with a number
 };
 
 /// Data type, direction, address form and the flags SymbolRow::moved() and inverted(), packed into one number: a table

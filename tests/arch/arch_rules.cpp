@@ -38,6 +38,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"name", " tables "},
     RuntimeUse{"description", " tables json link "},
     RuntimeUse{"naming", " tables json "},
+    RuntimeUse{"pairing", " tables "},
     RuntimeUse{"model", " tables condition link "},
     RuntimeUse{"score", " tables condition "},
     RuntimeUse{"lower", " tables condition "},

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "infer/infer.hpp"
-#include "name/name_parser.hpp"
 #include "name/symbol_reader.hpp"
 
 namespace symplant::bench {
@@ -45,7 +44,7 @@ void read_all(benchmark::State& state, const std::vector<std::string>& names, na
     name::SymbolReader reader(compiled);
     std::size_t read = 0;
     for (const std::string& name : names) {
-      if (reader.read({name, {}, {}, {}}).outcome == name::Outcome::read) ++read;
+      if (reader.read({name, {}, {}, {}}).is_read()) ++read;
     }
     if (read != names.size()) state.SkipWithError("a name was not read");
     benchmark::DoNotOptimize(read);
@@ -54,16 +53,16 @@ void read_all(benchmark::State& state, const std::vector<std::string>& names, na
       benchmark::Counter(kNames, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void built_in_parser(benchmark::State& state) {
-  const std::vector<std::string> names = strict_names();
-  name::NameParser parser(name::built_in_rule());
-  for ([[maybe_unused]] auto _ : state) {
-    for (const std::string& name : names) benchmark::DoNotOptimize(parser.parse(name));
-  }
-  state.counters["per name"] =
-      benchmark::Counter(kNames, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+void read_levels(benchmark::State& state) {
+  name::Naming naming;
+  naming.separators = "_";
+  naming.units = name::Units::device;
+  naming.rules.push_back(rule_of("{line}_{process}_{device}_{direction}_{task}"));
+  naming.rules[0].exact = true;
+  naming.rules[0].fields = {{"direction", "", {{"I", name::Direction::event}, {"O", name::Direction::operation}}}};
+  read_all(state, strict_names(), naming);
 }
-BENCHMARK(built_in_parser);
+BENCHMARK(read_levels);
 
 void strict_as_rule(benchmark::State& state) {
   name::Naming naming;

@@ -8,6 +8,7 @@
 #include "check/catalogue.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
+#include "naming/load.hpp"
 #include "read/readers.hpp"
 #include "support/memory_file_system.hpp"
 
@@ -42,9 +43,10 @@ model::Derived derived_of(const std::string& text) {
   diag::Diagnostics diagnostics;
   const auto list =
       std::make_shared<const read::SymbolTable>(std::move(*read::read_symbol_list("list.csv", {}, files, diagnostics)));
+  const auto reader = std::make_shared<name::SymbolReader>(naming::strict_naming());
   std::vector<model::ListInput> lists;
-  lists.push_back({list, name::read_names(*list, name::built_in_rule())});
-  return model::describe(model::derive(lists, "list"), nullptr);
+  lists.push_back({list, name::read_names(*list, *reader)});
+  return model::describe(model::derive(lists, "list", reader), nullptr);
 }
 
 void near_names(benchmark::State& state, bool halves) {

@@ -13,6 +13,7 @@
 #include "lower/lower.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
+#include "naming/load.hpp"
 #include "support/memory_file_system.hpp"
 
 namespace symplant::bench {
@@ -37,9 +38,10 @@ void read_parse_derive_lower(benchmark::State& state) {
     diag::Diagnostics diagnostics;
     const auto list = std::make_shared<const read::SymbolTable>(
         std::move(*read::read_symbol_list("list.csv", {}, files, diagnostics)));
+    const auto reader = std::make_shared<name::SymbolReader>(naming::strict_naming());
     std::vector<model::ListInput> lists;
-    lists.push_back({list, name::read_names(*list, name::built_in_rule())});
-    const auto plant = model::describe(model::derive(lists, "list"), nullptr).plant;
+    lists.push_back({list, name::read_names(*list, *reader)});
+    const auto plant = model::describe(model::derive(lists, "list", reader), nullptr).plant;
     benchmark::DoNotOptimize(lower::lower(plant));
   }
   state.counters["ns_a_row"] =

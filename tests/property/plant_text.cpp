@@ -7,7 +7,7 @@
 
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
-#include "name/naming_rule.hpp"
+#include "naming/load.hpp"
 #include "property/behaviours.hpp"
 #include "property/cell_plant.hpp"
 #include "read/symbol_table.hpp"
@@ -44,17 +44,13 @@ bool serves_behaviour(const model::Unit& unit) {
 }  // namespace
 
 model::Derived build(const PlantText& text) {
-  std::shared_ptr<name::SymbolReader> reader;
-  if (!text.naming.empty()) {
-    std::vector<name::NamingFault> faults;
-    reader = std::make_shared<name::SymbolReader>(name::CompiledNaming::compile(naming_of(text.naming), faults));
-  }
+  std::vector<name::NamingFault> faults;
+  const auto reader = std::make_shared<name::SymbolReader>(
+      text.naming.empty() ? naming::strict_naming() : name::CompiledNaming::compile(naming_of(text.naming), faults));
   std::vector<model::ListInput> lists;
   const auto add = [&](std::size_t begin, std::size_t end, const std::string& controller) {
     const auto table = table_of(text, begin, end);
-    lists.push_back(
-        {table, reader == nullptr ? name::read_names(*table, name::built_in_rule()) : name::read_names(*table, *reader),
-         controller});
+    lists.push_back({table, name::read_names(*table, *reader), controller});
   };
   const std::size_t first_end = text.two_lists() ? text.second_list : text.rows.size();
   add(0, first_end, "");

@@ -15,7 +15,7 @@
 #include "lower/lower.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
-#include "name/naming_rule.hpp"
+#include "naming/load.hpp"
 #include "support/memory_file_system.hpp"
 
 namespace symplant::test {
@@ -112,20 +112,19 @@ struct GivenList {
 /// say.
 inline Analysed analyse_lists(const std::vector<GivenList>& given, description::Description description = {},
                               std::string_view today = {}, const findings::Selection& selection = {},
-                              std::shared_ptr<name::SymbolReader> reader = nullptr) {
+                              std::shared_ptr<const name::CompiledNaming> naming = naming::strict_naming()) {
   MemoryFileSystem files;
   Analysed result;
+  const auto reader = std::make_shared<name::SymbolReader>(std::move(naming));
   std::vector<model::ListInput> lists;
   for (const GivenList& list : given) {
     files.files[list.file] = list.text;
     auto read = read::read_symbol_list(list.file, {}, files, result.diagnostics);
     const auto table = std::make_shared<const read::SymbolTable>(std::move(read.value()));
-    lists.push_back(
-        {table, reader == nullptr ? name::read_names(*table, name::built_in_rule()) : name::read_names(*table, *reader),
-         list.controller, list.xy});
+    lists.push_back({table, name::read_names(*table, *reader), list.controller, list.xy});
   }
   const auto shared = std::make_shared<const description::Description>(std::move(description));
-  result.derived = model::describe(model::derive(lists, "symbols", std::move(reader), shared.get()), shared);
+  result.derived = model::describe(model::derive(lists, "symbols", reader, shared.get()), shared);
   const model::PlantModel& plant = result.model();
   check::check_plant(plant, result.evidence(), result.diagnostics);
   result.diagnostics = findings::finish(std::move(result.diagnostics), plant.description->check, today, selection);
@@ -139,7 +138,7 @@ inline Analysed analyse_by_rule(name::Naming naming, const std::vector<GivenList
   std::vector<name::NamingFault> faults;
   auto compiled = name::CompiledNaming::compile(std::move(naming), faults);
   if (compiled == nullptr) throw std::invalid_argument(faults.front().pointer + ": " + faults.front().message);
-  return analyse_lists(given, std::move(description), {}, {}, std::make_shared<name::SymbolReader>(compiled));
+  return analyse_lists(given, std::move(description), {}, {}, compiled);
 }
 
 /// A list whose table `change` changes after it was read, such as to another notation of addresses.
@@ -151,7 +150,8 @@ Analysed analyse_changed(const std::vector<Row>& rows, Change change, descriptio
   auto table = read::read_symbol_list("symbols.csv", {}, files, result.diagnostics).value();
   change(table);
   const auto kept = std::make_shared<const read::SymbolTable>(std::move(table));
-  result.derived = model::describe(model::derive({{kept, name::read_names(*kept, name::built_in_rule())}}, "symbols"),
+  const auto reader = std::make_shared<name::SymbolReader>(naming::strict_naming());
+  result.derived = model::describe(model::derive({{kept, name::read_names(*kept, *reader)}}, "symbols", reader),
                                    std::make_shared<const description::Description>(std::move(description)));
   check::check_plant(result.model(), result.evidence(), result.diagnostics);
   return result;

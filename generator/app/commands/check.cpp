@@ -94,7 +94,7 @@ std::string lists_text(const model::PlantModel& plant) {
 
 /// Under a custom rule its score, the number of facets and findings; under the built-in one how many names follow it,
 /// the number of devices and findings, and the score on a second line.
-std::string result_lines(const std::string& list, const model::PlantModel& plant, const score::Score& score,
+std::string result_lines(const std::string& list, const model::PlantModel& plant, const score::PlantScore& score,
                          const diag::Diagnostics& findings) {
   const std::string scored = score_text(score.total);
   if (plant.pairing != nullptr) {
@@ -104,7 +104,7 @@ std::string result_lines(const std::string& list, const model::PlantModel& plant
   const std::size_t internal = std::accumulate(plant.internal.begin(), plant.internal.end(), std::size_t{0});
   const std::string lists = plant.lists.size() == 1 ? "" : fmt::format(" of {} lists", plant.lists.size());
   return fmt::format("{0}: {1}\n{0}: {2} of {3} I/O names{4} follow {5}, {6} device{7}{8}; {9}\n", list, scored,
-                     score.named, plant.symbols.size(), lists, plant.rule->pattern, plant.units.size(),
+                     score.named, plant.symbols.size(), lists, plant.rule_text(), plant.units.size(),
                      plant.units.size() == 1 ? "" : "s",
                      internal == 0 ? "" : fmt::format(", {} internal row{}", internal, internal == 1 ? "" : "s"),
                      selected_text(findings));
@@ -197,7 +197,7 @@ class Check {
   /// Shows the score of a plant, and returns whether it is as required.
   std::vector<diag::Gate> look_at_score(const std::string& file, const model::PlantModel& plant,
                                         const diag::Diagnostics& findings) {
-    const score::Score score = score::score_of(plant);
+    const score::PlantScore score = score::score_of(plant);
     if (options_.format == "text") {
       text_ += score_details(plant, score, options_.plant.verbose);
       text_ += result_lines(file, plant, score, findings);

@@ -79,7 +79,7 @@ class Infer {
     if (!take_answers(report)) return;
     report_out_ << infer_report_text(report, answers_);
     ask(report);
-    infer::Score score = report.score;
+    name::Counts score = report.score;
     if (!answers_.refused.empty() || !answers_.accepted.empty()) {
       proposal.naming = infer::with_answers(proposal.naming, report, answers_.refused, answers_.accepted);
       score = infer::score_of(proposal.naming, read->samples);

@@ -28,6 +28,12 @@ struct RunOptions {
   host::RunOptions run;
 };
 
+/// Whether a symbol would be in a device without a fault of the list.
+bool is_faulty(const model::PlantModel& plant, name::Account account) {
+  return account == name::Account::task_taken || account == name::Account::unit_too_large ||
+         (account == name::Account::no_rule && plant.levels() != nullptr);
+}
+
 /// Lines about what the tables do not contain: rows that are not I/O, and symbols in no device.
 std::vector<std::string> more(const model::PlantModel& plant) {
   std::vector<std::string> lines;
@@ -46,15 +52,15 @@ std::vector<std::string> more(const model::PlantModel& plant) {
   std::size_t follows = 0;
   std::size_t sensors = 0;
   for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.unmodelled == model::Unmodelled::modelled) continue;
-    if (symbol.unmodelled == model::Unmodelled::numeric) {
+    if (symbol.unit_of_device() != model::kNone) continue;
+    if (symbol.account == model::Account::numeric) {
       ++numeric;
-    } else if (symbol.unmodelled == model::Unmodelled::follows) {
+    } else if (symbol.account == model::Account::follows) {
       ++follows;
-    } else if (symbol.unmodelled == model::Unmodelled::senses_parts) {
+    } else if (symbol.account == model::Account::senses_parts) {
       ++sensors;
     } else {
-      ++(symbol.unmodelled >= model::Unmodelled::unpaired ? outside : faulty);
+      ++(is_faulty(plant, symbol.account) ? faulty : outside);
     }
   }
   if (outside != 0) {

@@ -28,6 +28,7 @@ void add_sizes(std::string& text, const link::IoMap& map) {
   const auto count = [&](const std::vector<std::uint32_t>& symbols, std::string_view why) {
     if (!symbols.empty()) fmt::format_to(std::back_inserter(text), "on no link: {} {}\n", symbols.size(), why);
   };
+  count(map.excluded, "excluded by plant.json");
   count(map.without_address, "without a usable address");
   count(map.of_8_bits, "of 8 bits, for which plant.json gives no register");
   count(map.too_many, "beyond the 65536 addresses of a table");

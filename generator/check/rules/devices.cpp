@@ -190,8 +190,7 @@ void shape_lacks_symbol(const Find& find) {
   Device* last = nullptr;
   std::uint32_t unit = kNone;  // of the last device: its symbols are mostly in rows one after the other
   for (const Symbol& symbol : find.symbols) {
-    const bool number =
-        symbol.unmodelled == model::Unmodelled::numeric && symbol.reading.fault == name::NameFault::none;
+    const bool number = symbol.account == model::Account::numeric && symbol.reading.is_named();
     if (symbol.unit == kNone && !number) continue;
     if (std::exchange(unit, symbol.unit) != symbol.unit || symbol.unit == kNone) {
       const std::string name = class_name(number ? symbol.reading.device() : find.units[symbol.unit].device);
@@ -216,20 +215,18 @@ void shape_lacks_symbol(const Find& find) {
 }
 
 /// Why a symbol is in no device.
-std::string_view outside_text(model::Unmodelled by) {
-  using model::Unmodelled;
-  if (by == Unmodelled::numeric) return "numeric";
-  if (by == Unmodelled::unit_too_large) return "in devices that are too large";
-  return by == Unmodelled::name      ? "named otherwise"
-         : by == Unmodelled::no_rule ? "matched by no pattern"
-                                     : "not paired";
+std::string_view outside_text(const PlantModel& plant, name::Account by) {
+  if (by == name::Account::numeric) return "numeric";
+  if (by == name::Account::unit_too_large) return "in devices that are too large";
+  if (by != name::Account::no_rule) return "not paired";
+  return plant.levels() != nullptr ? "named otherwise" : "matched by no pattern";
 }
 
 void no_device(const Find& find) {
   const PlantModel& plant = find.plant;
   if (!nothing_is_driven(plant)) return;
   std::map<std::string_view, std::size_t> reasons;
-  for (const Symbol& symbol : plant.symbols) ++reasons[outside_text(symbol.unmodelled)];
+  for (const Symbol& symbol : plant.symbols) ++reasons[outside_text(plant, symbol.account)];
   std::string text;
   for (const auto& [why, count] : reasons) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, why);
   const Symbol& first = plant.symbols.front();
@@ -275,7 +272,12 @@ constexpr Rule kDeviceRules[] = {
 }  // namespace
 
 bool nothing_is_driven(const PlantModel& plant) {
-  return !plant.symbols.empty() && plant.units.empty() && plant.material.empty() && plant.follows.empty();
+  // Events that nothing links, and numbers, make a device in which nothing moves.
+  const auto may_move = [](const Unit& unit) {
+    return !unit.operations.empty() || unit.events.size() > unit.reports.size() || unit.described != nullptr;
+  };
+  return !plant.symbols.empty() && std::ranges::none_of(plant.units, may_move) && plant.material.empty() &&
+         plant.follows.empty();
 }
 
 std::span<const Rule> device_rules() { return kDeviceRules; }

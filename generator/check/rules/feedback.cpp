@@ -76,6 +76,7 @@ void event_without_operation(const Find& find, const Unit& unit) {
 
 void event_not_driven(const Find& find, const Unit& unit) {
   if (!unit.operations.empty() || unit.initial_from == model::InitialFrom::description) return;
+  if (unit.facet != nullptr && !unit.facet->linked) return;  // the score shows what nothing links
   std::vector<const Symbol*> left;
   for (const std::uint32_t event : unit.events) {
     const Symbol& symbol = find.symbols[event];
@@ -143,7 +144,7 @@ constexpr Rule kFeedbackRules[] = {
     {"SP405", "two-words-one-state", kWarning, two_words_one_state, "two words may mean one state",
      "A task with only an operation and one with only an event look like forms of one word: `O_CLAMP`, `I_CLAMPED`.",
      "The device goes to CLAMP, and CLAMPED never comes on.",
-     "Spell both alike. If they are two states, add the side that is missing.", Rank::words, For::built_in},
+     "Spell both alike. If they are two states, add the side that is missing.", Rank::words, For::levels},
 };
 
 }  // namespace

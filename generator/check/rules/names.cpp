@@ -14,49 +14,60 @@ namespace {
 using name::NameFault;
 
 /// What is wrong with a name, and what to do.
-std::string fault_text(const PlantModel& plant, const Symbol& symbol, std::string_view part) {
+std::string fault_text(const name::LevelRule& rule, const Symbol& symbol, const name::LevelReading& reading) {
   const std::string_view name = symbol.name();
-  const name::NameReading& reading = symbol.reading;
   if (reading.fault == NameFault::wrong_number_of_levels) {
-    return fmt::format(
-        "`{}` has {} level{}, and `{}` {}; {}", name, reading.levels, reading.levels == 1 ? "" : "s",
-        plant.rule->pattern, plant.rule->levels.size(),
-        reading.levels > plant.rule->levels.size() ? "remove a level or join two" : "add what is missing");
+    return fmt::format("`{}` has {} level{}, and `{}` {}; {}", name, reading.levels, reading.levels == 1 ? "" : "s",
+                       rule.pattern, rule.levels.size(),
+                       reading.levels > rule.levels.size() ? "remove a level or join two" : "add what is missing");
   }
   if (reading.fault == NameFault::empty_level) {
-    return fmt::format("`{}` has an empty level; write the missing word or remove the surplus `_`", name);
+    return fmt::format("`{}` has an empty level; write the missing word or remove the surplus `{}`", name,
+                       rule.separator);
   }
   if (reading.fault == NameFault::illegal_character) {
-    return fmt::format("`{}` has `{}`, which is neither letter nor digit nor `_`; write `_` or nothing", name, part);
+    return fmt::format("`{0}` has `{1}`, which is neither letter nor digit nor `{2}`; write `{2}` or nothing", name,
+                       reading.where, rule.separator);
   }
+  const auto word = std::ranges::find(rule.directions, std::optional(symbol.direction), &name::DirectionWord::says);
   return fmt::format("`{}` has `{}` where its direction belongs; write or insert `{}`, as its address `{}` says", name,
-                     part, symbol.direction == Direction::event ? "I" : "O", symbol.address_cell());
+                     reading.where, word == rule.directions.end() ? "" : word->word, symbol.address_cell());
+}
+
+/// How a name breaks the levels of the naming rule; nothing if it does not, or if the rule has no levels.
+name::LevelReading broken_levels(const PlantModel& plant, const Symbol& symbol) {
+  if (plant.levels() == nullptr || symbol.reading.is_named() || symbol.account == name::Account::plain) return {};
+  return name::read_levels(*plant.levels(), symbol.name().substr(plant.list_of(symbol).prefix.size()));
 }
 
 template <NameFault fault>
 void broken_names(const Find& find, const Symbol& symbol) {
-  if (symbol.reading.fault != fault || find.named_otherwise[symbol.list]) return;
-  const text::Span where = symbol.reading.where();
-  const std::string_view part = symbol.name().substr(where.begin, where.end - where.begin);
+  const name::LevelReading reading = broken_levels(find.plant, symbol);
+  if (reading.fault != fault || find.named_otherwise[symbol.list]) return;
+  const auto begin = static_cast<std::size_t>(reading.where.data() - symbol.name().data());
   Finding finding = find.at(symbol);
   text::Span& span = finding.as.location.span;
-  if (span.end - span.begin == symbol.name().size()) span = {span.begin + where.begin, span.begin + where.end};
+  if (span.end - span.begin == symbol.name().size()) {
+    span = {span.begin + begin, span.begin + begin + reading.where.size()};
+  }
   finding.explains(Kind::name, symbol.name());
-  std::size_t path = symbol.name().find('_');
-  for (int level = 1; level < 3 && path < where.begin; ++level) path = symbol.name().find('_', path + 1);
+  const char separator = find.plant.levels()->separator;
+  std::size_t path = symbol.name().find(separator);
+  for (int level = 1; level < 3 && path < begin; ++level) path = symbol.name().find(separator, path + 1);
   // The device is known if the fault is behind it.
-  const bool known = fault != NameFault::wrong_number_of_levels && path < where.begin;
+  const bool known = find.plant.levels()->has_path && fault != NameFault::wrong_number_of_levels && path < begin;
   if (known) finding.explains(Kind::model, symbol.name().substr(0, path));
   if (fault == NameFault::illegal_character) {
-    finding.rename(symbol, std::string(symbol.name()).replace(where.begin, part.size(), "_"));
+    finding.rename(symbol, std::string(symbol.name()).replace(begin, reading.where.size(), 1, separator));
   }
-  finding.say("{}", fault_text(find.plant, symbol, part));
+  finding.say("{}", fault_text(*find.plant.levels(), symbol, reading));
 }
 
-/// The I/O names of a list, and how many have each fault. Under a custom rule the score counts what no pattern matches.
+/// The I/O names of a list, and how many have each fault. Without levels of names the score counts what no rule
+/// matches.
 struct NameCount {
   std::size_t all = 0;
-  std::array<std::size_t, 6> broken{};  ///< by NameFault
+  std::array<std::size_t, 5> broken{};  ///< by NameFault
 
   /// The fault of more than a third of at least four names; `none` if there is no such fault.
   NameFault common() const {
@@ -68,10 +79,9 @@ struct NameCount {
 std::vector<NameCount> count_names(const PlantModel& plant) {
   std::vector<NameCount> counts(plant.lists.size());
   for (const Symbol& symbol : plant.symbols) {
-    const NameFault fault = symbol.reading.fault;
     ++counts[symbol.list].all;
-    if (fault == NameFault::none || fault == NameFault::not_linked) continue;
-    ++counts[symbol.list].broken[static_cast<std::size_t>(fault)];
+    const NameFault fault = broken_levels(plant, symbol).fault;
+    if (fault != NameFault::none) ++counts[symbol.list].broken[static_cast<std::size_t>(fault)];
   }
   return counts;
 }
@@ -82,12 +92,12 @@ void named_otherwise(const Find& find) {
   for (const Symbol& symbol : find.symbols) {
     const NameCount count = counts[symbol.list];
     const NameFault fault = count.common();
-    if (fault == NameFault::none || symbol.reading.fault != fault) continue;
+    if (fault == NameFault::none || broken_levels(find.plant, symbol).fault != fault) continue;
     counts[symbol.list] = {};  // reported
     const std::string file = find.plant.lists[symbol.list].name();
     find.at(location_of(find.plant, *symbol.row, symbol.name()))
         .say("{} of {} I/O names in `{}` break `{}` like `{}`; `symplant infer {} -o naming.json` proposes a rule",
-             count.broken[static_cast<std::size_t>(fault)], count.all, file, find.plant.rule->pattern, symbol.name(),
+             count.broken[static_cast<std::size_t>(fault)], count.all, file, find.plant.rule_text(), symbol.name(),
              file);
   }
 }
@@ -223,19 +233,19 @@ constexpr Rule kNameRules[] = {
      "a name has more or fewer levels than the rule",
      "The built-in rule is `LINE_PROC_DEV_I|O_TASK`: five levels of letters and digits, separated by `_`.",
      "The symbol is served, but its device is unknown: it is in no device.",
-     "Add a level or join words: `LINE_MB_AGV_FAST_O_P2` becomes `LINE_MB_AGVFAST_O_P2`.", Rank::name, For::built_in},
+     "Add a level or join words: `LINE_MB_AGV_FAST_O_P2` becomes `LINE_MB_AGVFAST_O_P2`.", Rank::name, For::levels},
     {"SP202", "empty-level", kWarning, broken_names<NameFault::empty_level>, "a level of a name is empty",
      "A name has two adjacent separators, or one at its beginning or end: `EXLINE__AGV_I_P1`.",
-     "The symbol is served, but in no device.", "Write the missing word, or remove a `_`.", Rank::name, For::built_in},
-    {"SP203", "direction-not-io", kWarning, broken_names<NameFault::direction_not_io>,
+     "The symbol is served, but in no device.", "Write the missing word, or remove a `_`.", Rank::name, For::levels},
+    {"SP203", "direction-not-io", kWarning, broken_names<NameFault::direction_unknown>,
      "the direction level is neither I nor O", "`I` is an input of the PLC (an event), `O` an output (an operation).",
      "The symbol is served in the direction of its address, but is in no device.",
-     "Write `I` or `O`, or insert it: `L_P_DOOR_OPEN_P1` becomes `L_P_DOOR_I_OPENP1`.", Rank::name, For::built_in},
+     "Write `I` or `O`, or insert it: `L_P_DOOR_OPEN_P1` becomes `L_P_DOOR_I_OPENP1`.", Rank::name, For::levels},
     {"SP204", "illegal-character", kWarning, broken_names<NameFault::illegal_character>,
      "a name has an illegal character",
      "A name has a blank, `-`, `.` or bracket. Letters (of any script), digits and the separator are legal.",
      "The symbol is served, but is in no device: its name has no levels.",
-     "Remove it or write the separator: `LINE_MB-AGV_I_P1` becomes `LINE_MB_AGV_I_P1`.", Rank::name, For::built_in},
+     "Remove it or write the separator: `LINE_MB-AGV_I_P1` becomes `LINE_MB_AGV_I_P1`.", Rank::name, For::levels},
     {"SP206", "naming-ambiguous", kWarning, naming_ambiguous, "two devices have one path, or two symbols one role",
      "Names differ in words that a custom naming rule leaves out, or two texts match the pattern of one role.",
      "A path in a condition or in plant.json means the first device, and a second symbol is paired by its words.",

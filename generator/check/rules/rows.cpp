@@ -23,30 +23,31 @@ void symbol_declared_differently(const Find& find) {
     for (const diag::Subject& subject : find.at(*first, first->name).as.subjects.about) {
       if (subject.kind == Kind::device) finding.explains(Kind::device, subject.name);
     }
-    finding.say("`{}` is declared again with another address, type or controller: rename it, or delete the wrong row",
-                second->name);
+    const bool of_other_list = find.plant.list_of(*first) != find.plant.list_of(*second);
+    finding.say("`{}` is declared again with another address, type or controller: rename it, or delete the wrong row{}",
+                second->name,
+                of_other_list ? ", or give its list a `prefix` in plant.json, such as `\"prefix\": \"PLC2_\"`" : "");
   }
 }
 
 void direction_against_address(const Find& find, const Symbol& symbol) {
-  const name::NameFault fault = symbol.reading.fault;
-  if (!symbol.address || (fault != name::NameFault::none && fault != name::NameFault::not_linked)) return;
+  const bool has_direction = symbol.address && symbol.address->area != address::Area::memory;
+  if (!has_direction || !symbol.reading.is_named() || symbol.described) return;
   const bool output = symbol.address->area == address::Area::output;
-  if ((symbol.reading.direction == name::Direction::operation) == output) return;
+  if ((symbol.named == Direction::operation) == output) return;
   Finding finding = find.at(symbol);
   finding.explains(Kind::device, symbol.reading.device_path())
       .explains(Kind::address, symbol.name())
       .follows(Kind::address, symbol.name());
-  if (find.plant.reader == nullptr) {  // a custom rule reads names and does not write them
+  if (find.plant.levels() != nullptr) {  // other rules read names and do not write them
     finding.rename(symbol, symbol_name(symbol.reading.device_path(), symbol.direction, symbol.reading.task()));
-  } else if (find.plant.reader->naming().naming().direction.conflict_is_error) {
-    finding.as.severity = kError;
   }
+  if (find.plant.naming().direction.conflict_is_error) finding.as.severity = kError;
   const bool address_counts = (symbol.direction == Direction::operation) == output;
   finding.say("`{}` is an {} by its name and an {} by its address `{}`: the {} counts{}; correct one of them",
               symbol.name(), output ? "event" : "operation", output ? "operation" : "event", symbol.address_cell(),
               address_counts ? "address" : "name",
-              symbol.unmodelled == model::Unmodelled::task_taken ? ", and another symbol has that task already" : "");
+              symbol.account == model::Account::task_taken ? ", and another symbol has that task already" : "");
 }
 
 void type_against_address(const Find& find, const Symbol& symbol) {
@@ -77,11 +78,26 @@ void operation_initial_ignored(const Find& find, const Symbol& symbol) {
       .say("`{}` has Initial TRUE and still starts off: the PLC writes operations", symbol.name());
 }
 
+/// What the levels of a row's name say.
+struct NameLevels {
+  std::string_view path;  ///< of its device; empty if the name or the naming rule has no levels
+  Direction direction{};
+};
+
+NameLevels name_levels(const PlantModel& plant, std::string_view name) {
+  const name::LevelRule* const rule = plant.levels();
+  if (rule == nullptr || !rule->has_path) return {};
+  const name::LevelReading reading = name::read_levels(*rule, name);
+  if (reading.fault != name::NameFault::none || reading.direction == nullptr || !reading.direction->says) return {};
+  const std::string_view device = reading.of(name::Level::device);
+  return {name.substr(0, static_cast<std::size_t>(device.data() + device.size() - name.data())),
+          *reading.direction->says};
+}
+
 void type_of_no_io(const Find& find) {
-  name::NameParser parser(*find.plant.rule);
   for (const model::TypelessIo& io : find.evidence.typeless_io) {
     find.at(*io.row, io.row->type)
-        .lacks(io.row->name, parser.parse(io.row->name).device_path())
+        .lacks(io.row->name, name_levels(find.plant, io.row->name).path)
         .say("`{}` is no type of an input or output, so `{}` on `{}` is left out; write BOOL, or the number's type",
              io.row->type, io.row->name, io.address_cell);
   }
@@ -91,17 +107,17 @@ void io_name_in_memory(const Find& find) {
   const PlantModel& plant = find.plant;
   if (plant.units.empty()) return;  // the names have the form by accident
   if (plant.internal[static_cast<std::size_t>(model::InternalReason::memory)] == 0) return;
-  name::NameParser parser(*plant.rule);
+  if (plant.levels() == nullptr) return;
   for (const model::PlantList& list : plant.lists) {
     for (const read::ListRow& row : list.table->rows) {
       const model::RowAddress address = model::row_address(row, list.dialect());
       if (!address.address || address.address->area != address::Area::memory || address.contradicts) continue;
-      const name::NameReading reading = parser.parse(row.name);
-      if (reading.fault != name::NameFault::none || row.klass.find("CONSTANT") != std::string_view::npos) continue;
+      const NameLevels reading = name_levels(plant, row.name);
+      if (reading.path.empty() || row.klass.find("CONSTANT") != std::string_view::npos) continue;
       find.at(row, address.cell)
-          .lacks(row.name, reading.device_path())
+          .lacks(row.name, reading.path)
           .say("`{}` is an {} by its name, and its address `{}` is memory: the row is left out; correct one", row.name,
-               reading.direction == name::Direction::operation ? "operation" : "event", address.cell);
+               reading.direction == Direction::operation ? "operation" : "event", address.cell);
     }
   }
 }
@@ -188,7 +204,7 @@ constexpr Rule kRowRules[] = {
     {"SP323", "io-name-in-memory", kWarning, io_name_in_memory, "an input or output is in the PLC's memory",
      "A name with a direction, `LINE_PROC_DEV_I_TASK`, has the address `M100` or `%MX0.3`.",
      "The row is left out: memory belongs to the program. The device lacks the symbol.",
-     "Write the wired address, or none, and place the symbol with `map` in `links`.", Rank::address, For::built_in},
+     "Write the wired address, or none, and place the symbol with `map` in `links`.", Rank::address, For::levels},
     {"SP330", "several-lists", kWarning, several_lists, "a text holds several lists one after the other",
      "The header occurs again, or most of the next rows have I/O addresses that rows before them have.",
      "All rows are read as one PLC's, and symbols of one address are kept equal.",

@@ -14,9 +14,10 @@ namespace {
 
 /// Of the three parts of a name that are compared: its line, its process, or the rest.
 std::string_view part_of(const Symbol& symbol, std::size_t part) {
-  const name::NameReading& reading = symbol.reading;
-  if (part != 2) return part == 0 ? reading.line() : reading.process();
-  return symbol.name().substr(static_cast<std::size_t>(reading.device().data() - symbol.name().data()));
+  const std::size_t line = symbol.reading.line().size();
+  const std::size_t process = symbol.reading.process().size();
+  if (part != 2) return part == 0 ? symbol.name().substr(0, line) : symbol.name().substr(line + 1, process);
+  return symbol.name().substr(line + process + 2);
 }
 
 /// A text like another one, with the numbers of a third: `CLAMP12` for `CLAMP1` and `CLAPM12`.
@@ -77,8 +78,7 @@ class Slips {
       symbols[place].push_back(symbol);
     };
     for (const Symbol& symbol : find_.symbols) {
-      const bool event = symbol.reading.direction == name::Direction::event;
-      if (symbol.reading.fault != name::NameFault::none || event != (symbol.direction == Direction::event)) continue;
+      if (!symbol.reading.is_named() || symbol.described || symbol.named != symbol.direction) continue;
       add(part_of(symbol, part), &symbol);
     }
     for (const auto& [name, has_side] : missing_) {
@@ -103,7 +103,7 @@ class Slips {
     std::map<std::string, std::vector<const Unit*>> groups;  // by the other levels
     for (const Unit& unit : find_.units) {
       if (std::ranges::none_of(unit.states, is_half) || slipped_.count(unit.path) != 0) continue;
-      const name::NameReading& reading = find_.symbols[unit.first_symbol()].reading;
+      const model::SymbolReading& reading = find_.symbols[unit.first_symbol()].reading;
       groups[text::to_upper(fmt::format("{}_?_{}", reading.line(), reading.device()))].push_back(&unit);
       groups[text::to_upper(fmt::format("?_{}_{}", reading.process(), reading.device()))].push_back(&unit);
     }
@@ -235,7 +235,7 @@ constexpr Rule kSpellingRules[] = {
      "is there.\n- The word is rare, and the one that is meant is eight times as common.\n- One of two devices that "
      "differ in line or process has just what the other lacks: `EXCELL_MB_AGV` and `EXLINE_MB_AGV`.",
      "The symbol becomes another device or state, and the device that is meant lacks it.",
-     "Write the word that is meant. If both are meant, ignore the finding in plant.json.", Rank::name, For::built_in},
+     "Write the word that is meant. If both are meant, ignore the finding in plant.json.", Rank::name, For::levels},
 };
 
 }  // namespace

@@ -41,7 +41,7 @@ bool for_devices(const description::GivenMaterial& given);
 MadeMaterial make_material(const PlantModel& plant, const description::GivenMaterial& given,
                            description::Faults& faults);
 
-/// Checks the sensors and marks their symbols as Unmodelled::senses_parts, except for those of entries that name a
+/// Checks the sensors and marks their symbols as Account::senses_parts, except for those of entries that name a
 /// symbol that the plant lacks. O(sensors + symbols).
 void mark_sensors(PlantModel& plant, MadeMaterial& made, description::Faults& faults);
 

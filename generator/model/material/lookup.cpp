@@ -78,7 +78,7 @@ std::uint32_t MaterialLookup::numeric_symbol(const std::string& name, const Poin
 
 std::uint32_t MaterialLookup::sensor_symbol(const std::string& name) const {
   const auto symbol = names_.symbol(name);
-  const bool marked = symbol && plant_.symbols[symbol->index].unmodelled == Unmodelled::senses_parts;
+  const bool marked = symbol && plant_.symbols[symbol->index].account == Account::senses_parts;
   return marked ? symbol->index : kNone;
 }
 

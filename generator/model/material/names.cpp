@@ -92,7 +92,7 @@ void check_tasks_of_sensors(const PlantModel& plant, description::Faults& faults
   text::ByName<const Unit*> units;
   for (const Unit& unit : plant.units) units.try_emplace(unit.path, &unit);
   for (const Symbol& symbol : plant.symbols) {
-    if (symbol.unmodelled != Unmodelled::senses_parts || symbol.reading.fault != name::NameFault::none) continue;
+    if (symbol.account != Account::senses_parts || !symbol.reading.is_named()) continue;
     const auto unit = units.find(symbol.reading.device_path());
     if (unit == units.end() || unit->second->described == nullptr) continue;
     const description::DeviceDescription& described = *unit->second->described;

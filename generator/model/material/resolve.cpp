@@ -129,7 +129,7 @@ class MaterialBuilder {
     use(plant_.material.places);
     for (std::size_t i = 0; i < used.size(); ++i) {
       Symbol& symbol = plant_.symbols[i];
-      if (symbol.unmodelled == Unmodelled::senses_parts && !used[i]) symbol.unmodelled = Unmodelled::unpaired;
+      if (symbol.account == Account::senses_parts && !used[i]) symbol.account = name::unpaired(symbol.direction);
     }
     for (const std::uint32_t symbol : made_.inverted) {
       if (used[symbol]) plant_.symbols[symbol].inverted = true;

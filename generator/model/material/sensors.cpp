@@ -73,7 +73,7 @@ class SensorMarker {
     }
     if (sensor.inverted) inverted_.push_back(found->second);
     marked_.insert(found->second);
-    symbol.unmodelled = Unmodelled::senses_parts;
+    symbol.account = Account::senses_parts;
   }
 
   std::string why_not(const description::GivenSensor& sensor, const Symbol& symbol, std::uint32_t index) const {
@@ -81,7 +81,7 @@ class SensorMarker {
     const bool reads = sensor.reads != tables::SensorReads::part;
     if (symbol.direction != tables::Direction::event) return " is an output of the PLC; a sensor drives an input";
     if (marked_.contains(index)) return " belongs to another sensor too; remove one of the two";
-    if (symbol.unmodelled == Unmodelled::follows) {
+    if (symbol.account == Account::follows) {
       return " follows a condition and is a sensor too; remove one of the two";
     }
     if (boolean && reads) return " is BOOL; remove `reads`";

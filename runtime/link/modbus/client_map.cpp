@@ -149,6 +149,7 @@ std::vector<std::string> client_addresses(const IoMap& map, const ClientSettings
 
 std::vector<client::Unreachable> unreachable_symbols(const IoMap& map) {
   std::vector<client::Unreachable> unreachable;
+  for (const std::uint32_t symbol : map.excluded) unreachable.push_back({symbol, "is excluded from the link"});
   for (const std::uint32_t symbol : map.without_address) unreachable.push_back({symbol, "has no address"});
   for (const std::uint32_t symbol : map.of_8_bits) {
     unreachable.push_back({symbol, "has 8 bits: give it a register by a `symbol` entry in `links`"});

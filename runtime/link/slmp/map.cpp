@@ -69,8 +69,17 @@ class Maker {
     for (const SymbolMove& move : settings_.symbol_moves) {
       if (!knows(move.symbol)) return error_of("`map` moves " + ticked(move.symbol) + ", which is not a symbol");
     }
+    const MapRow* next = link_.rows.data();
+    const MapRow* const end = next + link_.rows.size();
     for (std::uint32_t symbol = 0; symbol < tables_.symbols.size(); ++symbol) {
+      const bool is_set = next != end && next->symbol == symbol;
+      const bool excluded = is_set && next->excluded;
+      if (is_set) ++next;
       if (tables::controller_of(tables_, symbol) != controller_) continue;
+      if (excluded) {
+        skip(symbol, "is excluded from the link");
+        continue;
+      }
       if (auto error = add(symbol)) return std::move(*error);
     }
     if (auto error = conflict()) return std::move(*error);

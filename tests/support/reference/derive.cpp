@@ -27,15 +27,17 @@ UnitRules gather(const Rules& rules, std::uint32_t index) {
     unit.sequence = facet->numbered;
     unit.archetype = facet->by == pairing::FacetBy::archetype;
     unit.order = facet->states;
+    for (const pairing::Member& member : facet->members) {
+      if (!member.makes_state) unit.reports.insert(member.input);
+    }
   }
   for (std::uint32_t i = 0; i < model.symbols.size(); ++i) {
     const model::Symbol& symbol = model.symbols[i];
     if (symbol.unit == index) {
       (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(i);
     }
-    const bool named = symbol.reading.fault == name::NameFault::none && !senses_parts(model, i);
-    if (unit.described != nullptr && !unit.described->behaviour.empty() && named && !rules.is_bool(i) &&
-        same_name(symbol.reading.device_path(), unit.path)) {
+    const bool named = symbol.reading.is_named() && !senses_parts(model, i);
+    if (named && !rules.is_bool(i) && same_name(symbol.reading.device_path(), unit.path)) {
       unit.values.push_back(i);
     }
   }

@@ -32,6 +32,9 @@ bool is_only_a_command(const UnitRules& unit, const StateRules& state) {
 }
 
 bool is_only_a_report(const UnitRules& unit, const StateRules& state) {
+  if (state.operation == kNone && unit.reports.count(unit.events[state.event]) != 0) {
+    return unit.described == nullptr || !reported_as_state(*unit.described, state.name);
+  }
   if (unit.described == nullptr || state.operation != kNone || reported_as_state(*unit.described, state.name))
     return false;
   for (const description::GivenOutputs& given : unit.described->outputs) {
@@ -125,12 +128,14 @@ void derive_states(Rules& rules, UnitRules& unit) {
     if (std::none_of(unit.order.begin(), unit.order.end(), same)) ordered.push_back(state);
   }
   unit.states = ordered;
+  unit.no_states = unit.states.empty();
+  if (unit.no_states) unit.states.emplace_back().name = "IDLE";
 }
 
 void derive_actuation_and_initial(Rules& rules, UnitRules& unit) {
   std::uint32_t inferred_rest = kNone;
   bool inferred_spring = false;
-  if (unit.states.size() == 1) {
+  if (unit.states.size() == 1 && !unit.no_states) {
     // Inference 1.
     StateRules rest;
     rest.name = "NOT_" + unit.states[0].name;

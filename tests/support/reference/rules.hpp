@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,7 @@ struct UnitRules {
   const Behaviour* behaviour = nullptr;
   std::vector<std::uint32_t> operations;  ///< symbols
   std::vector<std::uint32_t> events;      ///< symbols
+  std::set<std::uint32_t> reports;        ///< events that name no state by themselves
   std::vector<std::uint32_t> values;      ///< numeric symbols of the device
   std::vector<StateRules> states;
   std::vector<Transition> transitions;
@@ -60,6 +62,7 @@ struct UnitRules {
   tables::Time overrun = tables::kNever;  ///< kNever: not examined
   bool sequence = true;                   ///< digits at the end of states are sequence numbers
   bool archetype = false;                 ///< the naming rule gives the model
+  bool no_states = false;                 ///< nothing names a state: it has the state IDLE
   std::vector<std::string> order = {};    ///< states that come first in S, by the naming rule
 
   /// The sequence number of a state; empty without one.

@@ -140,7 +140,7 @@ TEST_CASE("check --min-score: Anything but a score and a share is a usage error"
 
 TEST_CASE("A required score is compared exactly") {
   score::Counts counts;
-  for (int i = 0; i < 10; ++i) counts.add(i < 3 ? score::Verdict::paired : score::Verdict::no_event);
+  for (int i = 0; i < 10; ++i) counts.add(i < 3 ? name::Account::modelled : name::Account::no_event);
   for (const char* reached : {"paired=0.3", "paired=30%", "accounted=0.3", "paired=0"}) {
     CHECK_FALSE(app::failed(*app::read_min_score(reached), counts));
   }

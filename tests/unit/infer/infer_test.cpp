@@ -57,7 +57,7 @@ std::vector<std::string> pairs(const name::Naming& naming, const Lines& lines) {
   for (const pairing::Facet& facet : applied.pairing.facets) {
     for (const pairing::Member& a : facet.members) {
       for (const pairing::Member& b : facet.members) {
-        if (all[a.input].side != name::Side::operation || all[b.input].side != name::Side::event) continue;
+        if (all[a.input].side != name::Direction::operation || all[b.input].side != name::Direction::event) continue;
         found.push_back(std::string(all[a.input].text.name) + ">" + std::string(all[b.input].text.name));
       }
     }
@@ -80,7 +80,7 @@ TEST_CASE("Clamps, robots and their handshakes are found without a hand") {
   CHECK_FALSE(has("T10_Q_RB1_JOB_SELECT_8>T10_I_RB1_JOB_ECHO_1"));
   CHECK(proposal.score.paired_share() > 0.9);
   CHECK(proposal.score.accounted_share() > 0.95);
-  CHECK(proposal.score.counted == lines.size() - 3);  // without spares
+  CHECK(proposal.score.counted() == lines.size() - 3);  // without spares
 }
 
 TEST_CASE("Two inferences of one list are equal, and the order of rows does not matter") {
@@ -88,7 +88,7 @@ TEST_CASE("Two inferences of one list are equal, and the order of rows does not 
   const Proposal first = inferred(lines);
   CHECK(naming::naming_text(first.naming) == naming::naming_text(inferred(lines).naming));
   std::shuffle(lines.begin(), lines.end(), std::mt19937(5));
-  CHECK(inferred(lines).score.paired == first.score.paired);
+  CHECK(inferred(lines).score.paired() == first.score.paired());
 }
 
 TEST_CASE("An inferred rule is the same after it was written and read") {
@@ -114,7 +114,7 @@ TEST_CASE("The result is never below a known rule") {
   for (name::SymbolRule& rule : known.rules) rule.task = "GO";
   known.separators = ".";
   const Proposal proposal = infer(Samples(lines), std::vector<name::Naming>{known});
-  CHECK(proposal.score.paired == 6);
+  CHECK(proposal.score.paired() == 6);
 }
 
 TEST_CASE("An alarm, a lamp or a healthy contact is not caused") {
@@ -123,13 +123,13 @@ TEST_CASE("An alarm, a lamp or a healthy contact is not caused") {
     const std::string pump = "HALL_PUMP" + std::to_string(i);
     lines.insert(lines.end(), {"Q " + pump + "_MOTOR", "I " + pump + "_FAULT", "I " + pump + "_READY"});
   }
-  CHECK(inferred(lines).score.paired == 0);
+  CHECK(inferred(lines).score.paired() == 0);
 }
 
 TEST_CASE("Lists without texts, with one symbol or with numbers as names give no rule and no fault") {
   CHECK(inferred({}).naming.rules.empty());
-  CHECK(inferred({"Q A"}).score.paired == 0);
-  CHECK(inferred({"Q 1", "I 2", "Q ", "I ___"}).score.paired == 0);
+  CHECK(inferred({"Q A"}).score.paired() == 0);
+  CHECK(inferred({"Q 1", "I 2", "Q ", "I ___"}).score.paired() == 0);
 }
 
 TEST_CASE("Tasks in other words of one device are linked where three operations agree") {

@@ -78,15 +78,15 @@ TEST_CASE("Report: Each archetype and each rule that links is a correspondence, 
   CHECK(report.correspondences[0].archetypes == std::vector<std::size_t>{0});
   CHECK(report.correspondences[1].rules == std::vector<std::size_t>{0});
   CHECK(report.correspondences[1].needed_by == std::vector<std::size_t>{0});
-  CHECK(report.score.paired == 18);
+  CHECK(report.score.paired() == 18);
   CHECK(report.operations == 10);
   CHECK(report.operations_paired == 9);
 }
 
 TEST_CASE("Report: A rule for operations and one for events that meet are one correspondence") {
   name::Naming naming = naming_of({"{device...}_CMD_{task...}", "{device...}_FBK_{task...}", "{device...}_{task}"});
-  naming.rules[0].side = name::Side::operation;
-  naming.rules[1].side = name::Side::event;
+  naming.rules[0].side = name::Direction::operation;
+  naming.rules[1].side = name::Direction::event;
   const Samples samples({"Q A_CMD_1", "I A_FBK_1", "Q B_CMD_1", "I B_FBK_1", "Q C_X", "I C_X"});
   const Report report = report_of(naming, samples);
   CHECK(links(report) ==
@@ -116,7 +116,7 @@ TEST_CASE("Report: A refused correspondence links nothing any more") {
   const Report report = report_of(robot_rule(), samples);
   const name::Naming without = with_answers(robot_rule(), report, {0}, {});
   CHECK(without.archetypes.empty());
-  CHECK(score_of(without, samples).paired == 6);
+  CHECK(score_of(without, samples).paired() == 6);
   CHECK(with_answers(robot_rule(), report, {1}, {}).rules.empty());
 }
 
@@ -131,8 +131,8 @@ TEST_CASE("Report: Contacts that may be on in a healthy plant are questions, and
   CHECK(with.rest.front().role == name::Role::constant);
   CHECK(report.asked == 3);
   CHECK(report.left_over.shown.size() == 1);
-  CHECK(score_of(with, samples).paired == report.score.paired);
-  CHECK(score_of(with, samples).accounted == report.score.accounted + 3);
+  CHECK(score_of(with, samples).paired() == report.score.paired());
+  CHECK(score_of(with, samples).accounted() == report.score.accounted() + 3);
 }
 
 TEST_CASE("Report: Alarms are no questions") {
@@ -144,9 +144,9 @@ TEST_CASE("Report: A constant takes no linked event of its shape") {
   const Report report = report_of(robot_rule(), samples);
   REQUIRE(report.questions.size() == 1);
   CHECK(report.questions[0].shape.count == 1);
-  const Score score = score_of(with_answers(robot_rule(), report, {}, {0}), samples);
-  CHECK(score.paired == 2);
-  CHECK(score.accounted == 3);
+  const name::Counts score = score_of(with_answers(robot_rule(), report, {}, {0}), samples);
+  CHECK(score.paired() == 2);
+  CHECK(score.accounted() == 3);
 }
 
 TEST_CASE("Report: Contacts that the rule leaves to questions are asked for") {
@@ -156,7 +156,7 @@ TEST_CASE("Report: Contacts that the rule leaves to questions are asked for") {
   const Samples samples(robots());
   const Report report = report_of(naming, samples);
   REQUIRE(report.questions.size() == 1);
-  CHECK(score_of(with_answers(naming, report, {}, {0}), samples).accounted == report.score.accounted + 3);
+  CHECK(score_of(with_answers(naming, report, {}, {0}), samples).accounted() == report.score.accounted() + 3);
 }
 
 TEST_CASE("Report: What is left over is counted by shape") {
@@ -196,7 +196,7 @@ TEST_CASE("Report: A series of motions against switches that are numbered otherw
   const Samples samples({"Q S1_SOL_CLAMP1_ADV", "Q S1_SOL_CLAMP2_ADV", "Q S1_SOL_CLAMP3_ADV", "I S1_LS_CLAMP11_ADV",
                          "I S1_LS_CLAMP12_ADV", "I S1_LS_CLAMP13_ADV", "Q S1_SOL_PIN1_ADV", "I S1_LS_PIN7_ADV"});
   const Report report = report_of(naming_of({"{process}_{class}_{device}_{task:known}"}), samples);
-  CHECK(report.score.paired == 0);
+  CHECK(report.score.paired() == 0);
   REQUIRE(report.open_links.size() == 3);
   CHECK(report.open_links[1].operation == "S1_SOL_CLAMP2_ADV");
   CHECK(report.open_links[1].state == "ADV");
@@ -207,9 +207,9 @@ TEST_CASE("Report: A series of motions against switches that are numbered otherw
 TEST_CASE("Report: Symbols of another controller are no near miss") {
   std::vector<Sample> samples(2);
   samples[0].text.name = "S1 TABLE TURN LEFT";
-  samples[0].side = name::Side::operation;
+  samples[0].side = name::Direction::operation;
   samples[1].text.name = "S1 TABLE AT LEFT";
-  samples[1].side = name::Side::event;
+  samples[1].side = name::Direction::event;
   for (Sample& sample : samples) sample.text.address = sample.side;
   const name::Naming naming = naming_of({"{process}_{device}_{task...}"});
   CHECK(report_of(naming, samples).near_misses.size() == 1);
@@ -276,14 +276,14 @@ TEST_CASE("Report: No name breaks it") {
   }
   const Samples samples(symbols);
   const Report report = report_of(robot_rule(), samples);
-  CHECK(report.score.paired >= 18);
+  CHECK(report.score.paired() >= 18);
   std::set<std::size_t> all;
   for (std::size_t i = 0; i < report.questions.size(); ++i) all.insert(i);
   const name::Naming with = with_answers(robot_rule(), report, {}, all);
   std::vector<name::NamingFault> faults;
   name::CompiledNaming::compile(with, faults);
   for (const name::NamingFault& fault : faults) CHECK(fault.message.empty());
-  CHECK(score_of(with, samples).accounted >= report.score.accounted);
+  CHECK(score_of(with, samples).accounted() >= report.score.accounted());
 }
 
 TEST_CASE("Report: Without samples it is empty") {

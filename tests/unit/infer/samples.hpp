@@ -26,7 +26,7 @@ class Samples {
   void add(const std::string& symbol) {
     Sample& sample = samples_.emplace_back();
     sample.text.name = names_.emplace_back(symbol.substr(2));
-    sample.side = symbol.front() == 'Q' ? name::Side::operation : name::Side::event;
+    sample.side = symbol.front() == 'Q' ? name::Direction::operation : name::Direction::event;
     sample.text.address = sample.side;
   }
 

@@ -13,7 +13,7 @@ namespace symplant::test {
 namespace {
 
 using model::InitialFrom;
-using model::Unmodelled;
+using name::Account;
 
 name::Naming cell() {
   name::Naming naming;
@@ -82,10 +82,12 @@ TEST_CASE("Symbols in no facet have the reason of the naming rule") {
   naming.rules.insert(naming.rules.begin(), lamps);
   const Analysed list = analyse_cell(
       {"Q S1_RB_ADV_SOL", "I S1_RB_ADV_END", "I S1_RB_READY", "Q SPARE1", "Q X", "Q LAMP_A_B"}, {}, naming);
-  std::vector<Unmodelled> reasons;
-  for (const model::Symbol& symbol : list.model().symbols) reasons.push_back(symbol.unmodelled);
-  CHECK(reasons == std::vector<Unmodelled>{Unmodelled::modelled, Unmodelled::modelled, Unmodelled::unpaired,
-                                           Unmodelled::ignored, Unmodelled::no_rule, Unmodelled::operator_panel});
+  std::vector<Account> reasons;
+  for (const model::Symbol& symbol : list.model().symbols) reasons.push_back(symbol.account);
+  // READY belongs to the unit, although nothing links it.
+  CHECK(reasons == std::vector<Account>{Account::modelled, Account::modelled, Account::modelled, Account::ignored,
+                                        Account::no_rule, Account::operator_panel});
+  CHECK_FALSE(list.model().is_linked(2));
   CHECK(list.fired(diag::Severity::warning).empty());
 }
 
@@ -210,7 +212,7 @@ TEST_CASE("Constants have their value from the start") {
   normal.role = name::Role::constant;
   naming.rules.insert(naming.rules.begin(), normal);
   const Analysed list = analyse_cell({"I AIR_NORMAL", "Q S1_RB_ADV_SOL", "I S1_RB_ADV_END"}, {}, naming);
-  CHECK(list.model().symbols[0].unmodelled == Unmodelled::constant);
+  CHECK(list.model().symbols[0].account == Account::constant);
   CHECK(list.model().symbols[0].initial == 1);
 }
 
@@ -240,7 +242,7 @@ TEST_CASE("An event of several states is on in each of them") {
 }
 
 TEST_CASE("A list without pairs says why") {
-  const Analysed list = analyse_cell({"Q S1_RB_ADV_SOL", "I S1_RB_READY", "I XYZ"});
+  const Analysed list = analyse_cell({"I S1_RB_ADV_END", "I S1_RB_READY", "I XYZ"});
   CHECK(list.count("no-device") == 1);
   CHECK(std::string(list.diagnostics.all().front().message)
             .find("1 matched by no pattern, 2 not paired; correct the rule") != std::string::npos);
@@ -295,7 +297,7 @@ TEST_CASE("A sensor of parts is in no facet, and `for` matches the devices of th
   REQUIRE(places.size() == 2);
   CHECK(places[1].name == "S2_RB_P");
   for (const std::string name : {"S1_RB_PART", "S2_RB_PART"}) {
-    CHECK(symbol_of(list, name).unmodelled == Unmodelled::senses_parts);
+    CHECK(symbol_of(list, name).account == Account::senses_parts);
     CHECK(symbol_of(list, name).unit == model::kNone);
   }
   CHECK(units(list) == units(analyse_cell({names.begin(), names.begin() + 8})) + " S2_RB");

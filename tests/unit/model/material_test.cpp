@@ -106,7 +106,7 @@ TEST_CASE("The symbol of a sensor is in no device, and its Initial does not coun
   CHECK(faults(list) == "");
   CHECK(find_unit(list.model(), "S_10_PE1") == nullptr);
   CHECK(states_text(unit_of(list, "S_10_STP1")) == "ADV RET");
-  CHECK(symbol_of(list, "S_10_PE1_I_PART").unmodelled == model::Unmodelled::senses_parts);
+  CHECK(symbol_of(list, "S_10_PE1_I_PART").account == name::Account::senses_parts);
   CHECK(symbol_of(list, "S_10_PE1_I_PART").unit == model::kNone);
   CHECK(list.count("event-not-driven") == 3);  // BTN, PE2 and FIX1
 }

@@ -162,12 +162,14 @@ TEST_CASE("Unused inputs are checked, and are no conditions") {
   CHECK(unit_of(list).conditions.empty());
 }
 
-TEST_CASE("A device with a behavior has its numeric symbols as values, in list order") {
+TEST_CASE("A device has its numeric symbols as values, in list order, and a behavior sees them") {
   DeviceDescription d = device();
   d.behaviour = "MyTable";
   const Analysed list = analyse_described(cell_with_numbers(), describing({d}));
   CHECK(unit_of(list).values == std::vector<std::uint32_t>{8, 10});
-  CHECK(unit_of(list, "L_P_E").values.empty());
+  CHECK(unit_of(list).behaviour_values().size() == 2);
+  CHECK_FALSE(unit_of(list, "L_P_E").values.empty());
+  CHECK(unit_of(list, "L_P_E").behaviour_values().empty());
 }
 
 TEST_CASE("A device with a behavior counts as driving all its events") {

@@ -6,7 +6,7 @@ namespace symplant::test {
 namespace {
 
 using model::InternalReason;
-using model::Unmodelled;
+using name::Account;
 
 TEST_CASE("Devices differ by line, process and device") {
   const Analysed list = analyse_rows(bits({"L_P_D_O_A1", "L_P_E_O_A1", "L_Q_D_O_A1", "M_P_D_O_A1", "L_P_D_I_A1"}));
@@ -85,13 +85,18 @@ TEST_CASE("Every elementary type is I/O, ignoring case") {
   }
 }
 
-TEST_CASE("Numeric symbols are served and in no unit, and keep their Initial") {
+TEST_CASE("Numeric symbols are served, belong to their device and keep their Initial") {
   const Analysed list = analyse_rows({{"L_P_D_I_LEVEL", "", "INT", "-5", "%IW1"},
                                       {"L_P_D_O_SPEED", "", "WORD", "16#FFFF", "%QW1"},
                                       {"L_P_D_I_TEMP", "", "REAL", "1.5", "%ID4"}});
-  CHECK(list.model().units.empty());
+  REQUIRE(list.model().units.size() == 1);
+  const model::Unit& unit = list.model().units.front();
+  CHECK(unit.values == std::vector<std::uint32_t>{0, 1, 2});
+  REQUIRE(unit.states.size() == 1);  // no symbol names one
+  CHECK(unit.states.front().name == "IDLE");
+  CHECK(list.count("no-device") == 1);  // nothing moves
   REQUIRE(list.model().symbols.size() == 3);
-  for (const model::Symbol& symbol : list.model().symbols) CHECK(symbol.unmodelled == Unmodelled::numeric);
+  for (const model::Symbol& symbol : list.model().symbols) CHECK(symbol.account == Account::numeric);
   CHECK(list.model().symbols[0].initial == static_cast<std::uint64_t>(-5));
   CHECK(list.model().symbols[1].initial == 0xFFFF);
   CHECK(list.model().symbols[2].initial == 0x3FF8'0000'0000'0000);
@@ -100,7 +105,7 @@ TEST_CASE("Numeric symbols are served and in no unit, and keep their Initial") {
 TEST_CASE("A symbol whose name breaks the rule is served and in no unit") {
   const Analysed list = analyse_rows({{"START", "X1"}, {"LAMP", "Y1"}, {"L_P_D_I_A", "X2"}});
   CHECK(list.model().symbols.size() == 3);
-  CHECK(symbol_of(list, "START").unmodelled == Unmodelled::name);
+  CHECK(symbol_of(list, "START").account == Account::no_rule);
   CHECK(symbol_of(list, "LAMP").direction == tables::Direction::operation);
   CHECK(list.model().units.size() == 1);
 }
@@ -156,7 +161,7 @@ TEST_CASE("A unit of 65 operations or 65 events is unmodelled, its symbols are s
     const Analysed list = analyse_rows(with_other);
     CHECK(find_unit(list.model(), "L_P_D") == nullptr);
     CHECK(list.model().symbols.size() == 76);
-    CHECK(symbol_of(list, "L_P_D_O_T3").unmodelled == Unmodelled::unit_too_large);
+    CHECK(symbol_of(list, "L_P_D_O_T3").account == Account::unit_too_large);
     CHECK(list.fired(diag::Severity::warning) == "unit-too-large");
     const model::Symbol& other = symbol_of(list, "L_P_E_I_ON");
     REQUIRE(other.unit == 0);
@@ -171,13 +176,13 @@ TEST_CASE("The first of two symbols that claim one task and direction keeps it, 
   const model::Unit& unit = unit_of(list);
   CHECK(unit.events.size() == 2);
   CHECK(unit.operations.size() == 1);
-  CHECK(symbol_of(list, "L_P_D_O_P1").unmodelled == Unmodelled::task_taken);
-  CHECK(symbol_of(list, "L_P_D_I_P1").unmodelled == Unmodelled::modelled);
+  CHECK(symbol_of(list, "L_P_D_O_P1").account == Account::task_taken);
+  CHECK(symbol_of(list, "L_P_D_I_P1").account == Account::modelled);
   CHECK(list.fired(diag::Severity::warning) == "direction-against-address");
   // The overridden one comes first and keeps the task.
   const Analysed first = analyse_rows({{"L_P_D_O_P1", "X5"}, {"L_P_D_I_P1", "X1"}});
-  CHECK(symbol_of(first, "L_P_D_O_P1").unmodelled == Unmodelled::modelled);
-  CHECK(symbol_of(first, "L_P_D_I_P1").unmodelled == Unmodelled::task_taken);
+  CHECK(symbol_of(first, "L_P_D_O_P1").account == Account::modelled);
+  CHECK(symbol_of(first, "L_P_D_I_P1").account == Account::task_taken);
   CHECK(first.fired(diag::Severity::warning) == "direction-against-address");
 }
 
@@ -187,8 +192,8 @@ TEST_CASE("Many claims of one task differ from many tasks") {
   rows.push_back({"L_P_D_O_T59", "", "BOOL", "", "%IX501"});
   const Analysed list = analyse_rows(rows);
   CHECK(unit_of(list).events.size() == 60);
-  CHECK(symbol_of(list, "L_P_D_O_T0").unmodelled == Unmodelled::task_taken);
-  CHECK(symbol_of(list, "L_P_D_O_T59").unmodelled == Unmodelled::task_taken);
+  CHECK(symbol_of(list, "L_P_D_O_T0").account == Account::task_taken);
+  CHECK(symbol_of(list, "L_P_D_O_T59").account == Account::task_taken);
 }
 
 TEST_CASE("An unreadable Initial counts as off, and is reported") {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "name/name_parser.hpp"
 #include "support/catch.hpp"
 
 namespace symplant::name {
@@ -33,15 +32,14 @@ Naming naming_of(std::string pattern) {
 }
 
 /// "line|process|device|side|canonical task" of a name.
-std::string parts(const RuleReading& reading) {
-  if (reading.outcome == Outcome::no_rule) return "no rule";
-  if (reading.outcome == Outcome::ignored) return "ignored";
+std::string parts(const Reading& reading) {
+  if (reading.account == Account::no_rule) return "no rule";
+  if (reading.account == Account::ignored) return "ignored";
   std::string side = "-";
-  if (reading.side) {
-    side = *reading.side == Side::event ? "event" : *reading.side == Side::operation ? "operation" : "internal";
-  }
-  return std::string(reading.line) + "|" + std::string(reading.process) + "|" + std::string(reading.device) + "|" +
-         side + "|" + std::string(reading.task.canonical);
+  if (reading.account == Account::named_internal) side = "internal";
+  if (reading.direction) side = *reading.direction == Direction::event ? "event" : "operation";
+  return std::string(reading.levels->line) + "|" + std::string(reading.levels->process) + "|" +
+         std::string(reading.levels->device) + "|" + side + "|" + std::string(reading.task->canonical);
 }
 
 std::string read(SymbolReader& reader, std::string_view name) { return parts(reader.read({name, {}, {}, {}})); }
@@ -76,7 +74,7 @@ TEST_CASE("Groups hold alternatives, of several words and empty ones too") {
 
 TEST_CASE("A fused direction is compared with its case, and is not the begin of a word") {
   Naming naming = naming_of("{direction}{device}_{task...}");
-  naming.rules[0].fields.push_back({"direction", "", {{"i", Side::event}, {"q", Side::operation}}});
+  naming.rules[0].fields.push_back({"direction", "", {{"i", Direction::event}, {"q", Direction::operation}}});
   const auto reader = reader_of(naming);
   CHECK(read(*reader, "iConv5_prdSens") == "||Conv5|event|prdSens");
   CHECK(read(*reader, "qConv1_13Fwd") == "||Conv1|operation|13Fwd");
@@ -88,14 +86,14 @@ TEST_CASE("The address decides the side unless the evidence has another order") 
   Naming naming = naming_of("{process}_{direction}_{device}_{task...}");
   {
     const auto reader = reader_of(naming);
-    const RuleReading reading = reader->read({"S1_I_RB1_ECHO", {}, {}, Side::operation});
-    CHECK(reading.side == Side::operation);
-    CHECK(reading.side_by == Evidence::address);
-    CHECK(reading.side_of_name == Side::event);
+    const Reading reading = reader->read({"S1_I_RB1_ECHO", {}, {}, Direction::operation});
+    CHECK(reading.direction == Direction::operation);
+    CHECK(reading.direction_by == Evidence::address);
+    CHECK(reading.direction_of_name == Direction::event);
   }
   naming.direction.evidence = {Evidence::field, Evidence::address};
   const auto reader = reader_of(naming);
-  CHECK(reader->read({"S1_I_RB1_ECHO", {}, {}, Side::operation}).side == Side::event);
+  CHECK(reader->read({"S1_I_RB1_ECHO", {}, {}, Direction::operation}).direction == Direction::event);
 }
 
 TEST_CASE("A rule may take one field from the name and another from the comment") {
@@ -115,7 +113,7 @@ TEST_CASE("The comment of a word comes before that of its bit") {
   naming.rules.push_back(rule);
   naming.normalise.line_break = "$N";
   const auto reader = reader_of(naming);
-  CHECK(parts(reader->read({"I0", "PART$NOK", "S10 RB1", Side::event})) == "|S10|RB1|event|PART OK");
+  CHECK(parts(reader->read({"I0", "PART$NOK", "S10 RB1", Direction::event})) == "|S10|RB1|event|PART OK");
 }
 
 TEST_CASE("Affixes say the side only, and synonyms are one word") {
@@ -123,27 +121,29 @@ TEST_CASE("Affixes say the side only, and synonyms are one word") {
   naming.tasks.synonyms = {{"VOR", "ADV"}, {"FULL STROKE", "STROKED"}};
   naming.tasks.event_affixes = {"OKAY"};
   const auto reader = reader_of(naming);
-  CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::event})) == "|S1|A|event|ADV");
-  CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::operation})) == "|S1|A|operation|ADV OKAY");
-  CHECK(parts(reader->read({"S1_A_FULL_STROKE", {}, {}, Side::event})) == "|S1|A|event|STROKED");
+  CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Direction::event})) == "|S1|A|event|ADV");
+  CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Direction::operation})) == "|S1|A|operation|ADV OKAY");
+  CHECK(parts(reader->read({"S1_A_FULL_STROKE", {}, {}, Direction::event})) == "|S1|A|event|STROKED");
 }
 
 TEST_CASE("The number of a sensor is off the canonical task and kept apart") {
   const auto reader = reader_of(naming_of("{process}_{device}_{task...}"));
-  const RuleReading event = reader->read({"S1_A_ADV2", {}, {}, Side::event});
-  CHECK(event.task.canonical == "ADV");
-  CHECK(event.task.index == "2");
-  const RuleReading operation = reader->read({"S1_A_RET", {}, {}, Side::operation});
-  CHECK(operation.task.group == event.task.group);
-  CHECK(operation.task.rest);
-  CHECK_FALSE(event.task.rest);
-  CHECK(reader->read({"S1_A_ADV_2", {}, {}, Side::event}).task.canonical == "ADV");
+  const Reading event = reader->read({"S1_A_ADV2", {}, {}, Direction::event});
+  CHECK(event.task->canonical == "ADV");
+  CHECK(event.task->index == "2");
+  const Reading operation = reader->read({"S1_A_RET", {}, {}, Direction::operation});
+  CHECK(operation.task->group == event.task->group);
+  CHECK(operation.task->rest);
+  CHECK_FALSE(event.task->rest);
+  CHECK(reader->read({"S1_A_ADV_2", {}, {}, Direction::event}).task->canonical == "ADV");
 }
 
 TEST_CASE("Words in Cyrillic are one device in any case") {
   const auto reader = reader_of(naming_of("{device}_{task...}"));
-  CHECK(reader->read({"Захват_ADV", {}, {}, {}}).device_id == reader->read({"захват_RET", {}, {}, {}}).device_id);
-  CHECK(reader->read({"Стол_ADV", {}, {}, {}}).device_id != reader->read({"захват_RET", {}, {}, {}}).device_id);
+  CHECK(reader->read({"Захват_ADV", {}, {}, {}}).levels->device_id ==
+        reader->read({"захват_RET", {}, {}, {}}).levels->device_id);
+  CHECK(reader->read({"Стол_ADV", {}, {}, {}}).levels->device_id !=
+        reader->read({"захват_RET", {}, {}, {}}).levels->device_id);
 }
 
 TEST_CASE("Comments padded to columns are parted where a known word begins") {
@@ -153,9 +153,9 @@ TEST_CASE("Comments padded to columns are parted where a known word begins") {
   rule.patterns = {{Source::comment, "{process}_{device}_{task:known}"}};
   naming.rules.push_back(rule);
   const auto reader = reader_of(naming);
-  CHECK(parts(reader->read({"X0", "S1 LIFTUP", {}, Side::event})) == "no rule");  // UP is not at a boundary
-  CHECK(parts(reader->read({"X1", "S10 LIFTUP", {}, Side::event})) == "|S10|LIFT|event|UP");
-  CHECK(parts(reader->read({"X2", "S10 TABLDOWN", {}, Side::event})) == "|S10|TABL|event|DOWN");
+  CHECK(parts(reader->read({"X0", "S1 LIFTUP", {}, Direction::event})) == "no rule");  // UP is not at a boundary
+  CHECK(parts(reader->read({"X1", "S10 LIFTUP", {}, Direction::event})) == "|S10|LIFT|event|UP");
+  CHECK(parts(reader->read({"X2", "S10 TABLDOWN", {}, Direction::event})) == "|S10|TABL|event|DOWN");
 }
 
 TEST_CASE("A rule may ask for words, which scripts without blanks also hold within words") {
@@ -163,7 +163,7 @@ TEST_CASE("A rule may ask for words, which scripts without blanks also hold with
   naming.rules[0].has = {"LAMP", "push button", "램프"};
   naming.rules[0].role = Role::operator_panel;
   const auto reader = reader_of(naming);
-  const auto role = [&](std::string_view name) { return reader->read({name, {}, {}, Side::event}).role; };
+  const auto role = [&](std::string_view name) { return reader->read({name, {}, {}, Direction::event}).role; };
   CHECK(role("S10_LAMP3") == Role::operator_panel);
   CHECK(role("S10 push_button 2") == Role::operator_panel);
   CHECK(role("비상램프") == Role::operator_panel);
@@ -177,11 +177,11 @@ TEST_CASE("A rule about the rest gives a role to what the other rules read, for 
   naming.rest[0].role = Role::constant;
   naming.rest[0].value = false;
   const auto reader = reader_of(naming);
-  const RuleReading reading = reader->read({"AIR_OK", {}, {}, Side::event});
-  CHECK(reading.outcome == Outcome::read);
+  const Reading reading = reader->read({"AIR_OK", {}, {}, Direction::event});
+  CHECK(reading.is_read());
   CHECK(reading.rest == Role::constant);
   CHECK_FALSE(reading.rest_value);
-  CHECK(reader->read({"AIR_ON", {}, {}, Side::event}).rest == Role::io);
+  CHECK(reader->read({"AIR_ON", {}, {}, Direction::event}).rest == Role::io);
 }
 
 TEST_CASE("Ignored symbols and fixed levels") {
@@ -192,7 +192,7 @@ TEST_CASE("Ignored symbols and fixed levels") {
   CHECK(read(*reader, "SPARE_12") == "ignored");
   CHECK(read(*reader, "S10 DESK SP") == "ignored");
   CHECK(read(*reader, "DESK_START") == "BB||DESK|-|START");
-  CHECK(reader->read({"DESK_START", {}, {}, {}}).path == "BB_DESK");
+  CHECK(reader->read({"DESK_START", {}, {}, {}}).levels->path == "BB_DESK");
 }
 
 TEST_CASE("Faults of patterns and expressions have their JSON pointer and column") {
@@ -235,38 +235,81 @@ TEST_CASE("An archetype's text gives the text of its braces, which may be empty"
   CHECK((interlock.matches("INTERLOCK 3", x) && x == "3"));
 }
 
-TEST_CASE("The built-in rule as a pattern reads names as its own parser does") {
+TEST_CASE("An exact rule reads names as the same pattern with expressions does") {
   Naming naming = naming_of("{line}_{process}_{device}_{direction}_{task}");
   naming.separators = "_";
-  naming.rules[0].fields = {{"direction", "", {{"I", Side::event}, {"O", Side::operation}}}};
+  naming.rules[0].patterns[0].source = Source::name;
+  naming.rules[0].fields = {{"direction", "", {{"I", Direction::event}, {"O", Direction::operation}}}};
+  naming.tasks.vocabulary = false;
+  Naming exact = naming;
+  exact.rules[0].exact = true;
   for (const char* field : {"line", "process", "device", "task"}) {
     naming.rules[0].fields.push_back({field, "[\\pL\\pN]+", {}});
   }
-  naming.tasks.vocabulary = false;
-  const auto reader = reader_of(naming);
-  NameParser parser(built_in_rule());
+  const auto general = reader_of(naming);
+  const auto reader = reader_of(exact);
   std::mt19937 random(7);
   const std::vector<std::string> pieces = {"A", "b1", "I", "o", "O", "WELD", "Ü", "로봇", "_", "_", "_", "-", "9"};
   int followed = 0;
   for (int i = 0; i < 20000; ++i) {
     std::string name = std::to_string(i);
     for (int k = 0; k < 9; ++k) name += k % 2 == 0 && random() % 4 != 0 ? "_" : pieces[random() % pieces.size()];
-    const NameReading strict = parser.parse(name);
-    const RuleReading general = reader->read({name, {}, {}, {}});
+    const Reading one = reader->read({name, {}, {}, {}});
+    const Reading other = general->read({name, {}, {}, {}});
     INFO(name);
-    if (strict.fault != NameFault::none) {
-      // Runs of separators and those at the ends are no faults under a rule.
-      CHECK((general.outcome == Outcome::no_rule || strict.fault == NameFault::empty_level));
+    if (!one.is_read()) {  // runs of separators, and those at the ends, are faults of an exact rule only
+      const bool has_run = name.find("__") != name.npos || name.front() == '_' || name.back() == '_';
+      CHECK((!other.is_read() || has_run));
       continue;
     }
     ++followed;
-    REQUIRE(general.outcome == Outcome::read);
-    CHECK(general.path == strict.device_path());
-    CHECK(general.process == strict.process());
-    CHECK(general.task.text == strict.task());
-    CHECK((general.side == Side::event) == (strict.direction == Direction::event));
+    REQUIRE(other.is_read());
+    CHECK(one.levels->path == other.levels->path);
+    CHECK(one.levels->process == other.levels->process);
+    CHECK(one.task->text == other.task->text);
+    CHECK(one.direction == other.direction);
   }
   CHECK(followed > 50);
+}
+
+TEST_CASE("Devices are numbered by their levels, without regard to the case of letters") {
+  Naming naming = naming_of("{line}_{process}_{device}_{direction}_{task}");
+  naming.rules[0].patterns[0].source = Source::name;
+  naming.rules[0].exact = true;
+  naming.rules[0].fields = {{"direction", "", {{"I", Direction::event}, {"O", Direction::operation}}}};
+  const auto reader = reader_of(naming);
+  const std::vector<std::string> names = {"L_P_agv_I_A", "L_P_AGV_O_A", "L_P_Захват_I_A", "L_P_захват_O_A",
+                                          "L_Q_AGV_I_A"};
+  std::vector<std::uint32_t> ids;
+  for (const std::string& name : names) ids.push_back(reader->read({name, {}, {}, {}}).levels->device_id);
+  CHECK(ids == std::vector<std::uint32_t>{0, 0, 1, 1, 2});
+  CHECK(reader->devices() == 3);
+  naming.units = Units::device;
+  const auto of_devices = reader_of(naming);  // only the case of ASCII letters makes no difference
+  ids.clear();
+  for (const std::string& name : names) ids.push_back(of_devices->read({name, {}, {}, {}}).levels->device_id);
+  CHECK(ids == std::vector<std::uint32_t>{0, 0, 1, 2, 3});
+}
+
+TEST_CASE("The pattern of an exact rule is fields that one separator joins") {
+  const auto fault = [](std::string pattern, std::vector<FieldRule> fields = {}) {
+    Naming naming = naming_of(std::move(pattern));
+    naming.rules[0].patterns[0].source = Source::name;
+    naming.rules[0].exact = true;
+    naming.rules[0].fields = std::move(fields);
+    std::vector<NamingFault> faults;
+    CompiledNaming::compile(std::move(naming), faults);
+    return faults.empty() ? std::string() : faults.front().pointer;
+  };
+  CHECK(fault("{device}-{task}").empty());
+  CHECK(fault("{device}_{task...}") == "/rules/0/pattern");
+  CHECK(fault("{device}_{task}_") == "/rules/0/pattern");
+  CHECK(fault("{device}_{task}-{line}") == "/rules/0/pattern");
+  CHECK(fault("{device}X{task}") == "/rules/0/pattern");
+  CHECK(fault("{line}_{task}") == "/rules/0/pattern");
+  CHECK(fault("{device}_{device}_{task}") == "/rules/0/pattern");
+  CHECK(fault("{device}_{direction}_{task}") == "/rules/0/fields");
+  CHECK(fault("{device}_{task}", {{"device", "[A-Z]+", {}}}) == "/rules/0/fields/device");
 }
 
 }  // namespace

@@ -45,11 +45,11 @@ ReadPlant read(const MemoryFileSystem& files, const std::string& option = {},
 std::string rule_name(const ReadPlant& plant) {
   INFO(plant.findings);
   REQUIRE(plant.inputs);
-  return plant.inputs->naming == nullptr ? "built-in" : plant.inputs->naming->naming().name;
+  return plant.inputs->naming->naming().name;
 }
 
-TEST_CASE("Without --naming and without the key the built-in rule applies") {
-  CHECK(rule_name(read(plant_with(""))) == "built-in");
+TEST_CASE("Without --naming and without the key the profile strict applies") {
+  CHECK(rule_name(read(plant_with(""))) == "strict");
 }
 
 TEST_CASE("A naming rule is a file relative to plant.json, a profile, or a value of plant.json") {

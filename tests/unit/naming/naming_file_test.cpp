@@ -8,10 +8,10 @@
 namespace symplant::test {
 namespace {
 
+using name::Direction;
 using name::Evidence;
-using name::Side;
 using naming::NamingReading;
-using Words = std::vector<std::pair<std::string, Side>>;
+using Words = std::vector<name::DirectionWord>;
 using Texts = std::vector<std::string>;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
@@ -114,9 +114,10 @@ TEST_CASE("A field holds a regular expression, or words that each say a side") {
   REQUIRE(one.fields.size() == 2);
   CHECK(one.fields[0].field == "device");
   CHECK(one.fields[0].expression == "RBT?[0-9]+");
-  CHECK(one.fields[1].words == Words{{"I", Side::event}, {"M", Side::internal}, {"Q", Side::operation}});
-  CHECK(one.classes == Words{{"SOL", Side::operation}});
-  CHECK(rule(R"("pattern": "{class}", "fields": {"class": {"LS": "event"}})").classes == Words{{"LS", Side::event}});
+  CHECK(one.fields[1].words == Words{{"I", Direction::event}, {"M", std::nullopt}, {"Q", Direction::operation}});
+  CHECK(one.classes == Words{{"SOL", Direction::operation}});
+  CHECK(rule(R"("pattern": "{class}", "fields": {"class": {"LS": "event"}})").classes ==
+        Words{{"LS", Direction::event}});
   CHECK(rule_faults(R"("pattern": "{device}", "fields": {"direction": {"I": "input"}})") ==
         "/rules/0/fields/direction/I: expected one of `event`, `operation`, `internal`, but found the text `input`");
   CHECK(rule_faults(R"("pattern": "{class}", "fields": {"class": {"LS": "event"}}, "classes": {"SOL": "operation"})") ==
@@ -132,7 +133,7 @@ TEST_CASE("A rule may fix the task, restrict the side, fan out, replace texts, a
       rule(R"("name": "valves", "side": "operation", "pattern": "{device}", "task": "OPN", "fan-out": true,
               "replace": [["-", ""]])");
   CHECK(valve.name == "valves");
-  CHECK(valve.side == Side::operation);
+  CHECK(valve.side == Direction::operation);
   CHECK(valve.task == "OPN");
   CHECK(valve.fan_out);
   CHECK(valve.replace.size() == 1);

@@ -43,9 +43,9 @@ read::SymbolTable table_of(const std::string& path) {
   return std::move(*table);
 }
 
-std::optional<name::Side> side_of(std::string_view address) {
-  if (address.starts_with("%I") || address.starts_with("X")) return name::Side::event;
-  if (address.starts_with("%Q") || address.starts_with("Y")) return name::Side::operation;
+std::optional<name::Direction> side_of(std::string_view address) {
+  if (address.starts_with("%I") || address.starts_with("X")) return name::Direction::event;
+  if (address.starts_with("%Q") || address.starts_with("Y")) return name::Direction::operation;
   return std::nullopt;
 }
 
@@ -61,7 +61,7 @@ class ReadList {
       inputs_.push_back({nullptr, row.name, *side, row.type == "BOOL"});
     }
     for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i].reading = &readings_[i];
-    pairing_ = pairing::pair(*naming, inputs_);
+    pairing_ = pairing::pair(*naming, inputs_, pairing::Extent::linked);
     states_.resize(inputs_.size());
     for (const pairing::Facet& facet : pairing_.facets) {
       for (const pairing::Member& member : facet.members) {
@@ -82,22 +82,25 @@ class ReadList {
   }
 
  private:
-  std::string rule_of(const name::RuleReading& reading) const {
-    if (reading.outcome == name::Outcome::ignored || reading.outcome == name::Outcome::no_rule) return "-";
+  std::string rule_of(const name::Reading& reading) const {
+    if (reading.account == name::Account::ignored || reading.account == name::Account::no_rule) return "-";
     return reader_.naming().naming().rules[reading.rule].name;
   }
 
   std::string account_of(std::size_t input) const {
-    constexpr std::array<std::string_view, pairing::kAccounts> kAccounts{
-        "", "constant", "operator", "data", "none", "unpaired", "ignored", "no rule", "no direction", "internal"};
-    const pairing::Account account = pairing_.accounts[input];
-    if (account != pairing::Account::paired) return std::string(kAccounts[static_cast<std::size_t>(account)]);
-    return (inputs_[input].side == name::Side::operation ? "operation " : "event ") + states_[input];
+    const name::Account account = pairing_.accounts[input];
+    if (name::is_unpaired(account)) return "unpaired";
+    if (account != name::Account::modelled) {
+      std::string text(name::account_key(account));
+      std::replace(text.begin(), text.end(), '_', ' ');
+      return text;
+    }
+    return (inputs_[input].side == name::Direction::operation ? "operation " : "event ") + states_[input];
   }
 
   read::SymbolTable table_;
   name::SymbolReader reader_;
-  std::vector<name::RuleReading> readings_;
+  std::vector<name::Reading> readings_;
   std::vector<pairing::Input> inputs_;
   pairing::Pairing pairing_;
   std::vector<std::string> states_;

@@ -25,7 +25,7 @@ TEST_CASE("An archetype makes a facet for each {x}") {
                       {"Q RB1_GO", "I RB1_GO ECHO", "Q RB1_STYLE A", "I RB1_STYLE A ECHO", "I RB2_GO ECHO"});
   CHECK(paired.facets() ==
         "RB1.echo_GO: RB1_GO>ON RB1_GO ECHO<ON | RB1.echo_STYLE_A: RB1_STYLE A>ON RB1_STYLE A ECHO<ON");
-  CHECK(paired.of(Account::unpaired) == "RB2_GO ECHO");
+  CHECK(paired.of(name::Account::no_operation) == "RB2_GO ECHO");
 }
 
 TEST_CASE("Archetypes take symbols in their order, before tasks") {
@@ -63,7 +63,7 @@ TEST_CASE("A constant keeps its value and needs no operation") {
   name::Archetype healthy{"healthy", ArchetypeModel::constant, {{ArchetypeRole::event, "*AIR OK*|*E STOP*"}}};
   const Paired paired(with({healthy}), {"I RB1_AIR OK", "I RB1_E STOP", "Q RB1_AIR OK"});
   CHECK(paired.facets().empty());
-  CHECK(paired.of(Account::constant) == "RB1_AIR OK RB1_E STOP");
+  CHECK(paired.of(name::Account::constant) == "RB1_AIR OK RB1_E STOP");
   CHECK(paired.pairing.constant_on[0]);
 }
 

@@ -19,7 +19,7 @@ TEST_CASE("A link says which state an operation leads to and which event reports
   CHECK(paired.facets() == "S1_TBL: KA1>HOME S1_TBL_HOME<HOME B2<AWAY");
   CHECK(paired.facet(0).by == FacetBy::links);
   CHECK(paired.facet(0).base->rest == "AWAY");
-  CHECK(paired.of(Account::no_rule) == "B3");
+  CHECK(paired.of(name::Account::no_rule) == "B3");
 }
 
 TEST_CASE("Without a device that a rule reads, the operation is the device") {
@@ -29,7 +29,7 @@ TEST_CASE("Without a device that a rule reads, the operation is the device") {
 TEST_CASE("Links have priority over tasks") {
   const Paired paired(linked({{"S1_TBL_ADV", "B1", "UP"}}), {"Q S1_TBL_ADV", "I S1_TBL_ADV", "I B1"});
   CHECK(paired.facets() == "S1_TBL: S1_TBL_ADV>UP B1<UP");
-  CHECK(paired.of(Account::unpaired) == "S1_TBL_ADV");
+  CHECK(paired.of(name::Account::no_operation) == "S1_TBL_ADV");
 }
 
 TEST_CASE("An event may report several states of its device") {

@@ -30,31 +30,37 @@ inline name::Naming naming_of(std::string pattern) {
 /// front puts it into another controller.
 class Paired {
  public:
-  Paired(name::Naming naming, const std::vector<std::string>& symbols) {
+  Paired(name::Naming naming, const std::vector<std::string>& symbols, Extent extent = Extent::linked) {
     std::vector<name::NamingFault> faults;
     compiled_ = name::CompiledNaming::compile(std::move(naming), faults);
     for (const name::NamingFault& fault : faults) UNSCOPED_INFO(fault.pointer << ": " << fault.message);
     REQUIRE(compiled_ != nullptr);
     reader_ = std::make_unique<name::SymbolReader>(compiled_);
     for (const std::string& symbol : symbols) add(symbol);
-    pairing = pair(*compiled_, inputs_);
+    pairing = pair(*compiled_, inputs_, extent);
   }
 
-  /// "DEVICE.FACET: SYMBOL>STATE SYMBOL<STATE", `>` for operations, with ` | ` between facets.
+  /// "DEVICE.FACET: SYMBOL>STATE SYMBOL<STATE", `>` for operations, `?` behind events that make no state, `#`
+  /// behind numbers, with ` | ` between facets.
   std::string facets() const {
     std::string all;
     for (const Facet& facet : pairing.facets) {
       all.append(all.empty() ? "" : " | ").append(facet.unit_path()).append(":");
       for (const Member& member : facet.members) {
         const Input& input = inputs_[member.input];
-        all.append(" ").append(input.name).append(input.side == name::Side::operation ? ">" : "<").append(member.task);
+        all.append(" ")
+            .append(input.name)
+            .append(input.side == name::Direction::operation ? ">" : "<")
+            .append(member.task);
+        if (!member.makes_state) all.append("?");
       }
+      for (const std::uint32_t number : facet.numbers) all.append(" ").append(inputs_[number].name).append("#");
     }
     return all;
   }
 
   /// The names of the symbols of one account.
-  std::string of(Account account) const {
+  std::string of(name::Account account) const {
     std::string all;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       if (pairing.accounts[i] == account) all.append(all.empty() ? "" : " ").append(inputs_[i].name);
@@ -71,7 +77,7 @@ class Paired {
     const bool other = symbol.front() == '1';
     const std::string_view kind = std::string_view(symbol).substr(other ? 1 : 0);
     names_.push_back(std::string(kind.substr(2)));
-    const name::Side side = kind.front() == 'Q' ? name::Side::operation : name::Side::event;
+    const name::Direction side = kind.front() == 'Q' ? name::Direction::operation : name::Direction::event;
     readings_.push_back(reader_->read({names_.back(), {}, {}, side}));
     inputs_.push_back({&readings_.back(), names_.back(), side, kind.front() != 'W', other ? 1U : 0U});
   }
@@ -79,7 +85,7 @@ class Paired {
   std::shared_ptr<const name::CompiledNaming> compiled_;
   std::unique_ptr<name::SymbolReader> reader_;
   std::deque<std::string> names_;
-  std::deque<name::RuleReading> readings_;
+  std::deque<name::Reading> readings_;
   std::vector<Input> inputs_;
 };
 

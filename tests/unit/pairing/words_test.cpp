@@ -25,7 +25,8 @@ TEST_CASE("Operations and events of one position are linked, and those of its pa
 TEST_CASE("Nothing is linked without an operation and an event of one device") {
   const Paired paired(naming_of(kPattern), {"Q S1_SOL_GATE_ADV", "I S1_LS_DOOR_ADV", "I S2_LS_GATE_ADV"});
   CHECK(paired.facets().empty());
-  CHECK(paired.of(Account::unpaired) == "S1_SOL_GATE_ADV S1_LS_DOOR_ADV S2_LS_GATE_ADV");
+  CHECK(paired.of(name::Account::no_event) == "S1_SOL_GATE_ADV");
+  CHECK(paired.of(name::Account::no_operation) == "S1_LS_DOOR_ADV S2_LS_GATE_ADV");
 }
 
 TEST_CASE("Symbols of two controllers are not linked") {
@@ -106,7 +107,7 @@ TEST_CASE("With fan-out an operation drives the devices whose words contain its 
   CHECK(paired.facets() ==
         "S1_CLAMP: S1_SOL_CLAMP_ADV>ADV S1_LS_CLAMP_RH_ADV<ADV S1_LS_1ST_CLAMP_RH_ADV<1ST_RH_ADV | "
         "S1_CLAMP_LH: S1_SOL_CLAMP_LH_ADV>ADV S1_LS_CLAMP_UPPER_LH_ADV<ADV");
-  CHECK(paired.of(Account::unpaired) == "S2_LS_CLAMP_RH_ADV");
+  CHECK(paired.of(name::Account::no_operation) == "S2_LS_CLAMP_RH_ADV");
 }
 
 TEST_CASE("Without fan-out an operation drives its own device only") {
@@ -118,7 +119,7 @@ TEST_CASE("Symbols of one text are data") {
   naming.normalise.replace.push_back({"_X[0-9]+$", ""});
   const Paired paired(naming, {"Q S1_RB_GO_X1", "I S1_RB_GO_X2", "I S1_RB_GO_X3"});
   CHECK(paired.facets().empty());
-  CHECK(paired.of(Account::data) == "S1_RB_GO_X2 S1_RB_GO_X3");
+  CHECK(paired.of(name::Account::data) == "S1_RB_GO_X2 S1_RB_GO_X3");
 }
 
 TEST_CASE("Numbers that are weights are data unless both sides have them, numbers that count are not") {
@@ -126,14 +127,85 @@ TEST_CASE("Numbers that are weights are data unless both sides have them, number
   const Paired weights(naming_of(pattern), {"Q S1_RB_JOB 1", "Q S1_RB_JOB 2", "Q S1_RB_JOB 4", "Q S1_RB_JOB 8",
                                             "I S1_RB_AT 1", "I S1_RB_AT 10"});
   CHECK(weights.facets().empty());
-  CHECK(weights.of(Account::data) == "S1_RB_JOB 1 S1_RB_JOB 2 S1_RB_JOB 4 S1_RB_JOB 8");
+  CHECK(weights.of(name::Account::data) == "S1_RB_JOB 1 S1_RB_JOB 2 S1_RB_JOB 4 S1_RB_JOB 8");
   const Paired both(naming_of(pattern), {"Q S1_RB_JOB 1", "Q S1_RB_JOB 2", "Q S1_RB_JOB 4", "Q S1_RB_JOB 8",
                                          "I S1_RB_JOB 1", "I S1_RB_JOB 2", "I S1_RB_JOB 4", "I S1_RB_JOB 8"});
-  CHECK(both.of(Account::data).empty());
+  CHECK(both.of(name::Account::data).empty());
   const Paired count(naming_of(pattern), {"Q S1_RB_JOB 1", "Q S1_RB_JOB 2", "Q S1_RB_JOB 3", "Q S1_RB_JOB 4",
                                           "Q S1_RB_JOB 8", "I S1_RB_JOB 1"});
-  CHECK(count.of(Account::data).empty());
+  CHECK(count.of(name::Account::data).empty());
   CHECK(count.facets() == "S1_RB: S1_RB_JOB 1>JOB_1 S1_RB_JOB 1<JOB_1");
+}
+
+/// The facets of all devices.
+std::string devices(name::Naming naming, const std::vector<std::string>& symbols) {
+  return Paired(std::move(naming), symbols, Extent::devices).facets();
+}
+
+TEST_CASE("A device exists as soon as one symbol names it") {
+  CHECK(devices(naming_of(kPattern), {"Q S1_SOL_GATE_ADV"}) == "S1_GATE: S1_SOL_GATE_ADV>ADV");
+  CHECK(devices(naming_of(kPattern), {"I S1_LS_GATE_ADV"}) == "S1_GATE: S1_LS_GATE_ADV<ADV?");
+  CHECK(devices(naming_of(kPattern), {"W S1_LS_GATE_ADV"}) == "S1_GATE: S1_LS_GATE_ADV#");
+  CHECK(devices(naming_of(kPattern), {"Q S1_SOL_GATE_ADV", "Q S1_SOL_GATE_RET"}) ==
+        "S1_GATE: S1_SOL_GATE_ADV>ADV S1_SOL_GATE_RET>RET");
+}
+
+TEST_CASE("Devices are in the order of their first symbol, whatever it is") {
+  CHECK(devices(naming_of(kPattern), {"W S1_LS_C_ADV", "I S1_LS_B_ADV", "Q S1_SOL_A_ADV"}) ==
+        "S1_C: S1_LS_C_ADV# | S1_B: S1_LS_B_ADV<ADV? | S1_A: S1_SOL_A_ADV>ADV");
+}
+
+TEST_CASE("The only linked facet of a device takes its events and numbers, and keeps its name") {
+  CHECK(devices(naming_of(kPattern), {"Q S1_SOL_GATE_ADV", "I S1_LS_GATE_ADV", "I S1_LS_GATE_UP", "W S1_LS_GATE_OPEN",
+                                      "Q S1_SOL_GATE_LOCK"}) ==
+        "S1_GATE: S1_SOL_GATE_ADV>ADV S1_LS_GATE_ADV<ADV S1_LS_GATE_UP<UP? S1_LS_GATE_OPEN# | "
+        "S1_GATE.LOCK: S1_SOL_GATE_LOCK>LOCK");
+}
+
+TEST_CASE("A device of several facets has one more for the events and numbers that nothing links") {
+  CHECK(devices(naming_of(kPattern), {"Q S1_SOL_GATE_ADV", "Q S1_SOL_GATE_UP", "I S1_LS_GATE_OPEN"}) ==
+        "S1_GATE.ADV: S1_SOL_GATE_ADV>ADV | S1_GATE.UP: S1_SOL_GATE_UP>UP | S1_GATE: S1_LS_GATE_OPEN<OPEN?");
+}
+
+TEST_CASE("Events that nothing links make states if the rule says so") {
+  name::Naming naming = naming_of(kPattern);
+  naming.rules[0].unlinked_states = true;
+  CHECK(devices(naming, {"I S1_LS_GATE_ADV"}) == "S1_GATE: S1_LS_GATE_ADV<ADV");
+}
+
+TEST_CASE("A unit gets no more events than it may have, and no second one of a task") {
+  std::vector<std::string> symbols;
+  for (int i = 0; i < 70; ++i) symbols.push_back("I S1_LS_GATE_X" + std::to_string(i));
+  const Paired many(naming_of("{process}_LS_{device}_{task...}"), symbols, Extent::devices);
+  REQUIRE(many.pairing.facets.size() == 1);
+  CHECK(many.facet(0).members.size() == 64);
+  name::Naming naming = naming_of(kPattern);
+  naming.links = {{"S1_SOL_GATE_UP", "S1_LS_GATE_UP", "ADV"}};
+  CHECK(devices(naming, {"Q S1_SOL_GATE_UP", "I S1_LS_GATE_UP", "I S1_LS_GATE_ADV"}) ==
+        "S1_GATE: S1_SOL_GATE_UP>ADV S1_LS_GATE_UP<ADV");
+}
+
+TEST_CASE("Symbols of a role make no device") {
+  name::Naming naming = naming_of(kPattern);
+  naming.rules[0].role = name::Role::operator_panel;
+  CHECK(devices(naming, {"Q S1_SOL_GATE_ADV", "I S1_LS_GATE_ADV"}).empty());
+}
+
+TEST_CASE("Two ends of a motion that differ by a number are one unit") {
+  CHECK(facets(kPattern, {"Q S1_SOL_TT_RET0", "I S1_LS_TT_RET0", "Q S1_SOL_TT_ADV90", "I S1_LS_TT_ADV90"}) ==
+        "S1_TT: S1_SOL_TT_RET0>RET0 S1_LS_TT_RET0<RET0 S1_SOL_TT_ADV90>ADV90 S1_LS_TT_ADV90<ADV90");
+  // Two valves each have their own number at both ends.
+  CHECK(facets(kPattern, {"Q S1_SOL_TT_ADV1", "I S1_LS_TT_ADV1", "Q S1_SOL_TT_ADV2", "I S1_LS_TT_ADV2"}) ==
+        "S1_TT.ADV1: S1_SOL_TT_ADV1>ADV1 S1_LS_TT_ADV1<ADV1 | S1_TT.ADV2: S1_SOL_TT_ADV2>ADV2 S1_LS_TT_ADV2<ADV2");
+}
+
+TEST_CASE("The words of a pair may be numbers") {
+  name::Naming naming = naming_of("{process}_{class}_{device}_{task...}");
+  naming.tasks.pairs = {{"0", "90"}};
+  const Paired paired(naming, {"Q S1_SOL_TT_0_DEG", "I S1_LS_TT_0_DEG", "Q S1_SOL_TT_90_DEG", "I S1_LS_TT_90_DEG"});
+  REQUIRE(paired.pairing.facets.size() == 1);
+  CHECK(paired.facet(0).states == std::vector<std::string>{"0_DEG", "90_DEG"});
+  CHECK(paired.facet(0).first_is_rest);
 }
 
 TEST_CASE("What is not linked is accounted for by its role") {
@@ -147,12 +219,12 @@ TEST_CASE("What is not linked is accounted for by its role") {
   naming.rules.push_back(normal);
   naming.ignore = {"SPARE*"};
   const Paired paired(naming, {"I START_PB", "I AIR_NORMAL", "Q SPARE1", "Q XYZ", "W S1_LS_GATE_ADV"});
-  CHECK(paired.of(Account::operator_panel) == "START_PB");
-  CHECK(paired.of(Account::constant) == "AIR_NORMAL");
+  CHECK(paired.of(name::Account::operator_panel) == "START_PB");
+  CHECK(paired.of(name::Account::constant) == "AIR_NORMAL");
   CHECK_FALSE(paired.pairing.constant_on[1]);
-  CHECK(paired.of(Account::ignored) == "SPARE1");
-  CHECK(paired.of(Account::no_rule) == "XYZ");
-  CHECK(paired.of(Account::data) == "S1_LS_GATE_ADV");
+  CHECK(paired.of(name::Account::ignored) == "SPARE1");
+  CHECK(paired.of(name::Account::no_rule) == "XYZ");
+  CHECK(paired.of(name::Account::numeric) == "S1_LS_GATE_ADV");
 }
 
 TEST_CASE("Two devices of one path are reported") {

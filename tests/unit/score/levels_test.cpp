@@ -20,7 +20,7 @@ Analysed two_stations() {
 }
 
 std::string parts(const Analysed& analysed, Level level) {
-  const score::Score score = score::score_of(analysed.model());
+  const score::PlantScore score = score::score_of(analysed.model());
   std::string text;
   for (const score::Part& part : score::parts_of(analysed.model(), score, level)) {
     const std::string name = part.path();
@@ -51,7 +51,7 @@ TEST_CASE("Symbols that are not accounted for are grouped by shape and reason, t
   const auto shapes = score::left_over_shapes(list.model(), score::score_of(list.model()));
   std::string text;
   for (const score::Shape& shape : shapes) {
-    text += fmt::format("{} {} {} {}\n", shape.count, shape.text, score::verdict_key(shape.verdict),
+    text += fmt::format("{} {} {} {}\n", shape.count, shape.text, name::account_key(shape.account),
                         list.model().symbols[shape.first].name());
   }
   CHECK(text ==

@@ -10,23 +10,23 @@
 namespace symplant::test {
 namespace {
 
-using score::Verdict;
+using name::Account;
 
-/// "no_event no_rule": the verdicts in list order.
-std::string verdicts(const Analysed& analysed) {
+/// "no_event no_rule": the accounts in list order.
+std::string accounts(const Analysed& analysed) {
   std::string text;
-  for (const Verdict verdict : score::score_of(analysed.model()).verdicts) {
-    text.append(text.empty() ? "" : " ").append(score::verdict_key(verdict));
+  for (const Account account : score::score_of(analysed.model()).accounts) {
+    text.append(text.empty() ? "" : " ").append(name::account_key(account));
   }
   return text;
 }
 
-TEST_CASE("Under the built-in rule each symbol has its verdict") {
+TEST_CASE("Under the built-in rule each symbol has its account") {
   std::vector<Row> rows = bits({"L_P_D_O_RUN", "L_P_D_I_RUN", "L_P_E_O_LAMP", "L_P_F_I_AIR*", "L_P_F_I_DOOR", "START"});
   rows.push_back({"L_P_D_I_LEVEL", "", "INT", "0", "%IW9"});
   const Analysed list = analyse_rows(rows);
-  CHECK(verdicts(list) == "paired paired no_event constant no_operation no_rule not_counted");
-  const score::Score score = score::score_of(list.model());
+  CHECK(accounts(list) == "paired paired no_event constant no_operation no_rule numeric");
+  const score::PlantScore score = score::score_of(list.model());
   CHECK(score.total.counted() == 6);
   CHECK(score.total.paired() == 2);
   CHECK(score.total.accounted() == 3);
@@ -40,10 +40,10 @@ TEST_CASE("A contact is constant if the leading symbol on its address keeps its 
                                       {"L_P_E_I_RUNS", "X0", "BOOL", "TRUE"},
                                       {"L_P_F_I_AIR", "X1", "BOOL", "TRUE"},
                                       {"L_P_G_I_AIR", "X1", "BOOL", "TRUE"}});
-  CHECK(verdicts(list) == "paired paired no_operation constant constant");
+  CHECK(accounts(list) == "paired paired no_operation constant constant");
 }
 
-TEST_CASE("Under a custom rule the pairing gives the verdicts") {
+TEST_CASE("Under a custom rule the pairing gives the accounts") {
   name::Naming naming;
   naming.ignore = {"SPARE*"};
   const auto rule = [](std::string pattern, name::Role role) {
@@ -62,8 +62,8 @@ TEST_CASE("Under a custom rule the pairing gives the verdicts") {
                                  {"SPARE_1", "", "BOOL", "FALSE", "%IX8"}, {"OTHER", "", "BOOL", "FALSE", "%IX9"},
                                  {"S_D_VALUE", "", "INT", "0", "%IW20"}};
   const Analysed list = analyse_by_rule(naming, {{"list.csv", list_text(rows)}});
-  CHECK(verdicts(list) ==
-        "paired paired operator constant data role_none no_event no_operation not_counted no_rule not_counted");
+  CHECK(accounts(list) ==
+        "paired paired operator constant data role_none no_event no_operation ignored no_rule numeric");
   CHECK(score::score_of(list.model()).total.accounted() == 5);
 }
 

@@ -116,7 +116,7 @@ TEST_CASE("The JSON form contains everything in a description, exactly") {
   CHECK(symbol("LEVEL").at("initial") == 1.5);
   CHECK(symbol("BIG").at("initial") == "18446744073709551615");
   CHECK(symbol("L_Q_STOPPER1_I_WEIGHT").at("initial") == -5);
-  CHECK(symbol("START").at("unmodelled") == "name");
+  CHECK(symbol("START").at("unmodelled") == "no-rule");
   const Json hostile = Json::parse(render(hostile_cell(), "json").text);
   CHECK(hostile.at("units")[0].at("behaviour").at("class") == "OwnHarm");
 }

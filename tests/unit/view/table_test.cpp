@@ -27,8 +27,8 @@ TEST_CASE("The table shows everything in a description") {
            "required    no machining without part\n",
            "no machining without part: never L_P_MC.RUN2 and not L_P_AGV.P2\n",
            "machine starts: after L_P_AGV.P2, expect L_P_MC_O_RUN2 within 500 ms\n",
-           "5 devices, 31 I/O symbols, 4 of them in no device\n",
-           "  3: numeric: states come from BOOL symbols only\n",
+           "5 devices, 31 I/O symbols, 3 of them in no device\n",
+           "  2: numeric: states come from BOOL symbols only\n",
            "  1: its name does not follow the naming rule\n",
        }) {
     INFO(row);

@@ -1,0 +1,14 @@
+// The levels that the pattern of an exact rule names.
+#pragma once
+
+#include "base/result.hpp"
+#include "name/level_rule.hpp"
+#include "name/naming.hpp"
+#include "name/naming_fault.hpp"
+
+namespace symplant::name {
+
+/// The pattern of an exact rule is fields that one separator joins. The pointer of a fault is below the rule.
+base::Result<LevelRule, NamingFault> exact_levels(const SymbolRule& rule);
+
+}  // namespace symplant::name
