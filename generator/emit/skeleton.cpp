@@ -62,6 +62,8 @@ class Skeleton {
         list_(list),
         shapes_(shapes_of(plant)),
         proposed_(proposed_material(plant)) {
+    // Nothing is known of a device whose symbols name no state.
+    std::erase_if(shapes_, [this](const Shape& shape) { return plant_.units[shape.units.front()].names_no_state(); });
     if (!proposed_.is_null()) leave_out_sensors();
   }
 
@@ -225,8 +227,9 @@ class Skeleton {
   /// Proposes a severity, not an entry of `ignore`: the transitions proposed below would make such an entry idle, and
   /// that is a finding.
   void check_section() {
-    const bool idle = std::any_of(plant_.units.begin(), plant_.units.end(),
-                                  [](const model::Unit& unit) { return unit.operations.empty(); });
+    const bool idle = std::any_of(plant_.units.begin(), plant_.units.end(), [](const model::Unit& unit) {
+      return unit.operations.empty() && !unit.names_no_state();
+    });
     if (!idle) return;
     const Json check{{"severity", {{"event-not-driven", "warning"}}}};
     line("  // Severities of the findings of `symplant check`; its key `ignore` suppresses intended findings:");
@@ -236,7 +239,7 @@ class Skeleton {
   void event_not_driven() {
     std::vector<std::string> names;
     for (const model::Unit& unit : plant_.units) {
-      if (!unit.operations.empty()) continue;
+      if (!unit.operations.empty() || unit.names_no_state()) continue;
       if (proposed_.is_null() || !is_only_part_sensors(plant_, unit)) names.push_back(json_text(unit.path));
     }
     if (!names.empty()) {
@@ -246,7 +249,7 @@ class Skeleton {
     }
     std::vector<std::string> symbols;
     for (const model::Symbol& symbol : plant_.symbols) {
-      if (symbol.account != model::Account::modelled) symbols.push_back(json_text(symbol.name()));
+      if (symbol.unit_of_device() == model::kNone) symbols.push_back(json_text(symbol.name()));
     }
     if (!symbols.empty()) {
       line(fmt::format("  // In no device, but in the images and on the links: {}.", some_of(symbols)));

@@ -205,6 +205,10 @@ struct Unit {
   bool is_archetype() const { return facet != nullptr && facet->by == pairing::FacetBy::archetype; }
   /// Whether digits at the end of its states are sequence numbers.
   bool has_sequence() const { return facet == nullptr || facet->numbered; }
+  /// Whether its symbols name no state: it has only the one that every unit has.
+  bool names_no_state() const {
+    return states.size() == 1 && states.front().operation == kNone && states.front().event == kNone;
+  }
   bool has_behaviour() const { return described != nullptr && !described->behaviour.empty(); }
   /// The numeric symbols that custom code sees.
   std::span<const std::uint32_t> behaviour_values() const {
