@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "app/io_findings.hpp"
-#include "app/map_findings.hpp"
 #include "app/naming_findings.hpp"
 #include "app/read_inputs.hpp"
-#include "app/url_findings.hpp"
 #include "check/catalogue.hpp"
 #include "description/description_rules.hpp"
 #include "findings/finish.hpp"
 #include "lower/limits.hpp"
 #include "lower/lower.hpp"
+#include "map/findings.hpp"
+#include "map/url_findings.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
 #include "symplant/json/location.hpp"
@@ -69,14 +69,14 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
   add_io_findings(inputs.io, inputs.source, diagnostics);
   if (inputs.source != nullptr) {
     add_description_findings(inputs, derived.evidence, diagnostics);
-    add_url_findings(plant, diagnostics);
+    map::add_url_findings(plant, diagnostics);
   }
   if (inputs.naming_parts != nullptr) add_naming_findings(plant, *inputs.naming_parts, diagnostics);
   if (!inputs.readable) return;
   check::check_plant(plant, derived.evidence, diagnostics);
   lower::check_limits(tables, diagnostics);
-  if (!check::has_stopping_errors(diagnostics) && map_can_have_findings(plant))
-    add_map_findings(plant, tables, diagnostics);
+  if (!check::has_stopping_errors(diagnostics) && map::map_can_have_findings(plant))
+    map::add_map_findings(plant, tables, diagnostics);
 }
 
 /// Prepares the findings for the user: folding, settings, selection, locations, order.
@@ -120,7 +120,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
   if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
   const bool sound = inputs->readable && derived.evidence.faults.empty();
-  const bool lowered = sound && (options.tables || map_can_have_findings(derived.plant));
+  const bool lowered = sound && (options.tables || map::map_can_have_findings(derived.plant));
   progress.stage("lowering");
   lower::EngineTables tables = lowered ? lower::lower(derived.plant) : lower::EngineTables();
   progress.stage("checking");

@@ -80,13 +80,13 @@ class LinkReader {
   void read_sizes() {
     const Json* size = member(entry_, "size");
     if (size == nullptr) return;
-    const auto set = [&](link::Table table, std::string_view key) {
-      link_.settings.sizes[static_cast<std::size_t>(table)] = number_member(*size, key).value_or(0);
+    const auto set = [&](link::Plane plane, std::string_view key) {
+      link_.settings.sizes[static_cast<std::size_t>(plane)] = number_member(*size, key).value_or(0);
     };
-    set(link::Table::coil, "coils");
-    set(link::Table::discrete_input, "discrete-inputs");
-    set(link::Table::holding_register, "holding-registers");
-    set(link::Table::input_register, "input-registers");
+    set(link::Plane::operation_bits, "coils");
+    set(link::Plane::event_bits, "discrete-inputs");
+    set(link::Plane::operation_numbers, "holding-registers");
+    set(link::Plane::event_numbers, "input-registers");
   }
 
   void read_status_and_watchdog() {

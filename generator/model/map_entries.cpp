@@ -21,7 +21,7 @@ using address::Address;
 constexpr std::uint64_t kBeyondAll = link::MapRow::kDefault - 1;  ///< a number that no table has
 constexpr std::string_view kAreas = "X, Y, %IX, %QX, %IB, %QB, %IW, %QW, %ID, %QD, %IL or %QL";
 
-/// The number of coils or registers that an address takes.
+/// How many numbers of its table an address takes.
 std::uint64_t width_of(const Address& address) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(address.size) / 16);
 }

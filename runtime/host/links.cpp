@@ -9,7 +9,7 @@
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/words.hpp"
 #include "symplant/link/client_parts.hpp"
-#include "symplant/link/modbus/client_map.hpp"
+#include "symplant/link/link_map.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/name_index.hpp"
@@ -18,6 +18,7 @@ namespace symplant::host {
 
 std::string OpenLink::silence() const {
   using trace::seconds;
+  const link::LinkSettings& settings = choice.settings;
   if (settings.watchdog != link::kNowhere) {
     return "its watchdog, holding register " + std::to_string(settings.watchdog) + ", has not changed for " +
            seconds(settings.watchdog_within) + "; check whether the PLC's program runs";
@@ -41,8 +42,8 @@ std::string OpenLink::absence() const {
 std::vector<trace::PlantNames::Link> named_links(const Links& links) {
   std::vector<trace::PlantNames::Link> named;
   for (const OpenLink& open : links) {
-    const bool freezes = open.settings.plant_on_loss == link::PlantOnLoss::freeze;
-    named.push_back({open.text(), open.silence(), open.absence(), open.carries, freezes});
+    const bool freezes = open.choice.settings.plant_on_loss == link::PlantOnLoss::freeze;
+    named.push_back({open.text(), open.silence(), open.absence(), open.choice.controller, freezes});
   }
   return named;
 }
@@ -81,36 +82,30 @@ bool goes_to_plc(const LinkChoices& links) {
   return std::any_of(links.begin(), links.end(), [](const link::LinkChoice& l) { return link::is_client(l.url); });
 }
 
-Coverage coverage_of(const link::LinkChoice& choice, const tables::PlantTables& tables) {
-  if (!link::is_client(choice.url)) {
-    link::IoMap map = link::make_io_map(tables, choice.controller, choice.settings);
-    return {std::move(map.points), link::modbus::unreachable_symbols(map)};
-  }
-  auto parts = link::client_parts(choice, tables);
-  auto* const good = std::get_if<link::client::ClientParts>(&parts);
-  if (good == nullptr) return {};
-  return {std::move(good->map.points), std::move(good->unreachable)};
-}
-
 std::string left_out_words(const link::LinkChoice& choice, const tables::PlantTables& tables) {
   constexpr std::size_t kMostOf = 10;
   if (link::is_loop(choice.url)) return "";
-  const Coverage coverage = coverage_of(choice, tables);
-  const std::size_t all = coverage.points.size() + coverage.left_out.size();
-  if (coverage.left_out.empty() || kMostOf * coverage.left_out.size() < all) return "";
-  const link::client::Unreachable& first = coverage.left_out.front();
+  const auto made = link::map_of(choice, tables);
+  const auto* const map = std::get_if<link::LinkMap>(&made);  // an error is reported when the link is opened
+  if (map == nullptr) return "";
+  const std::size_t all = map->symbols.size() + map->left_out.size();
+  if (map->left_out.empty() || kMostOf * map->left_out.size() < all) return "";
+  const link::Unreachable& first = map->left_out.front();
   return fmt::format(
-      "carries {} of {}: `{}` {}{}; `symplant map` lists all symbols", coverage.points.size(),
+      "carries {} of {}: `{}` {}{}; `symplant map` lists all symbols", map->symbols.size(),
       plural(all, "I/O symbol"), shown(trace::NameIndex(tables.symbol_names)[2 * std::size_t{first.symbol}]),
       first.reason,
-      coverage.left_out.size() == 1 ? "" : fmt::format(", and {} more are left out", coverage.left_out.size() - 1));
+      map->left_out.size() == 1 ? "" : fmt::format(", and {} more are left out", map->left_out.size() - 1));
 }
 
 std::vector<bool> carried_symbols(const LinkChoices& links, const tables::PlantTables& tables) {
   std::vector<bool> carried(tables.symbols.size());
   for (const link::LinkChoice& choice : links) {
     if (link::is_loop(choice.url)) continue;
-    for (const link::IoPoint& point : coverage_of(choice, tables).points) carried[point.symbol] = true;
+    const auto map = link::map_of(choice, tables);
+    const auto* const good = std::get_if<link::LinkMap>(&map);
+    if (good == nullptr) continue;
+    for (const link::MappedSymbol& mapped : good->symbols) carried[mapped.symbol] = true;
   }
   return carried;
 }
@@ -125,8 +120,7 @@ int open_links(const LinkChoices& chosen, const tables::PlantTables& tables, con
       return error->kind == link::LinkError::Kind::usage ? kBadInput : kEnvironment;
     }
     const bool says_whose = controllers.size() > 1 && choice.controller < controllers.size();
-    links.push_back({says_whose ? std::string(controllers[choice.controller]) : std::string(), choice.controller,
-                     choice.settings, std::get<std::unique_ptr<link::Link>>(std::move(opened))});
+    links.push_back({says_whose ? std::string(controllers[choice.controller]) : std::string(), choice, std::get<std::unique_ptr<link::Link>>(std::move(opened))});
   }
   return kGood;
 }

@@ -10,8 +10,6 @@
 #include "symplant/host/plant_program.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/link/choice.hpp"
-#include "symplant/link/client/parts.hpp"
-#include "symplant/link/io_map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -37,23 +35,14 @@ bool goes_to_plc(const LinkChoices& links);
 /// By symbol: whether it is an operation that a PLC writes through one of the links.
 std::vector<bool> carried_symbols(const LinkChoices& links, const tables::PlantTables& tables);
 
-/// What a link carries and what it leaves out of its controller's I/O symbols; nothing if it cannot be opened, which is
-/// reported then. O(symbols).
-struct Coverage {
-  std::vector<link::IoPoint> points;
-  std::vector<link::client::Unreachable> left_out;
-};
-Coverage coverage_of(const link::LinkChoice& choice, const tables::PlantTables& tables);
-
 /// "carries 2 of 4 I/O symbols: ...", with the first that is left out and why, if a real link leaves out a tenth or
 /// more of its controller's; else empty. O(symbols).
 std::string left_out_words(const link::LinkChoice& choice, const tables::PlantTables& tables);
 
 /// A link of a run.
 struct OpenLink {
-  std::string controller;  ///< name of its controller if the plant has several; else empty
-  std::uint32_t carries;   ///< index of the controller; link::kAllControllers: only with `loop:`
-  link::LinkSettings settings;
+  std::string controller;   ///< name of its controller if the plant has several; else empty
+  link::LinkChoice choice;  ///< of link::kAllControllers only with `loop:`
   std::unique_ptr<link::Link> link;
 
   /// Why a loss of it is reported, and what to check.

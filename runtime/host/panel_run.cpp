@@ -55,7 +55,7 @@ int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::os
   if (!load_exercises(input, exercises, err)) return kBadInput;
   if (!make_folder(input.options.panel->files, err)) return kEnvironment;
   std::vector<panel::LinkName> links;
-  for (const OpenLink& open : input.links) links.push_back({open.link->url(), open.controller, open.carries});
+  for (const OpenLink& open : input.links) links.push_back({open.link->url(), open.controller, open.choice.controller});
   auto opened =
       panel::Panel::open(*input.options.panel, {.names = input.names,
                                                 .plant = stage.plant,

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "symplant/link/clock_symbol.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/kinds.hpp"
+#include "symplant/link/link_map.hpp"
 #include "symplant/tables/ascii.hpp"
 #include "symplant/tables/lists.hpp"
 #include "symplant/tables/names.hpp"
@@ -56,11 +57,14 @@ std::string no_link(std::string_view name, std::uint32_t symbol, const tables::P
                      controller.empty() ? "" : "=");
 }
 
-/// Whether a link by Modbus numbers has none for the symbol; another protocol reports this itself.
+/// Whether a link that needs a number for each symbol has none for this one; another one reports this itself.
 bool has_no_number(std::uint32_t symbol, const link::LinkChoice& choice, const tables::PlantTables& tables) {
-  if (!choice.url.starts_with("modbus")) return false;
-  const auto without = link::make_io_map(tables, choice.controller, choice.settings).without_address;
-  return std::find(without.begin(), without.end(), symbol) != without.end();
+  const link::Kind* const kind = link::kind_of(choice.url);
+  if (kind == nullptr || !kind->numbered) return false;
+  const auto made = link::map_of(choice, tables);
+  const auto* const map = std::get_if<link::LinkMap>(&made);
+  return map != nullptr && std::any_of(map->left_out.begin(), map->left_out.end(),
+                                       [&](const link::Unreachable& one) { return one.symbol == symbol; });
 }
 
 ChosenPlcClock failed(std::string error) { return {std::nullopt, std::move(error), ""}; }

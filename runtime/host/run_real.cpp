@@ -17,7 +17,7 @@
 #include "symplant/host/waits.hpp"
 #include "symplant/host/watched_link.hpp"
 #include "symplant/host/words.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/link_map.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -25,24 +25,31 @@ namespace {
 
 using trace::seconds;
 
+/// "hold": what the operations of a link do while it is lost.
+std::string operations_on_loss(const OpenLink& open, const tables::PlantTables& tables) {
+  const auto map = link::map_of(open.choice, tables);
+  const auto* const good = std::get_if<link::LinkMap>(&map);
+  return good == nullptr ? "" : link::loss_words(tables, *good);
+}
+
 /// The policy of a link on loss, for the report at the start.
 std::string policy_words(const OpenLink& open, const tables::PlantTables& tables) {
   if (open.link->state() != exec::LinkState::waiting) return "";
-  const link::LinkSettings& settings = open.settings;
+  const link::LinkSettings& settings = open.choice.settings;
   const bool watchdog = settings.watchdog != link::kNowhere;
   return fmt::format("; after {} {}: operations {}, the plant {}",
                      seconds(watchdog ? settings.watchdog_within : settings.loss_after),
                      watchdog                        ? "without a change of the watchdog"
                      : open.link->status().is_client ? "without an answer"
                                                      : "without a request",
-                     link::loss_words(link::make_io_map(tables, open.carries, settings)),
+                     operations_on_loss(open, tables),
                      settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
 }
 
 /// Warns of links whose timeouts are too short for the cycle.
 void warn_of_times(const RunOptions& options, const Links& links, std::ostream& err) {
   for (const OpenLink& open : links) {
-    const link::LinkSettings& settings = open.settings;
+    const link::LinkSettings& settings = open.choice.settings;
     if (open.link->state() != exec::LinkState::waiting) continue;
     const bool watchdog = settings.watchdog != link::kNowhere;
     const tables::Time silence = watchdog ? settings.watchdog_within : settings.loss_after;
@@ -103,7 +110,7 @@ Waits waits_of(const Stage& stage, const Links& links, const PlcClockChoice* clo
   for (std::uint32_t i = 0; i < links.size(); ++i) {
     const bool ignored = stage.report.is_ignored({0, tables::FindingKind::no_plc, {i}});
     waited.push_back({"link " + links[i].text(), ignored ? "" : links[i].absence(),
-                      links[i].settings.plant_on_loss == link::PlantOnLoss::freeze,
+                      links[i].choice.settings.plant_on_loss == link::PlantOnLoss::freeze,
                       clock != nullptr && clock->link == i});
   }
   return {std::move(waited), clock != nullptr ? clock->name : ""};

@@ -1,7 +1,6 @@
 // Reports the losses of a link.
 #include "symplant/host/watched_link.hpp"
 
-#include "symplant/link/io_map.hpp"
 #include "symplant/tables/lists.hpp"
 
 namespace symplant::host {
@@ -27,14 +26,12 @@ std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const tables:
   return behaviours;
 }
 
-/// The events that links show to a PLC on request, as Plant::events(): such a link finds what is not read.
+/// The events that links show to a PLC on request, as Plant::events().
 std::vector<std::uint64_t> events_on_request(const Links& links, const tables::PlantTables& tables) {
   std::vector<std::uint64_t> events(tables.event_bits / 64);
   for (const OpenLink& open : links) {
-    if (link::is_loop(open.link->url()) || open.link->status().is_client) continue;
-    for (const link::IoPoint& point : link::make_io_map(tables, open.carries, open.settings).points) {
-      if (point.table != link::Table::discrete_input) continue;
-      const std::uint32_t bit = tables.symbols[point.symbol].index;
+    for (const std::uint32_t symbol : open.link->events_on_request()) {
+      const std::uint32_t bit = tables.symbols[symbol].index;
       events[bit / 64] |= std::uint64_t{1} << (bit % 64);
     }
   }
@@ -45,9 +42,9 @@ std::vector<std::uint64_t> events_on_request(const Links& links, const tables::P
 
 WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, plant::Plant& plant, trace::Recorder& recorder)
     : link_(*link.link),
-      controller_(link.carries),
+      controller_(link.choice.controller),
       place_(place),
-      behaviours_(behaviours_of(link.carries, plant.tables())),
+      behaviours_(behaviours_of(link.choice.controller, plant.tables())),
       recorder_(recorder),
       before_(link_.state()) {
   if (before_ != LinkState::live) report(plant);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "symplant/link/kinds.hpp"
 #include "symplant/link/names.hpp"
 #include "symplant/tables/ascii.hpp"
 #include "symplant/tables/names.hpp"
@@ -67,7 +68,10 @@ LinkRequest parse_request(std::string_view text) {
   return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
 }
 
-bool is_loop(std::string_view url) { return url == "loop:"; }
+bool is_loop(std::string_view url) {
+  const Kind* const kind = kind_of(url);
+  return kind != nullptr && !kind->real && rest_of(url).empty();
+}
 
 bool has_fixed_port(std::string_view url) { return !is_loop(url) && !url.ends_with(":0"); }
 

@@ -7,8 +7,8 @@
 
 namespace symplant::link {
 
-/// "function 15 (write coils) from 800 on: exception 02 (...): ..."; "reading from D100 on: end code 4031 (...): ...":
-/// what was refused, why, and what to do. The side is modbus_client or slmp_client.
+/// "reading from D100 on: end code 4031 (...): ...": what was refused, why, and what to do, in the words of the protocol.
+/// The side is that of a link that goes to the PLC.
 std::string client_refusal_text(const tables::Refusal& refusal);
 
 }  // namespace symplant::link

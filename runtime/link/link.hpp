@@ -54,6 +54,10 @@ class Link : public exec::Exchange {
   /// For the cycle's thread: wait-free.
   virtual void cut(bool) noexcept {}
 
+  /// The BOOL events, as rows in PlantTables::symbols, that the link shows to a PLC that reads them: such a link finds
+  /// those that came and went between two reads.
+  virtual std::vector<std::uint32_t> events_on_request() const { return {}; }
+
   /// The next of the findings of this link; nothing if there is none now. For the cycle's thread: wait-free.
   virtual std::optional<LinkFinding> take_finding() noexcept { return std::nullopt; }
 

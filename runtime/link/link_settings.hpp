@@ -11,16 +11,14 @@
 
 namespace symplant::link {
 
-/// The four tables of Modbus. The PLC writes operations and reads events.
-enum class Table : std::uint8_t {
-  coil,              ///< bit operations
-  discrete_input,    ///< bit events
-  holding_register,  ///< numeric operations
-  input_register,    ///< numeric events
-};
-inline constexpr std::size_t kTables = 4;
+/// The four parts of a link's image. The PLC writes operations and reads events.
+enum class Plane : std::uint8_t { operation_bits, event_bits, operation_numbers, event_numbers };
+inline constexpr std::size_t kPlanes = 4;
 
-/// Which register of a number with more than 16 bits comes first.
+constexpr bool is_event(Plane plane) noexcept { return plane == Plane::event_bits || plane == Plane::event_numbers; }
+constexpr bool has_bits(Plane plane) noexcept { return plane == Plane::operation_bits || plane == Plane::event_bits; }
+
+/// Which 16 bits of a longer number come first, in a protocol whose numbers are words of 16 bits.
 enum class WordOrder : std::uint8_t {
   low_first,
   high_first,
@@ -42,13 +40,13 @@ struct MapRow {
   static constexpr std::uint32_t kDefault = 0xFFFF'FFFF;
 
   std::uint32_t symbol = 0;         ///< in PlantTables::symbols
-  std::uint32_t number = kDefault;  ///< protocol address, counted from 0; kDefault: as in the default map
+  std::uint32_t number = kDefault;  ///< address in the protocol, counted from 0; kDefault: as in the default map
   WordOrder word_order = WordOrder::as_link;
   OnLoss on_loss = OnLoss::as_link;
   bool excluded = false;  ///< the link does not carry it
 };
 
-/// Register of the status block or the watchdog: a number, or one of these.
+/// Address of the status or the watchdog: a number, or one of these.
 inline constexpr std::uint32_t kAbove = 0xFFFF'FFFE;    ///< the first multiple of 100 above the map
 inline constexpr std::uint32_t kNowhere = 0xFFFF'FFFF;  ///< off
 
@@ -61,7 +59,8 @@ struct ClockSettings {
   tables::Time limit = 10 * tables::kSecond;  ///< a longer step is a restart
 };
 
-/// All settings of a link. The rows must outlive it.
+/// All settings of a link. The rows must outlive it. A protocol without addresses that count from 0 has no sizes, no
+/// status and no watchdog.
 struct LinkSettings {
   std::span<const MapRow> rows = {};  ///< symbols whose settings differ from the link's, in ascending order
   WordOrder word_order = WordOrder::high_first;
@@ -69,11 +68,11 @@ struct LinkSettings {
       false;  ///< by the user; else it is that of the symbol list, and a protocol may have its order
   OnLoss on_loss = OnLoss::hold;
   PlantOnLoss plant_on_loss = PlantOnLoss::run;
-  std::array<std::uint32_t, kTables> sizes = {};   ///< addresses of each table; 0: as many as the map needs
+  std::array<std::uint32_t, kPlanes> sizes = {};   ///< addresses of each plane; 0: as many as the map needs
   tables::Time loss_after = tables::kSecond;       ///< time without a valid request that touches the map
   tables::Time resync = tables::kSecond;           ///< after a loss: longest wait for everything to be written again
-  std::uint32_t status_block = kAbove;             ///< first input register
-  std::uint32_t watchdog = kNowhere;               ///< a holding register that the PLC changes
+  std::uint32_t status_block = kAbove;             ///< first address of the status
+  std::uint32_t watchdog = kNowhere;               ///< address of a number that the PLC changes
   tables::Time watchdog_within = tables::kSecond;  ///< longest time without a change of it
   std::uint32_t connections = 32;                  ///< server: clients at once, 1 to 10,000
   tables::Time idle = 300 * tables::kSecond;       ///< server: closes a client without requests for this long; 0: never

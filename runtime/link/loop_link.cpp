@@ -164,4 +164,13 @@ void LoopLink::write_events(const plant::Plant& plant, const exec::CycleStatus& 
   events_.publish();
 }
 
+std::string loop_fault(std::string_view rest) {
+  return rest.empty() ? std::string() : "`loop:` takes nothing after the colon";
+}
+
+LinkResult open_loop_link(std::string_view /*rest*/, const LinkChoice& link, const tables::PlantTables& tables,
+                          const plant::Plant* /*plant*/) {
+  return std::make_unique<LoopLink>(tables, link.controller);
+}
+
 }  // namespace symplant::link

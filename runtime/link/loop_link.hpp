@@ -60,4 +60,11 @@ class LoopLink final : public Link {
   bool events_written_ = false;
 };
 
+/// Why `rest`, the URL after `loop:`, is invalid; empty if it is valid.
+std::string loop_fault(std::string_view rest);
+
+/// Never an error. Tables must outlive the link.
+LinkResult open_loop_link(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,
+                          const plant::Plant* plant);
+
 }  // namespace symplant::link

@@ -1,16 +1,18 @@
-// The layout of the status block: what its input registers hold.
+// The status of the plant that a link may carry: its numbers, in their order.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 namespace symplant::link {
 
-/// A number in the status block; a number of several registers has the link's word order.
+/// A number of the status. A protocol of 16-bit words puts the words of all fields in a row, those of one number in its
+/// word order.
 struct StatusField {
-  std::uint8_t first;      ///< index of its first register in the block
-  std::uint8_t registers;  ///< 1, 2 or 4
+  std::uint8_t first;  ///< number of words before it
+  std::uint8_t words;  ///< of 16 bits: 1, 2 or 4; a counter is cut to them, so that it wraps around
   std::string_view name;
   std::string_view meaning;
 };
@@ -24,5 +26,9 @@ inline constexpr std::array kStatusFields = {
     StatusField{6, 2, "overruns", "cycles that ended after their deadline, since the start"},
     StatusField{8, 4, "map hash", "digest of this map"},
 };
+
+/// Words of all fields.
+inline constexpr std::uint32_t kStatusWords = kStatusFields.back().first + kStatusFields.back().words;
+inline constexpr std::size_t kStateField = 2;
 
 }  // namespace symplant::link

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <string_view>
-#include <utility>
+#include "symplant/link/modbus/refusals.hpp"
 
 namespace symplant::trace {
 namespace {
@@ -27,38 +25,6 @@ std::string pulse_words(const ServedSymbol& symbol, const tables::MissedPulse& p
 /// `192.168.0.5`.
 std::string ipv4_text(std::uint64_t address) {
   return fmt::format("{}.{}.{}.{}", address >> 24 & 0xFF, address >> 16 & 0xFF, address >> 8 & 0xFF, address & 0xFF);
-}
-
-/// `function 15 (write coils)`.
-std::string function_text(std::uint8_t function) {
-  constexpr std::array<std::pair<std::uint8_t, std::string_view>, 10> kFunctions = {{{1, "read coils"},
-                                                                                     {2, "read discrete inputs"},
-                                                                                     {3, "read holding registers"},
-                                                                                     {4, "read input registers"},
-                                                                                     {5, "write one coil"},
-                                                                                     {6, "write one register"},
-                                                                                     {15, "write coils"},
-                                                                                     {16, "write registers"},
-                                                                                     {22, "mask a register"},
-                                                                                     {23, "read and write registers"}}};
-  for (const auto& [code, name] : kFunctions) {
-    if (code == function) return fmt::format("function {} ({})", function, name);
-  }
-  return fmt::format("function {}", function);
-}
-
-/// What an exception of the plant's server means, and what to do.
-std::string exception_text(std::uint16_t code) {
-  switch (code) {
-    case 1:
-      return "the plant does not have this function; use functions 1 to 6, 15, 16, 22 and 23";
-    case 2:
-      return "the map ends before the last of its numbers; compare the numbers with those of `symplant map`";
-    case 3:
-      return "the quantity, the length or the value is invalid; check the request in the PLC's project";
-    default:
-      return "the client does not read its answers; let it wait for the answer before its next request";
-  }
 }
 
 }  // namespace
@@ -93,11 +59,7 @@ std::string several_writers_words(const ServedSymbol& symbol, std::uint64_t writ
 }
 
 std::string refused_by_server_words(const tables::Refusal& refusal, std::string_view link) {
-  constexpr std::uint16_t kIllegalFunction = 1;
-  return fmt::format("request refused: {} answered {}{} with exception {:02}: {}", link,
-                     function_text(refusal.function),
-                     refusal.code == kIllegalFunction ? "" : fmt::format(" from number {} on", refusal.address),
-                     refusal.code, exception_text(refusal.code));
+  return fmt::format("request refused: {} answered {}", link, link::modbus::answer_text(refusal));
 }
 
 }  // namespace symplant::trace

@@ -7,7 +7,7 @@
 #include "base/file_system.hpp"
 #include "compiled_linked/plant_gen.hpp"
 #include "support/catch.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 
 namespace symplant::test {
 namespace {
@@ -33,11 +33,11 @@ TEST_CASE("Generated links have the maps and policies of the links made at run t
   for (std::uint32_t controller = 0; controller < generated.size(); ++controller) {
     const link::LinkSettings made = compiled.plant.links[controller].settings();
     const link::LinkSettings& own = generated[controller];
-    const link::IoMap map = link::make_io_map(linked::tables(), controller, own);
+    const link::modbus::IoMap map = link::modbus::make_io_map(linked::tables(), controller, own);
     CHECK(map.faults.empty());
-    const std::uint64_t hash = link::map_hash(linked::tables(), map);
-    CHECK(hash == link::map_hash(tables, link::make_io_map(tables, controller, made)));
-    CHECK(hash != link::map_hash(tables, link::make_io_map(tables, controller, {})));
+    const std::uint64_t hash = link::modbus::map_hash(linked::tables(), map);
+    CHECK(hash == link::modbus::map_hash(tables, link::modbus::make_io_map(tables, controller, made)));
+    CHECK(hash != link::modbus::map_hash(tables, link::modbus::make_io_map(tables, controller, {})));
     CHECK(hash != before);
     before = hash;
 

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <thread>
 
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 #include "symplant/tables/version.hpp"
 #include "unit/link/plant_server.hpp"
 #include "unit/link/symbol_list.hpp"
@@ -45,7 +45,7 @@ int main() {
   link->write_events(*plant, {});
   plant->forget_changed_events();
   std::cout << test::port_of(*link);
-  for (const std::uint32_t size : link::make_io_map(tables, 0, settings).sizes) std::cout << ' ' << size;
+  for (const std::uint32_t size : link::modbus::make_io_map(tables, 0, settings).sizes) std::cout << ' ' << size;
   std::cout << " symplant " << tables::version() << std::endl;
   for (tables::Time time = kCycle;; time += kCycle) {
     link->read_operations(*plant, time);

@@ -71,7 +71,7 @@ void play_slmp_url(std::string_view rest) {
     require_cells(cells->bits);
     require_cells(cells->numbers);
   }
-  for (const link::IoPoint& point : map.io.points) {
+  for (const link::modbus::IoPoint& point : map.io.points) {
     require(point.number < map.io.sizes[static_cast<std::size_t>(point.table)], "a point is outside of its image");
   }
 }

@@ -30,12 +30,12 @@ class Memory final : public Responder {
     require(answer.size <= kMaxPdu, "an answer is longer than a frame holds");
     require(answer.exception == Exception::none || answer.count == 0, "a refused request has written");
     for (std::uint32_t i = 0; i < kBits; ++i) {
-      require(get_bit(coils, i) == get_bit(coils_, i) || is_reported(answer, link::Table::coil, i),
+      require(get_bit(coils, i) == get_bit(coils_, i) || is_reported(answer, link::modbus::Table::coil, i),
               "a coil changed untold");
     }
     for (std::uint32_t i = 0; i < kRegisters; ++i) {
       const bool same = get_register(holding, i) == get_register(holding_, i);
-      require(same || is_reported(answer, link::Table::holding_register, i), "a register changed untold");
+      require(same || is_reported(answer, link::modbus::Table::holding_register, i), "a register changed untold");
     }
     require(coils_.back() >> (kBits % kBitsPerWord) == 0, "bits behind the last coil changed");
     return answer;
@@ -43,7 +43,7 @@ class Memory final : public Responder {
   void refused(std::span<const std::uint8_t> /*request*/) noexcept override {}
 
  private:
-  static bool is_reported(const Answer& answer, link::Table table, std::uint32_t index) {
+  static bool is_reported(const Answer& answer, link::modbus::Table table, std::uint32_t index) {
     return answer.written == table && index >= answer.first && index < std::uint32_t{answer.first} + answer.count;
   }
 

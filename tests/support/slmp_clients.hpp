@@ -81,12 +81,12 @@ class PlannedClient {
     auto made = link::client_parts({url_of(family, port), 0}, list_.tables());
     if (auto* error = std::get_if<link::LinkError>(&made)) throw std::runtime_error(error->message);
     parts_ = std::get<link::client::ClientParts>(std::move(made));
-    for (std::size_t i = 0; i < link::kTables; ++i) words_[i].resize(link::image::bit_words(parts_.map.sizes[i]));
-    changes_.resize(parts_.map.sizes[static_cast<std::size_t>(link::Table::discrete_input)] / 16);
-    for (const link::IoPoint& point : parts_.map.points) {
-      if (point.table != link::Table::discrete_input) continue;
+    for (std::size_t i = 0; i < link::modbus::kTables; ++i) words_[i].resize(link::image::bit_words(parts_.map.sizes[i]));
+    changes_.resize(parts_.map.sizes[static_cast<std::size_t>(link::modbus::Table::discrete_input)] / 16);
+    for (const link::modbus::IoPoint& point : parts_.map.points) {
+      if (point.table != link::modbus::Table::discrete_input) continue;
       const std::uint32_t lane = point.number / 16;
-      changes_[lane].lane = {link::Table::discrete_input, lane};
+      changes_[lane].lane = {link::modbus::Table::discrete_input, lane};
       changes_[lane].mask = static_cast<std::uint16_t>(changes_[lane].mask | 1U << (point.number % 16));
       changes_[lane].value = changes_[lane].mask;
     }
@@ -119,7 +119,7 @@ class PlannedClient {
 
   SymbolList list_;
   link::client::ClientParts parts_;
-  std::array<std::vector<std::uint64_t>, link::kTables> words_;
+  std::array<std::vector<std::uint64_t>, link::modbus::kTables> words_;
   std::vector<link::client::LaneChange> changes_;
   std::vector<link::client::Unwritten> unwritten_;
 };

@@ -32,7 +32,7 @@ class ClientLink final : public Link {
   ClientLink(ClientParts parts, std::string note, const LinkSettings& settings, const tables::PlantTables& tables,
              const plant::Plant* plant)
       : cycle_(tables, parts.map, settings, plant),
-        poller_(std::move(parts), cycle_.images(), settings.arm, std::move(note)) {}
+        poller_(std::move(parts), tables, cycle_.images(), settings.arm, std::move(note)) {}
 
   std::string url() const override { return poller_.url(); }
 
@@ -63,9 +63,6 @@ class ClientLink final : public Link {
 
 LinkResult open_client_link(ClientParts parts, const LinkSettings& settings, const tables::PlantTables& tables,
                             const plant::Plant* plant) {
-  if (!parts.map.faults.empty()) {
-    return LinkError{LinkError::Kind::usage, fault_text(tables, parts.map, parts.map.faults.front())};
-  }
   try {
     std::string note = unreachable_text(parts.unreachable, tables);
     return std::make_unique<ClientLink>(std::move(parts), std::move(note), settings, tables, plant);

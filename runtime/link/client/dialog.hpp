@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "symplant/link/client/retry.hpp"
-#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/image/images.hpp"
+#include "symplant/link/image/words.hpp"
 #include "symplant/link/link_settings.hpp"
 #include "symplant/tables/refusal.hpp"
 #include "symplant/tables/time.hpp"
@@ -28,11 +29,11 @@ struct Fault {
   explicit operator bool() const noexcept { return kind != Kind::none; }
 };
 
-/// 16 addresses of a table of bits, or one register: the unit in which changes are written. Register n of a table's
-/// words holds it (image::get_register).
+/// 16 positions of a plane of bits, or 16 bits of a number: the unit in which changes are written. Lane n of a plane's
+/// words holds it (image::get_lane).
 struct Lane {
-  Table table = Table::discrete_input;
-  std::uint32_t number = 0;  ///< of bits: address / 16; of registers: the address
+  Plane plane = Plane::event_bits;
+  std::uint32_t number = 0;  ///< of bits: position / 16; of numbers: 4 * position + 0 to 3, the lowest bits first
   friend bool operator==(const Lane&, const Lane&) = default;
 };
 
@@ -43,12 +44,26 @@ struct LaneChange {
   std::uint16_t value = 0;
 };
 
-inline constexpr std::uint32_t kLaneBits = 16;
+using image::kLaneBits;
 
 /// Whether both name a common bit of the same lane.
 inline bool meet(const LaneChange& one, const LaneChange& other) {
   return one.lane == other.lane && (one.mask & other.mask) != 0;
 }
+
+/// The two planes of one direction, to be changed.
+struct Words {
+  std::span<std::uint64_t> bits;
+  std::span<std::uint64_t> numbers;
+};
+
+/// The events to be written.
+struct Events {
+  std::span<const std::uint64_t> bits;
+  std::span<const std::uint64_t> numbers;
+
+  std::span<const std::uint64_t> of(Plane plane) const noexcept { return plane == Plane::event_bits ? bits : numbers; }
+};
 
 /// A request that the PLC did not do.
 struct Rejection {
@@ -97,17 +112,16 @@ class Dialog {
   /// Asks the PLC what it is. `fault` is set if there was no valid answer.
   virtual Identity identify(Fault& fault) = 0;
 
-  /// Reads all mapped operations into the coils and holding registers. A fault of the transport leaves some unread. If
+  /// Reads all mapped operations into the planes. A fault of the transport leaves some unread. If
   /// the PLC refuses a request, the others follow, and it is sent again as Retry and RequestList say; `now` is the time
   /// of the pass, in ns. The result is `rejected` if the PLC refused all, or if it is still to be found out which
   /// symbols it refuses.
-  virtual Fault read(image::Tables& tables, tables::Time now) = 0;
+  virtual Fault read(const Words& operations, tables::Time now) = 0;
   /// Writes the changes, which are in ascending order of lanes and within the map. Adds those that the PLC did not take
   /// to `unwritten`.
   virtual Fault write(std::span<const LaneChange> changes, std::vector<Unwritten>& unwritten) = 0;
-  /// Reads what the PLC holds where events are written, into words laid out as the images; otherwise as read().
-  virtual Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
-                          tables::Time now) = 0;
+  /// Reads what the PLC holds where events are written; otherwise as read().
+  virtual Fault read_back(const Words& events, tables::Time now) = 0;
 
   /// All refused requests to read are due now.
   virtual void retry_rejected() noexcept = 0;

@@ -7,16 +7,15 @@
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
-#include "symplant/link/image/table_view.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/image/map.hpp"
 
 namespace symplant::link::client {
 
-/// For discrete inputs and input registers. Only mapped bits and registers are ever changes. A call costs one step for
-/// each 64 bits of the tables.
+/// Only bits of the mapped symbols and of the status are ever changes. A call costs one step for each 64 bits of the
+/// planes.
 class Outbox {
  public:
-  explicit Outbox(const IoMap& map);
+  Outbox(const tables::PlantTables& tables, const image::Map& map);
 
   /// From now on everything mapped is a change, until it is confirmed.
   void forget() noexcept;
@@ -28,17 +27,16 @@ class Outbox {
   /// These lanes' bits are changes again.
   void forget(std::span<const LaneChange> lanes) noexcept;
   /// All lanes whose mapped bits differ from what was confirmed last, in ascending order. Valid until the next call.
-  std::span<const LaneChange> changes(const image::Tables& events);
+  std::span<const LaneChange> changes(const Events& events);
   /// The PLC has accepted the changes.
   void confirm(std::span<const LaneChange> changes) noexcept;
   /// The lanes in which the PLC now holds something else than it confirmed, given what was read back.
-  std::vector<LaneChange> differences(std::span<const std::uint64_t> discrete_inputs,
-                                      std::span<const std::uint64_t> input_registers) const;
+  std::vector<LaneChange> differences(const Events& read_back) const;
 
  private:
-  /// A table: its mapped bits, what was confirmed of them, and which of them were; and those that are held.
+  /// A plane: its mapped bits, what was confirmed of them, and which of them were; and those that are held.
   struct Side {
-    Table table = Table::discrete_input;
+    Plane plane = Plane::event_bits;
     std::vector<std::uint64_t> mapped;
     std::vector<std::uint64_t> confirmed;
     std::vector<std::uint64_t> known;

@@ -1,6 +1,8 @@
 // What a protocol makes of a URL of a link that goes to the PLC.
 #include "symplant/link/client/parts.hpp"
 
+#include <utility>
+
 namespace symplant::link::client {
 
 std::vector<std::string> request_notes(std::size_t reads, std::size_t writes, std::size_t reads_back) {
@@ -9,6 +11,16 @@ std::vector<std::string> request_notes(std::size_t reads, std::size_t writes, st
   };
   return {"operations: " + requests(reads) + " to read all",
           "events: " + requests(writes) + " to write all, " + requests(reads_back) + " to read them back"};
+}
+
+LinkMap link_map(ClientParts parts) {
+  LinkMap map{{}, std::move(parts.unreachable), std::move(parts.notes), nullptr};
+  map.symbols.reserve(parts.map.points.size());
+  for (std::size_t i = 0; i < parts.map.points.size(); ++i) {
+    const image::Point& point = parts.map.points[i];
+    map.symbols.push_back({point.symbol, std::move(parts.addresses[i]), parts.word_orders[i], point.on_loss});
+  }
+  return map;
 }
 
 }  // namespace symplant::link::client

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/image/map.hpp"
 #include "symplant/link/link.hpp"
+#include "symplant/link/link_map.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::link::client {
@@ -25,17 +26,12 @@ struct ClientTimes {
   bool zero_at_end = false;  ///< at the end of the run all events are written as 0; otherwise they keep their values
 };
 
-/// A symbol that the link does not carry.
-struct Unreachable {
-  std::uint32_t symbol;
-  std::string reason;  ///< "has no address", "is BOOL at D100, which has 16 bits"
-};
-
 /// What a protocol makes of a URL: the conversation, and where each symbol lies.
 struct ClientParts {
   std::unique_ptr<Dialog> dialog;
-  IoMap map;                           ///< numbers are those of the images
-  std::vector<std::string> addresses;  ///< in the PLC, of the map's points in their order
+  image::Map map;
+  std::vector<std::string> addresses;   ///< in the PLC, of the map's points in their order
+  std::vector<WordOrder> word_orders;  ///< of the map's points
   std::vector<Unreachable> unreachable;
   ClientTimes times;
   std::vector<std::string> notes;  ///< on the map, for the user: "operations: 2 requests read all"
@@ -43,6 +39,9 @@ struct ClientParts {
 
 /// Notes on how many requests read all operations, write all events, and read those back.
 std::vector<std::string> request_notes(std::size_t reads, std::size_t writes, std::size_t reads_back);
+
+/// The map of a link from its parts. O(symbols).
+LinkMap link_map(ClientParts parts);
 
 using PartsResult = std::variant<ClientParts, LinkError>;
 

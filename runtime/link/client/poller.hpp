@@ -21,7 +21,7 @@ class Poller {
  public:
   /// `arm`: write also to a PLC that has nothing to verify. Throws std::system_error if there is no thread left.
   /// `note`: the first message to the user, if not empty.
-  Poller(ClientParts parts, image::Images& images, bool arm, std::string note);
+  Poller(ClientParts parts, const tables::PlantTables& tables, image::Images& images, bool arm, std::string note);
   Poller(const Poller&) = delete;
   Poller& operator=(const Poller&) = delete;
   ~Poller();

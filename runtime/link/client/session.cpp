@@ -4,34 +4,30 @@
 #include <algorithm>
 #include <utility>
 
+#include "symplant/link/client/event_lanes.hpp"
+#include "symplant/link/image/words.hpp"
+
 namespace symplant::link::client {
 
 namespace {
 
 constexpr std::size_t kRefusedInAPass = 4;  ///< events that the PLC refused and that are written again
 
-/// Whether the point lies in a bit of the change.
-bool covers(const LaneChange& change, const IoPoint& point) {
-  if (change.lane.table != point.table) return false;
-  if (point.table == Table::input_register || point.table == Table::holding_register) {
-    return point.number <= change.lane.number && change.lane.number <= point.last();
-  }
-  return point.number / kLaneBits == change.lane.number && (change.mask >> (point.number % kLaneBits) & 1) != 0;
-}
-
 }  // namespace
 
-Session::Session(Dialog& dialog, const IoMap& map, const ClientTimes& times, image::Images& images, bool arm)
+Session::Session(Dialog& dialog, const tables::PlantTables& tables, const image::Map& map, const ClientTimes& times,
+                 image::Images& images, bool arm)
     : dialog_(dialog),
       images_(images),
+      tables_(tables),
       points_(map.points),
       times_(times),
       arm_(arm),
-      outbox_(map),
-      retries_(map),
-      discrete_inputs_(image::bit_words(map.sizes[static_cast<std::size_t>(Table::discrete_input)])),
-      input_registers_(image::register_words(map.sizes[static_cast<std::size_t>(Table::input_register)])) {
-  zeros_.resize(std::max(discrete_inputs_.size(), input_registers_.size()));
+      outbox_(tables, map),
+      retries_(event_lanes(tables, map)),
+      bits_(image::bit_words(map.size(Plane::event_bits))),
+      numbers_(map.size(Plane::event_numbers)) {
+  zeros_.resize(std::max(bits_.size(), numbers_.size()));
 }
 
 bool Session::may_write(const Identity& identity) {
@@ -93,29 +89,30 @@ Fault Session::pass(tables::Time now, std::uint32_t losses, bool leaving) {
 
 /// `rejected` if the reading is not complete.
 Fault Session::read(tables::Time now, std::uint32_t losses) {
-  images_.begin_request(losses);
-  image::Tables tables = images_.tables();
-  Fault fault = dialog_.read(tables, now);
+  if (images_.release(losses)) images_.publish(signs() == 0);
+  const image::Planes planes = images_.planes();
+  Fault fault = dialog_.read({planes.operation_bits, planes.operation_numbers}, now);
   if (fault) return fault;
   passed_ = true;
-  images_.written_all();
+  images_.touch_all();
+  images_.publish(true);
   signs_.fetch_add(1, std::memory_order_release);  // after the image, so that a cycle that sees it has the image
   return {};
 }
 
 /// What is to be written: the plant's events, or zeros at its end.
-image::Tables Session::events(bool leaving) {
-  image::Tables tables = images_.tables();
+Events Session::events(bool leaving) {
   if (leaving && times_.zero_at_end) {
-    tables.discrete_inputs.words = std::span(zeros_).first(discrete_inputs_.size());
-    tables.input_registers.words = std::span(zeros_).first(input_registers_.size());
+    return {std::span(zeros_).first(bits_.size()), std::span(zeros_).first(numbers_.size())};
   }
-  return tables;
+  images_.take_events();
+  const image::Planes planes = images_.planes();
+  return {planes.event_bits, planes.event_numbers};
 }
 
-Fault Session::write(const image::Tables& tables, tables::Time now) {
+Fault Session::write(const Events& events, tables::Time now) {
   unwritten_.clear();
-  const auto changes = outbox_.changes(tables);
+  const auto changes = outbox_.changes(events);
   if (!changes.empty()) {
     if (Fault fault = dialog_.write(changes, unwritten_)) return fault;
     outbox_.confirm(changes);
@@ -126,13 +123,13 @@ Fault Session::write(const image::Tables& tables, tables::Time now) {
     if (one.answer == Answer::refused) refused.push_back(one);
   }
   if (!refused.empty()) outbox_.hold(retries_.add(refused, now));
-  return write_refused(tables, now);
+  return write_refused(events, now);
 }
 
 /// Each event that the PLC refused alone, a few of them in a pass.
-Fault Session::write_refused(const image::Tables& tables, tables::Time now) {
+Fault Session::write_refused(const Events& events, tables::Time now) {
   for (const std::size_t event : retries_.due(now, kRefusedInAPass)) {
-    const std::vector<LaneChange> changes = retries_.changes(event, tables);
+    const std::vector<LaneChange> changes = retries_.changes(event, events);
     unwritten_.clear();
     if (Fault fault = dialog_.write(changes, unwritten_)) return fault;
     if (unwritten_.empty()) {
@@ -149,8 +146,8 @@ Fault Session::write_refused(const image::Tables& tables, tables::Time now) {
 /// Reads the events back. Those that differ are written again, those that differ twice in a row are reported.
 Fault Session::look_back(tables::Time now) {
   next_look_back_ = now + times_.read_back;
-  if (Fault fault = dialog_.read_back(discrete_inputs_, input_registers_, now)) return fault;
-  std::vector<LaneChange> differences = outbox_.differences(discrete_inputs_, input_registers_);
+  if (Fault fault = dialog_.read_back({bits_, numbers_}, now)) return fault;
+  std::vector<LaneChange> differences = outbox_.differences({bits_, numbers_});
   for (const LaneChange& change : differences) {
     for (const LaneChange& before : suspects_) {
       if (!meet(change, before)) continue;
@@ -177,8 +174,10 @@ void Session::report_refused() {
 
 /// A finding of each symbol in the lanes.
 void Session::report_lanes(tables::FindingKind kind, const LaneChange& lanes, std::uint64_t value) {
-  for (const IoPoint& point : points_) {
-    if (covers(lanes, point)) report({kind, point.symbol, value});
+  for (const image::Point& point : points_) {
+    const std::vector<LaneChange> own = lanes_of(tables_, point);
+    const bool met = std::any_of(own.begin(), own.end(), [&](const LaneChange& lane) { return meet(lane, lanes); });
+    if (met) report({kind, point.symbol, value});
   }
 }
 

@@ -25,8 +25,9 @@ namespace symplant::link::client {
 /// otherwise.
 class Session {
  public:
-  /// Dialog and images must outlive it. `arm`: write also to a PLC that has nothing to verify.
-  Session(Dialog& dialog, const IoMap& map, const ClientTimes& times, image::Images& images, bool arm);
+  /// Dialog, tables and images must outlive it. `arm`: write also to a PLC that has nothing to verify.
+  Session(Dialog& dialog, const tables::PlantTables& tables, const image::Map& map, const ClientTimes& times,
+          image::Images& images, bool arm);
 
   /// After each connection, before its first pass: asks the PLC what it is.
   Fault begin(tables::Time now);
@@ -50,10 +51,10 @@ class Session {
  private:
   bool may_write(const Identity& identity);
   Fault read(tables::Time now, std::uint32_t losses);
-  Fault write(const image::Tables& tables, tables::Time now);
-  Fault write_refused(const image::Tables& tables, tables::Time now);
+  Fault write(const Events& events, tables::Time now);
+  Fault write_refused(const Events& events, tables::Time now);
   Fault look_back(tables::Time now);
-  image::Tables events(bool leaving);
+  Events events(bool leaving);
   void report_refused();
   void report_lanes(tables::FindingKind kind, const LaneChange& lanes, std::uint64_t value);
   void report(const LinkFinding& finding);
@@ -61,14 +62,15 @@ class Session {
 
   Dialog& dialog_;
   image::Images& images_;
-  const std::vector<IoPoint> points_;
+  const tables::PlantTables& tables_;
+  const std::vector<image::Point> points_;
   const ClientTimes times_;
   const bool arm_;
   Outbox outbox_;
   WriteRetries retries_;
   std::vector<std::uint64_t> zeros_;
-  std::vector<std::uint64_t> discrete_inputs_;  ///< as read back
-  std::vector<std::uint64_t> input_registers_;
+  std::vector<std::uint64_t> bits_;  ///< events as read back
+  std::vector<std::uint64_t> numbers_;
   std::vector<LaneChange> suspects_;  ///< differences of the latest look back
   std::vector<Unwritten> unwritten_;  ///< of the latest request to write
   tables::Time next_refresh_ = 0;

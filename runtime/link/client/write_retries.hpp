@@ -5,20 +5,21 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
+#include "symplant/link/client/event_lanes.hpp"
 #include "symplant/link/client/retry.hpp"
-#include "symplant/link/io_map.hpp"
 
 namespace symplant::link::client {
 
-/// What is written together: one event with all its registers, or the status block. A refused request holds several of
+/// What is written together: one event with all its lanes, or the status. A refused request holds several of
 /// them; each is written alone until the PLC takes it. A call costs one step for each event that is refused, and
 /// refuse() one for each of the map.
 class WriteRetries {
  public:
-  explicit WriteRetries(const IoMap& map);
+  explicit WriteRetries(std::vector<EventLanes> events) : events_(std::move(events)) {}
 
   /// No event is refused any more.
   void clear() noexcept { refused_.clear(); }
@@ -27,20 +28,15 @@ class WriteRetries {
   /// The events that are due, at most `most`: indexes for the other members.
   std::vector<std::size_t> due(tables::Time now, std::size_t most) const;
   /// The lanes of an event with its values.
-  std::vector<LaneChange> changes(std::size_t event, const image::Tables& events) const;
+  std::vector<LaneChange> changes(std::size_t event, const Events& events) const;
   void accept(std::size_t event) noexcept { refused_.erase(event); }
   /// The PLC has refused it again. True if it does so for good since now.
   bool refuse(std::size_t event, tables::Time now, Answer answer);
-  /// tables::kNone of the status block.
+  /// tables::kNone of the status.
   std::uint32_t symbol(std::size_t event) const { return events_[event].symbol; }
 
  private:
-  struct Event {
-    std::uint32_t symbol;
-    std::vector<LaneChange> lanes;  ///< without values
-  };
-
-  std::vector<Event> events_;
+  std::vector<EventLanes> events_;
   std::map<std::size_t, Retry> refused_;  ///< by index in events_
 };
 

@@ -7,8 +7,9 @@
 #include <thread>
 #include <utility>
 
+#include "symplant/link/client/event_lanes.hpp"
 #include "symplant/link/image/numbers.hpp"
-#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/image/words.hpp"
 
 namespace symplant::link::doctor {
 
@@ -20,22 +21,27 @@ using client::LaneChange;
 using std::chrono::steady_clock;
 
 constexpr auto kBetweenLooks = std::chrono::milliseconds(100);
-constexpr std::uint32_t kLaneBits = 16;
 
-/// The words of the tables of one direction: bits, then registers.
+/// The words of the planes of one direction.
 struct Image {
   std::vector<std::uint64_t> bits;
-  std::vector<std::uint64_t> registers;
+  std::vector<std::uint64_t> numbers;
 
-  Image(const IoMap& map, Table bit_table, Table register_table, std::uint64_t fill)
-      : bits(image::bit_words(map.sizes[static_cast<std::size_t>(bit_table)]), fill),
-        registers(image::register_words(map.sizes[static_cast<std::size_t>(register_table)]), fill) {}
+  Image(const image::Map& map, Plane bit_plane, Plane number_plane, std::uint64_t fill)
+      : bits(image::bit_words(map.size(bit_plane)), fill), numbers(map.size(number_plane), fill) {}
+
+  client::Words words() { return {bits, numbers}; }
+  const std::vector<std::uint64_t>& of(Plane plane) const { return has_bits(plane) ? bits : numbers; }
 };
 
-bool is_bit(const IoPoint& point) { return point.table == Table::coil || point.table == Table::discrete_input; }
-bool is_event(const IoPoint& point) {
-  return point.table == Table::discrete_input || point.table == Table::input_register;
+Image operations_of(const image::Map& map, std::uint64_t fill) {
+  return {map, Plane::operation_bits, Plane::operation_numbers, fill};
 }
+Image events_of(const image::Map& map, std::uint64_t fill) {
+  return {map, Plane::event_bits, Plane::event_numbers, fill};
+}
+
+bool is_event(const image::Point& point) { return link::is_event(point.plane); }
 
 std::string count_text(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -90,14 +96,14 @@ class ClientDoctor {
     for (std::size_t i = 0; i < parts_.map.points.size(); ++i) {
       report_.points.push_back({parts_.map.points[i].symbol, parts_.addresses[i], Result::skipped, {}, ""});
     }
-    for (const client::Unreachable& one : parts_.unreachable) {
+    for (const Unreachable& one : parts_.unreachable) {
       report_.points.push_back({one.symbol, "", Result::warning, {}, "not linked: " + one.reason});
     }
   }
 
   void report_map() {
     const auto events = static_cast<std::size_t>(std::count_if(parts_.map.points.begin(), parts_.map.points.end(),
-                                                               [](const IoPoint& p) { return is_event(p); }));
+                                                               [](const image::Point& p) { return is_event(p); }));
     std::string text = count_text(parts_.map.points.size() - events, "operation") + ", " + count_text(events, "event");
     const std::size_t lost = parts_.unreachable.size();
     if (lost != 0) text += ", " + count_text(lost, "symbol") + " without a usable address";
@@ -143,14 +149,11 @@ class ClientDoctor {
   /// Until it is known which symbols the PLC refuses.
   Fault read(Image& operations, Image& events) {
     constexpr int kMostReadings = 1000;
-    image::Tables tables;
-    tables.coils.words = operations.bits;
-    tables.holding_registers.words = operations.registers;
     for (int reading = 0; reading < kMostReadings; ++reading) {
       const tables::Time now = steady_now();
-      Fault fault = parts_.dialog->read(tables, now);
+      Fault fault = parts_.dialog->read(operations.words(), now);
       if (fault && fault.kind != Fault::Kind::rejected) return fault;
-      fault = parts_.dialog->read_back(events.bits, events.registers, now);
+      fault = parts_.dialog->read_back(events.words(), now);
       if (fault && fault.kind != Fault::Kind::rejected) return fault;
       if (!parts_.dialog->is_dividing()) break;
     }
@@ -158,20 +161,18 @@ class ClientDoctor {
   }
 
   std::uint64_t value_of(std::size_t i, const Image& operations, const Image& events) const {
-    const IoPoint& point = parts_.map.points[i];
-    const Image& image = is_event(point) ? events : operations;
-    if (is_bit(point)) return image::get_bit(image.bits, point.number) ? 1 : 0;
-    return image::number_at(image.registers,
-                            {point.number, point.width, point.word_order, tables_.symbols[point.symbol].type()});
+    const image::Point& point = parts_.map.points[i];
+    const std::vector<std::uint64_t>& words = (is_event(point) ? events : operations).of(point.plane);
+    if (has_bits(point.plane)) return image::get_bit(words, point.position) ? 1 : 0;
+    return image::value_of(words[point.position], tables_.symbols[point.symbol].type());
   }
 
   /// The bits of a point as read, to compare with what was there before reading.
   bool keeps(std::size_t i, const Image& operations, const Image& events, bool fill) const {
-    const IoPoint& point = parts_.map.points[i];
-    const Image& image = is_event(point) ? events : operations;
-    if (is_bit(point)) return image::get_bit(image.bits, point.number) == fill;
-    for (std::uint32_t k = point.number; k <= point.last(); ++k) {
-      if (image::get_register(image.registers, k) != (fill ? 0xFFFF : 0)) return false;
+    const image::Point& point = parts_.map.points[i];
+    const std::vector<std::uint64_t>& words = (is_event(point) ? events : operations).of(point.plane);
+    for (const LaneChange& own : client::lanes_of(tables_, point)) {
+      if ((image::get_lane(words, own.lane.number) & own.mask) != (fill ? own.mask : 0)) return false;
     }
     return true;
   }
@@ -184,8 +185,8 @@ class ClientDoctor {
     std::vector<std::string> rejections;
     for (int time = 0; time < kTimes; ++time) {
       const bool ones = time % 2 == 0;
-      Image operations(parts_.map, Table::coil, Table::holding_register, ones ? ~std::uint64_t{0} : 0);
-      Image events(parts_.map, Table::discrete_input, Table::input_register, ones ? ~std::uint64_t{0} : 0);
+      Image operations = operations_of(parts_.map, ones ? ~std::uint64_t{0} : 0);
+      Image events = events_of(parts_.map, ones ? ~std::uint64_t{0} : 0);
       const Fault fault = read(operations, events);
       if (fault) {
         step("reading", Result::bad, fault.message);
@@ -232,8 +233,8 @@ class ClientDoctor {
     std::vector<bool> changed(unread_.size());
     do {
       std::this_thread::sleep_for(kBetweenLooks);
-      Image operations(parts_.map, Table::coil, Table::holding_register, 0);
-      Image events(parts_.map, Table::discrete_input, Table::input_register, 0);
+      Image operations = operations_of(parts_.map, 0);
+      Image events = events_of(parts_.map, 0);
       if (const Fault fault = read(operations, events)) return step("watching", Result::bad, fault.message);
       parts_.dialog->take_rejections();
       for (std::size_t i = 0; i < unread_.size(); ++i) {
@@ -266,29 +267,23 @@ class ClientDoctor {
 
   /// All mapped bits of the events, as changes from `from`; `flip` inverts them.
   std::vector<LaneChange> changes_from(const Image& from, bool flip) const {
-    std::vector<LaneChange> changes;
-    const auto lane = [&](Table table, std::uint32_t number, std::uint16_t mask) {
-      const auto& words = table == Table::discrete_input ? from.bits : from.registers;
-      const std::uint32_t value = image::get_register(words, number);
-      if (changes.empty() || changes.back().lane != client::Lane{table, number}) {
-        changes.push_back({{table, number}, 0, static_cast<std::uint16_t>(value)});
-      }
-      LaneChange& change = changes.back();
-      if (flip && (change.mask & mask) == 0) change.value = static_cast<std::uint16_t>(change.value ^ mask);
-      change.mask = static_cast<std::uint16_t>(change.mask | mask);
-    };
-    std::vector<IoPoint> points;
+    std::vector<image::Point> points;
     for (std::size_t i = 0; i < unread_.size(); ++i) {
       if (is_event(parts_.map.points[i]) && !unread_[i]) points.push_back(parts_.map.points[i]);
     }
-    std::sort(points.begin(), points.end(), [](const IoPoint& a, const IoPoint& b) {
-      return std::pair(a.table, a.number) < std::pair(b.table, b.number);
+    std::sort(points.begin(), points.end(), [](const image::Point& a, const image::Point& b) {
+      return std::pair(a.plane, a.position) < std::pair(b.plane, b.position);
     });
-    for (const IoPoint& point : points) {
-      if (is_bit(point)) {
-        lane(point.table, point.number / kLaneBits, static_cast<std::uint16_t>(1U << (point.number % kLaneBits)));
+    std::vector<LaneChange> changes;
+    for (const image::Point& point : points) {
+      for (const LaneChange& own : client::lanes_of(tables_, point)) {
+        if (changes.empty() || changes.back().lane != own.lane) {
+          changes.push_back({own.lane, 0, image::get_lane(from.of(own.lane.plane), own.lane.number)});
+        }
+        LaneChange& change = changes.back();
+        if (flip && (change.mask & own.mask) == 0) change.value = static_cast<std::uint16_t>(change.value ^ own.mask);
+        change.mask = static_cast<std::uint16_t>(change.mask | own.mask);
       }
-      for (std::uint32_t k = point.number; !is_bit(point) && k <= point.last(); ++k) lane(point.table, k, 0xFFFF);
     }
     return changes;
   }
@@ -297,15 +292,15 @@ class ClientDoctor {
   void test_writing() {
     if (!options_.write_test) return step("write test", Result::skipped, "not asked for; `--write-test` runs it");
     if (wrong_plc_) return step("write test", Result::skipped, "not run: this is another PLC");
-    Image before(parts_.map, Table::discrete_input, Table::input_register, 0);
-    Image after(parts_.map, Table::discrete_input, Table::input_register, 0);
-    Fault fault = parts_.dialog->read_back(before.bits, before.registers, steady_now());
+    Image before = events_of(parts_.map, 0);
+    Image after = events_of(parts_.map, 0);
+    Fault fault = parts_.dialog->read_back(before.words(), steady_now());
     if (fault || !parts_.dialog->take_rejections().empty()) {
       return step("write test", Result::bad, "not run: the events were not readable any more");
     }
     fault = write(changes_from(before, true));
     std::this_thread::sleep_for(kBetweenLooks);  // the PLC refreshes its inputs meanwhile
-    if (!fault) fault = parts_.dialog->read_back(after.bits, after.registers, steady_now());
+    if (!fault) fault = parts_.dialog->read_back(after.words(), steady_now());
     const Fault restored = restore(before);
     if (fault || restored) {
       return step("write test", Result::bad,

@@ -1,8 +1,6 @@
 // Examines a link against a live PLC, without a plant.
 #pragma once
 
-#include <variant>
-
 #include "symplant/link/doctor/options.hpp"
 #include "symplant/link/doctor/report.hpp"
 #include "symplant/link/link.hpp"
@@ -13,7 +11,6 @@ namespace symplant::link::doctor {
 /// A client link connects, identifies the PLC, reads all mapped points and watches them; it writes only for the write
 /// test. A server link listens and notes what the PLC touches. Blocks for the duration and the timeouts of the link.
 /// Errors are those of opening the link.
-std::variant<Report, LinkError> examine(const LinkChoice& link, const tables::PlantTables& tables,
-                                        const Options& options);
+Examined examine(const LinkChoice& link, const tables::PlantTables& tables, const Options& options);
 
 }  // namespace symplant::link::doctor

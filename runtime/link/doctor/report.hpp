@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
+
+#include "symplant/link/link.hpp"
 
 namespace symplant::link::doctor {
 
@@ -37,5 +40,8 @@ struct Report {
   std::vector<Point> points;  ///< in the order of the symbol lists
   bool reached = false;       ///< the PLC answered or sent a request
 };
+
+/// What was found, or why nothing could be.
+using Examined = std::variant<Report, LinkError>;
 
 }  // namespace symplant::link::doctor

@@ -5,12 +5,12 @@
 
 namespace symplant::link::image {
 
-CycleSide::CycleSide(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings,
+CycleSide::CycleSide(const tables::PlantTables& tables, const Map& map, const LinkSettings& settings,
                      const plant::Plant* plant, RequestWatch* watch)
     : freezes_(settings.plant_on_loss == PlantOnLoss::freeze),
-      health_(map.watchdog ? settings.watchdog_within : settings.loss_after, settings.resync),
-      images_(tables, map, settings.word_order, watch) {
-  status_.map_hash = map_hash(tables, map);
+      health_(settings.loss_after, settings.resync),
+      images_(tables, map, watch) {
+  status_.map_hash = map.hash;
   if (plant != nullptr) images_.write_events(*plant, {.map_hash = status_.map_hash});
 }
 

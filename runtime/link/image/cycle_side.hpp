@@ -1,4 +1,4 @@
-// The cycle's side of a link that keeps images: loss of the PLC, policies, status block.
+// The cycle's side of a link that keeps images: loss of the PLC, policies, status.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 #include "symplant/exec/exchange.hpp"
 #include "symplant/link/health.hpp"
 #include "symplant/link/image/images.hpp"
-#include "symplant/link/image/status_block.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/image/map.hpp"
+#include "symplant/link/image/status.hpp"
 #include "symplant/link/link_settings.hpp"
 #include "symplant/plant/plant.hpp"
 
@@ -18,7 +18,7 @@ namespace symplant::link::image {
 class CycleSide {
  public:
   /// If `plant` is given, the images have its events at once. `watch` as for Images.
-  CycleSide(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings,
+  CycleSide(const tables::PlantTables& tables, const Map& map, const LinkSettings& settings,
             const plant::Plant* plant, RequestWatch* watch = nullptr);
 
   /// Takes the operations of the other thread and applies them as the link's health allows. `signs` counts the signs of
@@ -38,7 +38,7 @@ class CycleSide {
   LinkHealth health_;
   std::uint64_t signs_ = 0;  ///< at the last call of read_operations()
   tables::Time now_ = 0;     ///< of that call
-  StatusBlock status_;
+  Status status_;
   Images images_;
 };
 

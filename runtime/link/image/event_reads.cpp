@@ -1,8 +1,8 @@
-// Which discrete inputs the clients of a server have read, and with which value.
+// Which bits of the events the clients of a server have read, and with which value.
 #include "symplant/link/image/event_reads.hpp"
 
-#include "symplant/link/image/address_set.hpp"
-#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/image/position_set.hpp"
+#include "symplant/link/image/words.hpp"
 
 namespace symplant::link::image {
 
@@ -15,7 +15,7 @@ void add_bits(std::atomic<std::uint64_t>& word, std::uint64_t bits) noexcept {
 
 }  // namespace
 
-EventReads::EventReads(std::uint32_t addresses) : read_{Words(bit_words(addresses)), Words(bit_words(addresses))} {}
+EventReads::EventReads(std::uint32_t positions) : read_{Words(bit_words(positions)), Words(bit_words(positions))} {}
 
 void EventReads::read(std::span<const std::uint64_t> image, std::uint32_t first, std::uint32_t count) noexcept {
   for_words(first, count, [&](std::size_t word, std::uint64_t mask) {
@@ -25,9 +25,9 @@ void EventReads::read(std::span<const std::uint64_t> image, std::uint32_t first,
   ranges_.read(first, count, now_.load(std::memory_order_relaxed));
 }
 
-bool EventReads::was_read(std::uint32_t address, bool on) const noexcept {
-  const std::uint64_t word = read_[on ? 1 : 0][address / kBitsPerWord].load(std::memory_order_relaxed);
-  return (word >> (address % kBitsPerWord) & 1) != 0;
+bool EventReads::was_read(std::uint32_t position, bool on) const noexcept {
+  const std::uint64_t word = read_[on ? 1 : 0][position / kBitsPerWord].load(std::memory_order_relaxed);
+  return (word >> (position % kBitsPerWord) & 1) != 0;
 }
 
 }  // namespace symplant::link::image

@@ -1,4 +1,4 @@
-// Which discrete inputs the clients of a server have read, and with which value.
+// Which bits of the events the clients of a server have read, and with which value.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace symplant::link::image {
 
-/// From the thread of the server to that of the cycle; wait-free. A read costs one step for each 64 addresses.
+/// From the thread of the server to that of the cycle; wait-free. A read costs one step for each 64 positions.
 class EventReads {
  public:
-  explicit EventReads(std::uint32_t addresses);
+  explicit EventReads(std::uint32_t positions);
 
   // --- the server's thread
 
   /// A request begins: before its image is taken.
   void begin() noexcept { begun_.fetch_add(1); }
-  /// The request has read these addresses, at least one, of `image`.
+  /// The request has read these positions, at least one, of `image`.
   void read(std::span<const std::uint64_t> image, std::uint32_t first, std::uint32_t count) noexcept;
   /// The request is over: what it read is noted.
   void end() noexcept { ended_.store(begun_.load(std::memory_order_relaxed), std::memory_order_release); }
@@ -39,18 +39,18 @@ class EventReads {
   void begin_value(std::uint32_t word, std::uint64_t bits, bool on) noexcept {
     read_[on ? 1 : 0][word].fetch_and(~bits, std::memory_order_relaxed);
   }
-  /// Whether a noted request has read an address with the value `on` since its begin_value().
-  bool was_read(std::uint32_t address, bool on) const noexcept;
-  /// The mean time between reads of an address; -1 if it is not read again and again.
-  tables::Time every(std::uint32_t address) const noexcept {
-    return ranges_.every(address, now_.load(std::memory_order_relaxed));
+  /// Whether a noted request has read a position with the value `on` since its begin_value().
+  bool was_read(std::uint32_t position, bool on) const noexcept;
+  /// The mean time between reads of a position; -1 if it is not read again and again.
+  tables::Time every(std::uint32_t position) const noexcept {
+    return ranges_.every(position, now_.load(std::memory_order_relaxed));
   }
 
  private:
   using Words = std::vector<std::atomic<std::uint64_t>>;
   static constexpr std::size_t kCacheLine = 64;
 
-  std::array<Words, 2> read_;  ///< addresses that were read off, and those that were read on
+  std::array<Words, 2> read_;  ///< positions that were read off, and those that were read on
   ReadRanges ranges_;
   alignas(kCacheLine) std::atomic<std::uint64_t> begun_{0};
   std::atomic<std::uint64_t> ended_{0};

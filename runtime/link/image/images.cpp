@@ -1,20 +1,18 @@
-// The plant's images as a Modbus server's tables.
+// The images of a link's operations and events.
 #include "symplant/link/image/images.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <numeric>
-#include <utility>
 
-#include "symplant/link/transfer_range.hpp"
+#include "symplant/link/image/numbers.hpp"
+#include "symplant/link/image/words.hpp"
 
 namespace symplant::link::image {
 
 namespace {
 
-constexpr std::uint32_t kPlaneWordBits = 64;
-
-// Words after the tables of operations: the losses seen, whether all is written again, and the number of the image.
+// Words after the planes of operations: the losses seen, whether all is written again, and the number of the image.
 constexpr std::size_t kLossesSeen = 0;
 constexpr std::size_t kRewritten = 1;
 constexpr std::size_t kImage = 2;
@@ -26,107 +24,76 @@ std::vector<std::uint64_t> with_control_words(std::vector<std::uint64_t> image) 
   return image;
 }
 
-std::uint32_t size_of(const IoMap& map, Table table) { return map.sizes[static_cast<std::size_t>(table)]; }
-
-std::vector<std::uint32_t> addresses_of_events(const tables::PlantTables& tables, const IoMap& map) {
-  std::vector<std::uint32_t> addresses(tables.event_bits, tables::kNone);
-  for (const IoPoint& point : map.points) {
-    if (point.table == Table::discrete_input) addresses[tables.symbols[point.symbol].index] = point.number;
-  }
-  return addresses;
-}
-
 }  // namespace
 
-std::span<const std::uint32_t> Images::ByAddress::at(std::uint32_t address) const noexcept {
-  if (address + 1 >= first.size()) return {};
-  return std::span(rows).subspan(first[address], first[address + 1] - first[address]);
+std::span<const std::uint32_t> Images::ByPosition::at(std::uint32_t position) const noexcept {
+  if (position + 1 >= first.size()) return {};
+  return std::span(rows).subspan(first[position], first[position + 1] - first[position]);
 }
 
-Images::ByAddress Images::by_address(const IoMap& map, Table table) {
-  ByAddress result;
-  result.first.assign(size_of(map, table) + std::size_t{1}, 0);
+Images::ByPosition Images::by_position(const Map& map, Plane plane) {
+  ByPosition result;
+  result.first.assign(map.size(plane) + std::size_t{1}, 0);
   const auto each = [&](auto act) {
-    for (std::uint32_t i = 0; i < map.points.size(); ++i) {
-      const IoPoint& point = map.points[i];
-      if (point.table != table) continue;
-      for (std::size_t address = point.number; address <= point.last(); ++address) act(i, address);
+    for (const Point& point : map.points) {
+      if (point.plane == plane) act(point);
     }
   };
-  each([&](std::uint32_t, std::size_t address) { ++result.first[address + 1]; });
-  for (std::size_t address = 1; address < result.first.size(); ++address)
-    result.first[address] += result.first[address - 1];
+  each([&](const Point& point) { ++result.first[std::size_t{point.position} + 1]; });
+  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
   result.rows.resize(result.first.back());
   std::vector<std::uint32_t> next = result.first;
-  each([&](std::uint32_t i, std::size_t address) { result.rows[next[address]++] = i; });
+  each([&](const Point& point) { result.rows[next[point.position]++] = point.symbol; });
   return result;
 }
 
-Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder word_order, RequestWatch* watch)
+Images::Images(const tables::PlantTables& tables, const Map& map, RequestWatch* watch)
     : tables_(tables),
-      points_(map.points),
-      sizes_(map.sizes),
-      coil_words_(bit_words(size_of(map, Table::coil))),
-      discrete_words_(bit_words(size_of(map, Table::discrete_input))),
-      coils_(by_address(map, Table::coil)),
-      holding_registers_(by_address(map, Table::holding_register)),
-      address_of_event_(addresses_of_events(tables, map)),
-      applied_(initial_operations()),
+      operation_words_(bit_words(map.size(Plane::operation_bits))),
+      event_words_(bit_words(map.size(Plane::event_bits))),
+      bits_(by_position(map, Plane::operation_bits)),
+      numbers_(by_position(map, Plane::operation_numbers)),
+      applied_(initial_operations(map)),
       initial_(applied_),
-      zeroed_(zero_masks()),
+      zeroed_(zero_masks(map)),
       scratch_(applied_.size()),
-      status_block_(map.status_block),
-      watchdog_(map.watchdog),
-      word_order_(word_order),
-      events_written_(tables.event_bits / kPlaneWordBits, 0),
-      point_of_slot_(tables.event_slots, tables::kNone),
-      rewriting_(size_of(map, Table::coil), size_of(map, Table::holding_register)),
+      status_(map.status),
+      events_written_(tables.event_bits / kBitsPerWord, 0),
+      position_of_event_(tables.event_bits, tables::kNone),
+      position_of_slot_(tables.event_slots, tables::kNone),
+      type_of_slot_(tables.event_slots),
       watch_(watch),
       operations_(with_control_words(applied_)),
-      events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
-  std::vector<bool> seen(size_of(map, Table::input_register));
-  for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    const IoPoint& point = points_[i];
-    if (point.table != Table::input_register || seen[point.number]) continue;
-    seen[point.number] = true;  // the first of several symbols on one register gives the value
-    point_of_slot_[tables.symbols[point.symbol].index] = i;
+      events_(std::vector<std::uint64_t>(event_words_ + map.size(Plane::event_numbers), 0)) {
+  std::vector<bool> seen(map.size(Plane::event_numbers));
+  for (const Point& point : map.points) {
+    const tables::SymbolRow& symbol = tables.symbols[point.symbol];
+    if (point.plane == Plane::event_bits) position_of_event_[symbol.index] = point.position;
+    if (point.plane != Plane::event_numbers || seen[point.position]) continue;
+    seen[point.position] = true;  // the first of several symbols at one position gives the value
+    position_of_slot_[symbol.index] = point.position;
+    type_of_slot_[symbol.index] = symbol.type();
   }
-  for (std::size_t table = 0; table < kTables; ++table) mapped_[table] = AddressSet(map.sizes[table]);
-  for (const IoPoint& point : points_) mapped_[static_cast<std::size_t>(point.table)].add(point.number, point.width);
-  if (watchdog_) mapped_[static_cast<std::size_t>(Table::holding_register)].add(*watchdog_, 1);
-  for (const Table table : {Table::coil, Table::holding_register}) {
-    AddressSet& used = used_[static_cast<std::size_t>(table)];
-    used = mapped_[static_cast<std::size_t>(table)];
-    if (const auto range = transfer_range(tables, map, table)) used.add(range->first, range->count);
-  }
-  if (watch_ != nullptr) watch_->writes.changed(written_coils(), written_registers());
 }
 
 /// A word of the image after a loss: operations whose policy is zero are without a command. Numbers go to 0.
 std::uint64_t Images::released(std::size_t word, std::uint64_t bits) const noexcept {
-  const std::uint64_t zero = word < coil_words_ ? initial_[word] & zeroed_[word] : 0;
+  const std::uint64_t zero = word < operation_words_ ? initial_[word] & zeroed_[word] : 0;
   return (bits & ~zeroed_[word]) | zero;
 }
 
 /// The bits of operations whose policy on loss is zero.
-std::vector<std::uint64_t> Images::zero_masks() const {
+std::vector<std::uint64_t> Images::zero_masks(const Map& map) const {
   std::vector<std::uint64_t> masks(applied_.size());
-  for (const IoPoint& point : points_) {
+  for (const Point& point : map.points) {
     if (point.on_loss != OnLoss::zero) continue;
-    if (point.table == Table::coil) set_bit(masks, point.number, true);
-    if (point.table != Table::holding_register) continue;
-    for (std::uint32_t address = point.number; address <= point.last(); ++address) {
-      set_register(std::span(masks).subspan(coil_words_), address, 0xFFFF);
-    }
+    if (point.plane == Plane::operation_bits) set_bit(masks, point.position, true);
+    if (point.plane == Plane::operation_numbers) masks[operation_words_ + point.position] = ~std::uint64_t{0};
   }
   return masks;
 }
 
-NumberLayout Images::number_layout(const IoPoint& point) const noexcept {
-  return {point.number, point.width, point.word_order, tables_.symbols[point.symbol].type()};
-}
-
-std::vector<std::uint64_t> Images::initial_operations() const {
+std::vector<std::uint64_t> Images::initial_operations(const Map& map) const {
   std::vector<std::uint64_t> initial(tables_.symbols.size(), 0);
   for (const tables::InitialValue& value : tables_.initial_values) initial[value.symbol] = value.value;
   std::vector<std::uint32_t> leaders(tables_.symbols.size());
@@ -135,54 +102,41 @@ std::vector<std::uint64_t> Images::initial_operations() const {
     initial[shared.symbol] = initial[shared.leader];
     leaders[shared.symbol] = shared.leader;
   }
-  const std::uint32_t size = sizes_[static_cast<std::size_t>(Table::holding_register)];
-  std::vector<bool> seen(size);
-  std::vector<std::uint64_t> words(coil_words_ + register_words(size), 0);
+  std::vector<bool> seen(map.size(Plane::operation_numbers));
+  std::vector<std::uint64_t> words(operation_words_ + seen.size(), 0);
   // Bit operations start without a command whatever their list says: an inverted one on, the others off. Numbers start
-  // at their initial value, so that a PLC that reads a register before its first write gets the value of the plant.
-  for (const IoPoint& point : points_) {
-    if (point.table == Table::coil && tables_.symbols[leaders[point.symbol]].inverted()) {
-      set_bit(words, point.number, true);
+  // at their initial value, so that a PLC that reads a number before its first write gets the value of the plant.
+  for (const Point& point : map.points) {
+    if (point.plane == Plane::operation_bits && tables_.symbols[leaders[point.symbol]].inverted()) {
+      set_bit(words, point.position, true);
     }
-    if (point.table != Table::holding_register || seen[point.number]) continue;
-    seen[point.number] = true;
-    set_number(std::span(words).subspan(coil_words_), number_layout(point), initial[point.symbol]);
+    if (point.plane != Plane::operation_numbers || seen[point.position]) continue;
+    seen[point.position] = true;
+    words[operation_words_ + point.position] = number_of(initial[point.symbol], tables_.symbols[point.symbol].type());
   }
   return words;
 }
 
-void Images::apply_coils(plant::Plant& plant, std::size_t word, std::uint64_t now,
-                         std::uint64_t changed) const noexcept {
+void Images::apply_bits(plant::Plant& plant, std::size_t word, std::uint64_t now,
+                        std::uint64_t changed) const noexcept {
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
     const bool on = (now >> bit & 1) != 0;
-    // All symbols of a coil have one address, so that a write to the first one is a write to all.
-    const auto rows = coils_.at(static_cast<std::uint32_t>(word) * kBitsPerWord + bit);
-    if (!rows.empty()) plant.set_operation(tables_.symbols[points_[rows.front()].symbol].index, on);
+    // All symbols of a position have one address, so that a write to the first one is a write to all.
+    const auto rows = bits_.at(static_cast<std::uint32_t>(word) * kBitsPerWord + bit);
+    if (!rows.empty()) plant.set_operation(tables_.symbols[rows.front()].index, on);
   }
 }
 
-void Images::apply_registers(plant::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept {
-  const auto registers = now.subspan(coil_words_);
-  const auto before = std::span(applied_).subspan(coil_words_);
-  const auto changed = [&](std::uint32_t address) {
-    return get_register(registers, address) != get_register(before, address);
-  };
-  const auto first = static_cast<std::uint32_t>(word) * kRegistersPerWord;
-  for (std::uint32_t address = first; address < first + kRegistersPerWord; ++address) {
-    if (!changed(address)) continue;
-    // One write for each type on the register: the plant keeps symbols of one type and address equal.
-    std::uint32_t types_written = 0;
-    for (const std::uint32_t row : holding_registers_.at(address)) {
-      const NumberLayout number = number_layout(points_[row]);
-      const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(number.type);
-      if ((types_written & bit) != 0) continue;
-      types_written |= bit;
-      bool written = false;  // because one of its lower registers changed
-      for (std::uint32_t other = number.first; other < address; ++other) written = written || changed(other);
-      if (written) continue;
-      plant.set_operation_value(tables_.symbols[points_[row].symbol].index, number_at(registers, number));
-    }
+void Images::apply_number(plant::Plant& plant, std::uint32_t position, std::uint64_t number) const noexcept {
+  // One write for each type at the position: the plant keeps symbols of one type and address equal.
+  std::uint32_t types_written = 0;
+  for (const std::uint32_t row : numbers_.at(position)) {
+    const tables::SymbolRow& symbol = tables_.symbols[row];
+    const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(symbol.type());
+    if ((types_written & bit) != 0) continue;
+    types_written |= bit;
+    plant.set_operation_value(symbol.index, value_of(number, symbol.type()));
   }
 }
 
@@ -191,10 +145,10 @@ void Images::change_operations(plant::Plant& plant, std::span<const std::uint64_
   for (std::size_t word = 0; word < image.size(); ++word) {
     const std::uint64_t changed = image[word] ^ applied_[word];
     if (changed == 0) continue;
-    if (word < coil_words_) {
-      apply_coils(plant, word, image[word], changed);
+    if (word < operation_words_) {
+      apply_bits(plant, word, image[word], changed);
     } else {
-      apply_registers(plant, word - coil_words_, image);
+      apply_number(plant, static_cast<std::uint32_t>(word - operation_words_), image[word]);
     }
   }
   std::copy(image.begin(), image.end(), applied_.begin());
@@ -233,12 +187,12 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
   events_written_[word] = bits;
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
-    const std::uint32_t address = address_of_event_[word * kPlaneWordBits + bit];
+    const std::uint32_t position = position_of_event_[word * kBitsPerWord + bit];
     const bool on = (bits >> bit & 1) != 0;
-    if (address == tables::kNone || get_bit(events_.words(), address) == on) continue;
-    set_bit(events_.words(), address, on);
-    events_.touch(address / kBitsPerWord);
-    if (watch_ != nullptr) watch_->missed.changed(address, on);
+    if (position == tables::kNone || get_bit(events_.words(), position) == on) continue;
+    set_bit(events_.words(), position, on);
+    events_.touch(position / kBitsPerWord);
+    if (watch_ != nullptr) watch_->missed.changed(position, on);
   }
 }
 
@@ -246,71 +200,74 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
 void Images::watch_pulses(std::uint32_t word, std::uint64_t pulsed) noexcept {
   for (; pulsed != 0; pulsed &= pulsed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(pulsed));
-    const std::uint32_t address = address_of_event_[word * kPlaneWordBits + bit];
-    if (address != tables::kNone) watch_->missed.pulsed(address, get_bit(events_.words(), address));
+    const std::uint32_t position = position_of_event_[word * kBitsPerWord + bit];
+    if (position != tables::kNone) watch_->missed.pulsed(position, get_bit(events_.words(), position));
   }
 }
 
-void Images::write_input_register(std::uint32_t slot, std::uint64_t value) noexcept {
-  const std::uint32_t row = point_of_slot_[slot];
-  if (row == tables::kNone) return;
-  const IoPoint& point = points_[row];
-  set_number(events_.words().subspan(discrete_words_), number_layout(point), value);
-  for (std::uint32_t word = point.number / kRegistersPerWord; word <= point.last() / kRegistersPerWord; ++word) {
-    events_.touch(discrete_words_ + word);
-  }
+void Images::write_event_number(std::uint32_t slot, std::uint64_t value) noexcept {
+  if (position_of_slot_[slot] == tables::kNone) return;
+  const std::size_t word = event_words_ + position_of_slot_[slot];
+  events_.words()[word] = number_of(value, type_of_slot_[slot]);
+  events_.touch(word);
 }
 
-void Images::write_status(const StatusBlock& status) noexcept {
-  if (status_block_) {
-    const auto registers = registers_of(status, word_order_);
-    const auto inputs = events_.words().subspan(discrete_words_);
-    for (std::uint32_t i = 0; i < kStatusRegisters; ++i) {
-      const std::uint32_t address = *status_block_ + i;
-      if (get_register(inputs, address) == registers[i]) continue;
-      set_register(inputs, address, registers[i]);
-      events_.touch(discrete_words_ + address / kRegistersPerWord);
+void Images::write_status(const Status& status) noexcept {
+  if (status_) {
+    std::size_t word = event_words_ + *status_;
+    for (const std::uint64_t number : numbers_of(status)) {
+      if (events_.words()[word] != number) {
+        events_.words()[word] = number;
+        events_.touch(word);
+      }
+      ++word;
     }
   }
   events_.publish();
 }
 
-void Images::write_events(const plant::Plant& plant, const StatusBlock& status, tables::Time now) noexcept {
+void Images::write_events(const plant::Plant& plant, const Status& status, tables::Time now) noexcept {
   const auto bits = plant.events();
   if (watch_ != nullptr) watch_->missed.begin_image(now);
   if (first_write_) {
     for (std::uint32_t word = 0; word < events_written_.size(); ++word) write_event_word(word, bits[word]);
-    for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot)
-      write_input_register(slot, plant.event_value(slot));
+    for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) write_event_number(slot, plant.event_value(slot));
     first_write_ = false;
   } else {
     for (const std::uint32_t word : plant.changed_events()) {
       write_event_word(word, bits[word]);
       if (watch_ != nullptr) watch_pulses(word, plant.pulsed_events(word));
     }
-    for (const std::uint32_t slot : plant.changed_event_values()) write_input_register(slot, plant.event_value(slot));
+    for (const std::uint32_t slot : plant.changed_event_values()) write_event_number(slot, plant.event_value(slot));
   }
   write_status(status);
   if (watch_ != nullptr) watch_->missed.end_image();
 }
 
-Tables Images::tables() noexcept {
-  events_.update();
-  const auto operations = operations_.words();
+Planes Images::planes() noexcept {
+  const auto operations = operations_.words().first(applied_.size());
   const auto events = events_.latest();
-  const auto size = [this](Table table) { return sizes_[static_cast<std::size_t>(table)]; };
-  return {.coils = {operations.first(coil_words_), size(Table::coil)},
-          .discrete_inputs = {events.first(discrete_words_), size(Table::discrete_input)},
-          .holding_registers = {operations.first(applied_.size()).subspan(coil_words_), size(Table::holding_register)},
-          .input_registers = {events.subspan(discrete_words_), size(Table::input_register)}};
+  return {.operation_bits = operations.first(operation_words_),
+          .event_bits = events.first(event_words_),
+          .operation_numbers = operations.subspan(operation_words_),
+          .event_numbers = events.subspan(event_words_)};
 }
 
-void Images::begin_request(std::uint32_t losses) noexcept {
-  if (watch_ != nullptr) watch_->reads.begin();
-  if (losses == losses_seen_) return;
+void Images::touch(Plane plane, std::uint32_t first, std::uint32_t count) noexcept {
+  if (count == 0) return;
+  const std::uint32_t per_word = has_bits(plane) ? kBitsPerWord : 1;
+  const std::size_t base = has_bits(plane) ? 0 : operation_words_;
+  const std::uint32_t last = first + count - 1;
+  for (std::uint32_t word = first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
+}
+
+void Images::touch_all() noexcept {
+  for (std::size_t word = 0; word < applied_.size(); ++word) operations_.touch(word);
+}
+
+bool Images::release(std::uint32_t losses) noexcept {
+  if (losses == losses_seen_) return false;
   losses_seen_ = losses;
-  rewriting_.begin(mapped_[static_cast<std::size_t>(Table::coil)],
-                   mapped_[static_cast<std::size_t>(Table::holding_register)]);
   const auto words = operations_.words();
   for (std::size_t word = 0; word < zeroed_.size(); ++word) {
     const std::uint64_t now = released(word, words[word]);
@@ -318,58 +275,16 @@ void Images::begin_request(std::uint32_t losses) noexcept {
     words[word] = now;
     operations_.touch(word);
   }
-  if (watch_ != nullptr) watch_->writes.changed(written_coils(), written_registers());
-  hand_over();
+  return true;
 }
 
-/// Publishes the operations together with the control words.
-void Images::hand_over() noexcept {
+void Images::publish(bool complete) noexcept {
   const auto control = operations_.words().subspan(applied_.size());
   control[kLossesSeen] = losses_seen_;
-  control[kRewritten] = rewriting_.complete() ? 1 : 0;
+  control[kRewritten] = complete ? 1 : 0;
   control[kImage] = ++image_;
   for (std::size_t word = 0; word < kControlWords; ++word) operations_.touch(applied_.size() + word);
   operations_.publish();
-}
-
-std::uint32_t Images::written(Table table, std::uint32_t first, std::uint32_t count, const ClientId& client) noexcept {
-  if (count == 0) return 0;
-  const bool coils = table == Table::coil;
-  const std::size_t base = coils ? 0 : coil_words_;
-  const std::uint32_t per_word = coils ? kBitsPerWord : kRegistersPerWord;
-  const std::uint32_t last = first + count - 1;
-  for (std::uint32_t word = first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
-  rewriting_.wrote(coils, first, count);
-  if (watch_ != nullptr) {
-    OperationWrites& writes = watch_->writes;
-    coils ? writes.wrote_coils(client, first, count, written_coils(), image_ + 1)
-          : writes.wrote_registers(client, first, count, written_registers(), image_ + 1);
-  }
-  hand_over();
-  return count - used_[static_cast<std::size_t>(table)].count(first, count);
-}
-
-void Images::end_request(Table table, std::uint32_t first, std::uint32_t count) noexcept {
-  if (watch_ == nullptr) return;
-  if (count != 0 && table == Table::discrete_input) {
-    watch_->reads.read(events_.latest().first(discrete_words_), first, count);
-  }
-  watch_->reads.end();
-}
-
-void Images::written_all() noexcept {
-  for (std::size_t word = 0; word < applied_.size(); ++word) operations_.touch(word);
-  rewriting_.wrote(true, 0, sizes_[static_cast<std::size_t>(Table::coil)]);
-  rewriting_.wrote(false, 0, sizes_[static_cast<std::size_t>(Table::holding_register)]);
-  hand_over();
-}
-
-bool Images::changed_watchdog(Table table, std::uint32_t first, std::uint32_t count) noexcept {
-  const bool written =
-      watchdog_ && table == Table::holding_register && first <= *watchdog_ && *watchdog_ < first + count;
-  if (!written) return false;
-  const std::uint16_t value = get_register(written_registers(), *watchdog_);
-  return std::exchange(watchdog_value_, value) != value;
 }
 
 }  // namespace symplant::link::image

@@ -1,4 +1,4 @@
-// Finds the events that came and went between two reads of their discrete input.
+// Finds the events that came and went between two reads of them.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "symplant/link/image/event_reads.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/image/map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -16,7 +16,7 @@ namespace symplant::link::image {
 /// Used by the cycle's thread. An event that no client reads again and again is never missed. Costs follow the changes.
 class MissedEvents {
  public:
-  MissedEvents(const IoMap& map, EventReads& reads);
+  MissedEvents(const Map& map, EventReads& reads);
 
   /// The next event whose value ended with the last image, while clients knew the other value and read only that again;
   /// nothing if there is no more. A read that is still in progress counts as one of every value. O(events changed in
@@ -26,23 +26,23 @@ class MissedEvents {
   // The next image, in this order.
 
   void begin_image(tables::Time now) noexcept;
-  /// An address has another value than in the image before.
-  void changed(std::uint32_t address, bool on) noexcept;
-  /// An address has the same value as in the image before, or has changed, and had both values in between.
-  void pulsed(std::uint32_t address, bool on) noexcept;
+  /// A position has another value than in the image before.
+  void changed(std::uint32_t position, bool on) noexcept;
+  /// A position has the same value as in the image before, or has changed, and had both values in between.
+  void pulsed(std::uint32_t position, bool on) noexcept;
   /// The image is published.
   void end_image() noexcept { requests_ = reads_.begun(); }
 
  private:
   /// A value that ended with the last image.
   struct Ended {
-    std::uint32_t address;
+    std::uint32_t position;
     bool on;
     bool in_image;        ///< it was in an image at least
     tables::Time length;  ///< 0: less than a cycle
   };
 
-  /// The value of an address that clients have read last, as far as its values have ended.
+  /// The value of a position that clients have read last, as far as its values have ended.
   enum class Known : std::uint8_t { off, on, nothing };
 
   bool is_missed(const Ended& ended) noexcept;
@@ -51,10 +51,10 @@ class MissedEvents {
   }
 
   EventReads& reads_;
-  std::vector<std::uint32_t> symbols_;  ///< by address: the first symbol; tables::kNone
-  std::vector<tables::Time> begun_;     ///< by address: since when it has its value
-  std::vector<Known> known_;            ///< by address
-  std::vector<Ended> ended_;            ///< an address is here at most twice
+  std::vector<std::uint32_t> symbols_;  ///< by position: the first symbol; tables::kNone
+  std::vector<tables::Time> begun_;     ///< by position: since when it has its value
+  std::vector<Known> known_;            ///< by position
+  std::vector<Ended> ended_;            ///< a position is here at most twice
   std::size_t next_ = 0;                ///< of ended_: to be examined next
   std::uint64_t requests_ = 0;          ///< begun when the last image was published
   tables::Time now_ = 0;

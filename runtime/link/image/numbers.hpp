@@ -1,66 +1,65 @@
-// Converts numbers between Modbus registers and the plant's value slots.
+// Numbers as a link carries them, and as the plant's value slots have them.
 #pragma once
 
 #include <bit>
 #include <cstdint>
-#include <span>
 
-#include "symplant/link/image/table_view.hpp"
-#include "symplant/link/link_settings.hpp"
+#include "symplant/link/image/words.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::link::image {
 
-/// The registers of a number and their meaning. REAL and LREAL are IEEE 754 on the wire; SINT, USINT and BYTE use the
-/// lower half of one register.
-struct NumberLayout {
-  std::uint32_t first;
-  std::uint32_t registers;  ///< 1, 2 or 4
-  WordOrder word_order;
-  tables::DataType type;
-};
-
-/// The position in the number, in bits, of its register k.
-constexpr std::uint32_t shift_of(const NumberLayout& layout, std::uint32_t k) noexcept {
-  return 16 * (layout.word_order == WordOrder::low_first ? k : layout.registers - 1 - k);
-}
-
-template <class Signed>
-constexpr std::uint64_t extended(std::uint64_t bits) noexcept {
-  return static_cast<std::uint64_t>(std::int64_t{static_cast<Signed>(bits)});
-}
-
-/// The number as in the plant's value slots: integers in two's complement of 64 bits, REAL as the bits of a double.
-inline std::uint64_t number_at(std::span<const std::uint64_t> registers, const NumberLayout& layout) noexcept {
-  std::uint64_t bits = 0;
-  for (std::uint32_t k = 0; k < layout.registers; ++k) {
-    bits |= std::uint64_t{get_register(registers, layout.first + k)} << shift_of(layout, k);
-  }
-  switch (layout.type) {
+/// Bits of a number on a link: 8 to 64; 0 of BOOL.
+constexpr std::uint32_t bits_of(tables::DataType type) noexcept {
+  switch (type) {
+    case tables::DataType::boolean:
+      return 0;
     case tables::DataType::sint:
-      return extended<std::int8_t>(bits);
-    case tables::DataType::int_:
-      return extended<std::int16_t>(bits);
-    case tables::DataType::dint:
-      return extended<std::int32_t>(bits);
     case tables::DataType::usint:
     case tables::DataType::byte:
-      return bits & 0xFF;
+      return 8;
+    case tables::DataType::dint:
+    case tables::DataType::udint:
+    case tables::DataType::dword:
     case tables::DataType::real:
-      return std::bit_cast<std::uint64_t>(double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))});
+      return 32;
+    case tables::DataType::lint:
+    case tables::DataType::ulint:
+    case tables::DataType::lword:
+    case tables::DataType::lreal:
+      return 64;
     default:
-      return bits;
+      return 16;
   }
 }
 
-/// Writes a slot's number into its registers. A REAL beyond the range of 32 bits becomes infinite.
-inline void set_number(std::span<std::uint64_t> registers, const NumberLayout& layout, std::uint64_t value) noexcept {
-  if (layout.type == tables::DataType::real) {
-    value = std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<double>(value)));
+/// Words of 16 bits that a number takes in a protocol that has these: 1, 2 or 4; 1 for BOOL and for 8 bits.
+constexpr std::uint8_t words_of(tables::DataType type) noexcept {
+  return bits_of(type) <= kLaneBits ? 1 : static_cast<std::uint8_t>(bits_of(type) / kLaneBits);
+}
+
+/// The number of an image as in the plant's value slots, which have integers in two's complement of 64 bits and REAL as
+/// the bits of a double. Bits above those of the type do not matter.
+constexpr std::uint64_t value_of(std::uint64_t number, tables::DataType type) noexcept {
+  switch (type) {
+    case tables::DataType::sint:
+      return static_cast<std::uint64_t>(std::int64_t{static_cast<std::int8_t>(number)});
+    case tables::DataType::int_:
+      return static_cast<std::uint64_t>(std::int64_t{static_cast<std::int16_t>(number)});
+    case tables::DataType::dint:
+      return static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(number)});
+    case tables::DataType::real:
+      return std::bit_cast<std::uint64_t>(double{std::bit_cast<float>(static_cast<std::uint32_t>(number))});
+    default:
+      return bits_of(type) == kBitsPerWord ? number : number & ((std::uint64_t{1} << bits_of(type)) - 1);
   }
-  for (std::uint32_t k = 0; k < layout.registers; ++k) {
-    set_register(registers, layout.first + k, static_cast<std::uint16_t>(value >> shift_of(layout, k)));
-  }
+}
+
+/// A value of the plant as a number of an image: the other direction. Integers keep their sign in the bits above those
+/// of their type. A REAL beyond the range of 32 bits becomes infinite.
+constexpr std::uint64_t number_of(std::uint64_t value, tables::DataType type) noexcept {
+  if (type != tables::DataType::real) return value;
+  return std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<double>(value)));
 }
 
 }  // namespace symplant::link::image

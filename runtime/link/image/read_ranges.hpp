@@ -1,4 +1,4 @@
-// The ranges of addresses that clients read again and again, and how often.
+// The ranges of positions that clients read again and again, and how often.
 #pragma once
 
 #include <algorithm>
@@ -31,14 +31,14 @@ class ReadRanges {
     note(*oldest, now);
   }
 
-  /// The mean time between reads of an address, 0 if it is read more often than time is counted; -1 if it is not read
+  /// The mean time between reads of a position, 0 if it is read more often than time is counted; -1 if it is not read
   /// again and again. O(kRanges).
-  tables::Time every(std::uint32_t address, tables::Time now) const noexcept {
+  tables::Time every(std::uint32_t position, tables::Time now) const noexcept {
     tables::Time shortest = -1;
     for (const Range& range : ranges_) {
       const std::uint64_t key = get(range.key);
       if (get(range.reads) < 2 || now - get(range.last) > kForgotten) continue;
-      if (address < key >> 32 || address - (key >> 32) >= (key & 0xFFFF'FFFF)) continue;
+      if (position < key >> 32 || position - (key >> 32) >= (key & 0xFFFF'FFFF)) continue;
       shortest = shortest < 0 ? get(range.every) : std::min(shortest, get(range.every));
     }
     return shortest;
@@ -46,7 +46,7 @@ class ReadRanges {
 
  private:
   struct Range {
-    std::atomic<std::uint64_t> key{0};    ///< first address and number of addresses
+    std::atomic<std::uint64_t> key{0};    ///< first position and number of positions
     std::atomic<std::uint32_t> reads{0};  ///< 2: two or more
     std::atomic<tables::Time> last{0};
     std::atomic<tables::Time> every{0};

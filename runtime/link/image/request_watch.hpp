@@ -4,20 +4,19 @@
 #include <optional>
 
 #include "symplant/link/image/event_reads.hpp"
+#include "symplant/link/image/map.hpp"
 #include "symplant/link/image/missed_events.hpp"
-#include "symplant/link/image/operation_writes.hpp"
 #include "symplant/link/image/server_findings.hpp"
 
 namespace symplant::link::image {
 
 /// Next to the images of a server; each part says which thread uses it.
 struct RequestWatch {
-  explicit RequestWatch(const IoMap& map)
-      : reads(map.sizes[static_cast<std::size_t>(Table::discrete_input)]),
+  explicit RequestWatch(const Map& map)
+      : reads(map.size(Plane::event_bits)),
         missed(map, reads),
-        // Room for every coil to be missed in one cycle, and for all else.
-        found(map.sizes[static_cast<std::size_t>(Table::coil)] + map.points.size() + 64),
-        writes(map, found) {}
+        // Room for every bit of the operations to be missed in one cycle, and for all else.
+        found(map.size(Plane::operation_bits) + map.points.size() + 64) {}
 
   /// The next finding; nothing if there is none now. For the cycle's thread, after it has taken the operations.
   std::optional<LinkFinding> take() noexcept {
@@ -28,7 +27,6 @@ struct RequestWatch {
   EventReads reads;
   MissedEvents missed;
   ServerFindings found;
-  OperationWrites writes;
 };
 
 }  // namespace symplant::link::image

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/image/words.hpp"
 #include "symplant/link/modbus/fields.hpp"
 
 namespace symplant::link::modbus {

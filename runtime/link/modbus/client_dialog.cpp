@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "symplant/link/client/parts.hpp"
-#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/image/words.hpp"
 #include "symplant/link/modbus/client_map.hpp"
 #include "symplant/link/modbus/fields.hpp"
 
@@ -25,16 +25,18 @@ std::uint16_t reversed(std::uint16_t bits) noexcept {
 
 }  // namespace
 
-ModbusDialog::ModbusDialog(const ClientSettings& settings, const IoMap& map)
+ModbusDialog::ModbusDialog(const ClientSettings& settings, const IoMap& map, const image::Map& placed)
     : settings_(settings),
       sizes_(map.sizes),
       owned_((sizes_[static_cast<std::size_t>(Table::discrete_input)] + kBitsInRegister - 1) / kBitsInRegister),
       continues_(sizes_[static_cast<std::size_t>(Table::input_register)]),
+      registers_(std::size_t{image::kLanesPerWord} * placed.size(Plane::event_numbers)),
       exchange_(settings) {
-  add_items(operations_, map);
-  add_items(events_, map);
-  plan_reads(operations_);
-  plan_reads(events_);
+  for (Direction* const direction : {&operations_, &events_}) {
+    direction->lanes = lanes_of(map, placed, direction->numbers);
+    add_items(*direction, map);
+    plan_reads(*direction);
+  }
   for (const IoPoint& point : map.points) {
     if (point.table == Table::discrete_input) {
       std::uint16_t& mask = owned_[point.number / kBitsInRegister];
@@ -43,7 +45,10 @@ ModbusDialog::ModbusDialog(const ClientSettings& settings, const IoMap& map)
       for (std::uint32_t number = point.number + 1; number <= point.last(); ++number) continues_[number] = true;
     }
   }
-  for (std::uint32_t k = 1; map.status_block && k < kStatusRegisters; ++k) continues_[*map.status_block + k] = true;
+  for (std::uint32_t k = 1; map.status_block && k < kStatusWords; ++k) continues_[*map.status_block + k] = true;
+  for (std::uint32_t number = 0; number < events_.lanes.size(); ++number) {
+    if (events_.lanes[number] != kNoLane) registers_[events_.lanes[number]] = number;
+  }
 }
 
 std::string ModbusDialog::url() const { return "modbus-tcp://" + net::format_host_port(settings_.address); }
@@ -58,7 +63,7 @@ void ModbusDialog::add_items(Direction& direction, const IoMap& map) const {
   }
   if (map.status_block && direction.numbers == Table::input_register) {
     const std::uint32_t first = address_of(placement(Table::input_register), Table::input_register, *map.status_block);
-    items_of(Table::input_register).push_back({first, kStatusRegisters});
+    items_of(Table::input_register).push_back({first, kStatusWords});
   }
   for (Items& items : direction.items) {
     std::sort(items.begin(), items.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -125,15 +130,19 @@ client::Identity ModbusDialog::identify(client::Fault& fault) {
     }
   }
   if (found.empty()) found = "the PLC does not identify itself (function 43)";
-  std::array<std::vector<std::uint64_t>, kTables> words;
-  for (std::size_t i = 0; i < kTables; ++i) {
-    const auto table = static_cast<Table>(i);
-    const bool bits = table == Table::coil || table == Table::discrete_input;
-    words[i].resize(bits ? image::bit_words(sizes_[i]) : image::register_words(sizes_[i]));
-  }
-  fault = read_all(operations_, {words[0], words[2]}, 0);
+  struct Memory {
+    std::vector<std::uint64_t> bits;
+    std::vector<std::uint64_t> numbers;
+  };
+  const auto memory_of = [this](const Direction& direction) {
+    return Memory{std::vector<std::uint64_t>(image::bit_words(sizes_[static_cast<std::size_t>(direction.bits)])),
+                  std::vector<std::uint64_t>(direction.lanes.size())};
+  };
+  Memory memory = memory_of(operations_);
+  fault = read({memory.bits, memory.numbers}, 0);
   const bool operations = !fault;
-  if (operations || fault.kind == client::Fault::Kind::rejected) fault = read_back(words[1], words[3], 0);
+  memory = memory_of(events_);
+  if (operations || fault.kind == client::Fault::Kind::rejected) fault = read_back({memory.bits, memory.numbers}, 0);
   if (fault.kind == client::Fault::Kind::rejected) fault = {};
   if (fault) mute_ = false;  // it is not function 43 that gets no answer
   return {.kind = client::Identity::Kind::unverifiable,
@@ -227,46 +236,61 @@ void ModbusDialog::leave_out(const Direction& direction, const ClientRequest& re
       const std::uint32_t address = std::uint32_t{request.first} + k;
       if (address < placed.offset) continue;
       const std::uint32_t number = address - placed.offset;
-      const client::Lane lane{table, bits ? number / kBitsInRegister : number};
+      client::Lane lane{plane_of(table), bits ? number / kBitsInRegister : number};
+      if (table == direction.numbers) {
+        if (number >= direction.lanes.size() || direction.lanes[number] == kNoLane) continue;
+        lane.number = direction.lanes[number];
+      }
       const auto mask = static_cast<std::uint16_t>(bits ? 1U << (number % kBitsInRegister) : kWholeLane);
       left_out_.push_back({{lane, mask, 0}, refusal_});
     }
   }
 }
 
-/// Copies all of a reply, since nothing looks at addresses without a symbol.
+/// Copies all bits of a reply, since nothing looks at addresses without a symbol.
 void ModbusDialog::take(const Direction& direction, const ClientReply& reply, const ClientRequest& request,
                         const Words& out) const {
   const auto& bits = settings_.placements[static_cast<std::size_t>(direction.bits)];
   const auto& numbers = settings_.placements[static_cast<std::size_t>(direction.numbers)];
   if (has_bits(request.area)) return copy_bits(reply.data, request.count, out.bits, request.first - bits->offset);
-  if (bits && bits->area == request.area) take_registers(direction.bits, reply, request, out.bits);
-  if (numbers && numbers->area == request.area) take_registers(direction.numbers, reply, request, out.numbers);
+  if (bits && bits->area == request.area) take_packed(direction.bits, reply, request, out.bits);
+  if (numbers && numbers->area == request.area) take_numbers(direction, reply, request, out.numbers);
 }
 
-/// Copies the registers of a reply that belong to the table.
-void ModbusDialog::take_registers(Table table, const ClientReply& reply, const ClientRequest& request,
-                                  std::span<std::uint64_t> words) const {
+/// The addresses of a request that belong to a table in registers.
+AddressRange ModbusDialog::registers_in(Table table, const ClientRequest& request) const {
   const Placement& placed = placement(table);
-  const bool packed = is_packed(placed, table);
   const std::uint32_t size = sizes_[static_cast<std::size_t>(table)];
-  const std::uint32_t registers = packed ? (size + kBitsInRegister - 1) / kBitsInRegister : size;
+  const std::uint32_t registers = is_packed(placed, table) ? (size + kBitsInRegister - 1) / kBitsInRegister : size;
   const std::uint32_t first = std::max<std::uint32_t>(request.first, placed.offset);
   const std::uint32_t end = std::min(std::uint32_t{request.first} + request.count, placed.offset + registers);
-  for (std::uint32_t address = first; address < end; ++address) {
+  return {first, end < first ? 0 : end - first};
+}
+
+void ModbusDialog::take_packed(Table table, const ClientReply& reply, const ClientRequest& request,
+                               std::span<std::uint64_t> bits) const {
+  const AddressRange range = registers_in(table, request);
+  for (std::uint32_t address = range.first; address < range.end(); ++address) {
     const std::uint16_t value = on_wire(field(reply.data, std::size_t{2} * (address - request.first)));
-    image::set_register(words, address - placed.offset, packed ? in_order(value) : value);
+    image::set_lane(bits, address - placement(table).offset, in_order(value));
   }
 }
 
-client::Fault ModbusDialog::read(image::Tables& tables, tables::Time now) {
-  return read_all(operations_, {tables.coils.words, tables.holding_registers.words}, now);
+void ModbusDialog::take_numbers(const Direction& direction, const ClientReply& reply, const ClientRequest& request,
+                                std::span<std::uint64_t> numbers) const {
+  const AddressRange range = registers_in(direction.numbers, request);
+  for (std::uint32_t address = range.first; address < range.end(); ++address) {
+    const std::uint32_t lane = direction.lanes[address - placement(direction.numbers).offset];
+    if (lane == kNoLane) continue;
+    image::set_lane(numbers, lane, on_wire(field(reply.data, std::size_t{2} * (address - request.first))));
+  }
 }
 
-client::Fault ModbusDialog::read_back(std::span<std::uint64_t> discrete_inputs,
-                                      std::span<std::uint64_t> input_registers, tables::Time now) {
-  return read_all(events_, {discrete_inputs, input_registers}, now);
+client::Fault ModbusDialog::read(const Words& operations, tables::Time now) {
+  return read_all(operations_, operations, now);
 }
+
+client::Fault ModbusDialog::read_back(const Words& events, tables::Time now) { return read_all(events_, events, now); }
 
 /// A register as the link has it, from the one of the protocol, or the other direction.
 std::uint16_t ModbusDialog::on_wire(std::uint16_t value) const noexcept {

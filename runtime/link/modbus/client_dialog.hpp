@@ -12,16 +12,17 @@
 
 #include "symplant/link/client/dialog.hpp"
 #include "symplant/link/client/request_list.hpp"
-#include "symplant/link/io_map.hpp"
 #include "symplant/link/modbus/client_exchange.hpp"
 #include "symplant/link/modbus/client_plan.hpp"
 #include "symplant/link/modbus/client_settings.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 
 namespace symplant::link::modbus {
 
 class ModbusDialog final : public client::Dialog {
  public:
-  ModbusDialog(const ClientSettings& settings, const IoMap& map);
+  /// `placed`: image_of() the map.
+  ModbusDialog(const ClientSettings& settings, const IoMap& map, const image::Map& placed);
 
   /// The requests that the map needs.
   std::vector<std::string> notes() const;
@@ -31,10 +32,9 @@ class ModbusDialog final : public client::Dialog {
   void close() noexcept override { exchange_.close(); }
   /// Modbus has nothing to compare: always unverifiable. Reads the operations and what is to be written, once.
   client::Identity identify(client::Fault& fault) override;
-  client::Fault read(image::Tables& tables, tables::Time now) override;
+  client::Fault read(const client::Words& operations, tables::Time now) override;
   client::Fault write(std::span<const client::LaneChange> changes, std::vector<client::Unwritten>& unwritten) override;
-  client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
-                          tables::Time now) override;
+  client::Fault read_back(const client::Words& events, tables::Time now) override;
   void retry_rejected() noexcept override;
   bool is_dividing() const noexcept override {
     return operations_.requests.is_dividing() || events_.requests.is_dividing();
@@ -56,12 +56,10 @@ class ModbusDialog final : public client::Dialog {
     Table bits = Table::coil;
     Table numbers = Table::holding_register;
     std::array<Items, kAreas> items = {};
+    std::vector<std::uint32_t> lanes = {};  ///< by register of `numbers`, as lanes_of()
     client::RequestList<ClientRequest> requests = {};
   };
-  struct Words {
-    std::span<std::uint64_t> bits;
-    std::span<std::uint64_t> numbers;
-  };
+  using Words = client::Words;
   class Reading;
   /// What a call of write() has, and what becomes of it.
   struct Writing {
@@ -71,7 +69,7 @@ class ModbusDialog final : public client::Dialog {
   /// What is written at an address: a run of registers, or one coil.
   struct Piece {
     AddressRange range;
-    std::array<std::uint16_t, kStatusRegisters> values = {};
+    std::array<std::uint16_t, kStatusWords> values = {};
   };
 
   void add_items(Direction& direction, const IoMap& map) const;
@@ -79,11 +77,15 @@ class ModbusDialog final : public client::Dialog {
   client::Fault read_all(Direction& direction, const Words& out, tables::Time now);
   static std::span<const AddressRange> items_in(const Direction& direction, const ClientRequest& request);
   void take(const Direction& direction, const ClientReply& reply, const ClientRequest& request, const Words& out) const;
-  void take_registers(Table table, const ClientReply& reply, const ClientRequest& request,
-                      std::span<std::uint64_t> words) const;
+  void take_packed(Table table, const ClientReply& reply, const ClientRequest& request,
+                   std::span<std::uint64_t> bits) const;
+  void take_numbers(const Direction& direction, const ClientReply& reply, const ClientRequest& request,
+                    std::span<std::uint64_t> numbers) const;
+  AddressRange registers_in(Table table, const ClientRequest& request) const;
   void leave_out(const Direction& direction, const ClientRequest& request);
   void add_coils(std::span<const client::LaneChange> changes);
-  void add_registers(std::span<const client::LaneChange> changes);
+  void add_packed(std::span<const client::LaneChange> changes);
+  void add_numbers(std::span<const client::LaneChange> changes);
   client::Fault write_area(Area area, std::uint32_t most, const Writing& writing);
   client::Fault write_range(Area area, const PlannedRange& planned, const Writing& writing);
   client::Fault write_pieces(Area area, const PlannedRange& planned, const Writing& writing);
@@ -101,6 +103,7 @@ class ModbusDialog final : public client::Dialog {
   Direction events_{.bits = Table::discrete_input, .numbers = Table::input_register};
   std::vector<std::uint16_t> owned_;  ///< by 16 discrete inputs: the mapped ones
   std::vector<bool> continues_;       ///< by input register: it belongs to the number that begins before it
+  std::vector<std::uint32_t> registers_;  ///< by lane of the event numbers: its input register
   std::vector<Piece> pieces_;         ///< of one write(), for one area
   std::vector<AddressRange> ranges_;  ///< of pieces_
   std::vector<std::uint16_t> values_;

@@ -23,19 +23,21 @@ client::PartsResult client_link_parts(std::string_view rest, const LinkChoice& l
   const auto& settings = std::get<ClientSettings>(read);
   auto made = make_client_map(tables, link.controller, link.settings, settings);
   if (auto* error = std::get_if<LinkError>(&made)) return std::move(*error);
-  IoMap& map = std::get<IoMap>(made);
+  const IoMap& map = std::get<IoMap>(made);
   if (!map.faults.empty()) {
     return LinkError{LinkError::Kind::usage, fault_text(tables, map, map.faults.front())};
   }
-  auto dialog = std::make_unique<ModbusDialog>(settings, map);
+  image::Map placed = image_of(tables, map);
+  auto dialog = std::make_unique<ModbusDialog>(settings, map, placed);
   client::ClientParts parts{.dialog = nullptr,
-                            .map = {},
+                            .map = std::move(placed),
                             .addresses = client_addresses(map, settings),
+                            .word_orders = {},
                             .unreachable = unreachable_symbols(map),
                             .times = settings.times,
                             .notes = dialog->notes()};
+  for (const IoPoint& point : map.points) parts.word_orders.push_back(point.word_order);
   parts.dialog = std::move(dialog);
-  parts.map = std::move(map);
   return parts;
 }
 

@@ -22,9 +22,7 @@ LinkError map_error(std::string message) { return {LinkError::Kind::usage, std::
 /// "holding registers 10-11", "holding register 1024.3".
 std::string address_words(const IoPoint& point, const Placement& placement, BitOrder order) {
   const std::uint32_t first = address_of(placement, point.table, point.number);
-  std::string text = area_name(placement.area);
-  if (point.width > 1) return text + "s " + std::to_string(first) + "-" + std::to_string(first + point.width - 1);
-  text += " " + std::to_string(first);
+  const std::string text = range_text(area_name(placement.area), first, point.width);
   if (!is_packed(placement, point.table)) return text;
   const std::uint32_t bit = point.number % kBitsInRegister;
   return text + "." + std::to_string(order == BitOrder::low_first ? bit : kBitsInRegister - 1 - bit);
@@ -50,7 +48,7 @@ class MapChecker {
       if (auto error = add(point.table, point.number, point.width, i)) return error;
     }
     if (map_.status_block) {
-      if (auto error = add(Table::input_register, *map_.status_block, kStatusRegisters, tables::kNone)) return error;
+      if (auto error = add(Table::input_register, *map_.status_block, kStatusWords, tables::kNone)) return error;
     }
     return overlap();
   }
@@ -145,17 +143,6 @@ std::vector<std::string> client_addresses(const IoMap& map, const ClientSettings
     addresses.push_back(placement ? address_words(point, *placement, settings.bit_order) : "-");
   }
   return addresses;
-}
-
-std::vector<client::Unreachable> unreachable_symbols(const IoMap& map) {
-  std::vector<client::Unreachable> unreachable;
-  for (const std::uint32_t symbol : map.excluded) unreachable.push_back({symbol, "is excluded from the link"});
-  for (const std::uint32_t symbol : map.without_address) unreachable.push_back({symbol, "has no address"});
-  for (const std::uint32_t symbol : map.of_8_bits) {
-    unreachable.push_back({symbol, "has 8 bits: give it a register by a `symbol` entry in `links`"});
-  }
-  for (const std::uint32_t symbol : map.too_many) unreachable.push_back({symbol, "is beyond the 65,536 of its table"});
-  return unreachable;
 }
 
 }  // namespace symplant::link::modbus

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "symplant/link/client/parts.hpp"
-#include "symplant/link/io_map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/modbus/client_settings.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::link::modbus {
@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kBitsInRegister = 16;
 
 /// Whether a table's bits are 16 to a register.
 constexpr bool is_packed(const Placement& placement, Table table) {
-  return !has_bits(placement.area) && (table == Table::coil || table == Table::discrete_input);
+  return !has_bits(placement.area) && has_bits(table);
 }
 
 /// The coil or register of a table's number.
@@ -35,8 +35,5 @@ std::variant<IoMap, LinkError> make_client_map(const tables::PlantTables& tables
 
 /// "coil 5", "holding registers 10-11", "holding register 1024.3", for each point of the map.
 std::vector<std::string> client_addresses(const IoMap& map, const ClientSettings& settings);
-
-/// The symbols that the map leaves out.
-std::vector<client::Unreachable> unreachable_symbols(const IoMap& map);
 
 }  // namespace symplant::link::modbus

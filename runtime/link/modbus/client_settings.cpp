@@ -17,10 +17,8 @@ constexpr std::array kAreaKeys = {std::pair{std::string_view("coils"), Area::coi
 
 /// Whether a table of the map may be in an area: events must be written, numbers need registers.
 constexpr bool fits(Table table, Area area) {
-  const bool event = table == Table::discrete_input || table == Table::input_register;
-  const bool number = table == Table::holding_register || table == Table::input_register;
-  if (event && area != Area::coils && area != Area::holding_registers) return false;
-  return !number || !has_bits(area);
+  if (is_event(table) && area != Area::coils && area != Area::holding_registers) return false;
+  return has_bits(table) || !has_bits(area);
 }
 
 /// `AREA` or `AREA:OFFSET`.

@@ -10,6 +10,7 @@
 
 #include "symplant/link/client/parts.hpp"
 #include "symplant/link/link.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 #include "symplant/link/net/host_port.hpp"
 #include "symplant/tables/time.hpp"
 

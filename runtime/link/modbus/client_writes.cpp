@@ -37,29 +37,37 @@ void ModbusDialog::add_coils(std::span<const client::LaneChange> changes) {
   }
 }
 
-/// The changed registers. Those of one number stay together; packed bits are written as a whole register.
-void ModbusDialog::add_registers(std::span<const client::LaneChange> changes) {
-  std::uint32_t previous = std::numeric_limits<std::uint32_t>::max();  // the input register before
+/// Packed bits are written as a whole register.
+void ModbusDialog::add_packed(std::span<const client::LaneChange> changes) {
   for (const client::LaneChange& change : changes) {
     const std::uint32_t lane = change.lane.number;
-    const std::uint32_t address = placement(change.lane.table).offset + lane;
-    if (change.lane.table == Table::discrete_input) {
-      const std::uint16_t value = on_wire(in_order(static_cast<std::uint16_t>(change.value & owned_[lane])));
-      pieces_.push_back({{address, 1}, {value}});
-      continue;
-    }
-    const bool joins = previous + 1 == lane && continues_[lane];
-    if (!joins) pieces_.push_back({{address, 0}, {}});
+    const std::uint16_t value = on_wire(in_order(static_cast<std::uint16_t>(change.value & owned_[lane])));
+    pieces_.push_back({{placement(Table::discrete_input).offset + lane, 1}, {value}});
+  }
+}
+
+/// The changed registers of numbers. Those of one number stay together.
+void ModbusDialog::add_numbers(std::span<const client::LaneChange> changes) {
+  std::vector<std::pair<std::uint32_t, std::uint16_t>> registers;
+  registers.reserve(changes.size());
+  for (const client::LaneChange& change : changes) {
+    registers.emplace_back(registers_[change.lane.number], on_wire(change.value));
+  }
+  std::sort(registers.begin(), registers.end());
+  std::uint32_t previous = std::numeric_limits<std::uint32_t>::max();  // the input register before
+  for (const auto& [number, value] : registers) {
+    const bool joins = previous + 1 == number && continues_[number];
+    if (!joins) pieces_.push_back({{placement(Table::input_register).offset + number, 0}, {}});
     Piece& piece = pieces_.back();
-    piece.values[piece.range.count++] = on_wire(change.value);
-    previous = lane;
+    piece.values[piece.range.count++] = value;
+    previous = number;
   }
 }
 
 client::Fault ModbusDialog::write(std::span<const client::LaneChange> changes,
                                   std::vector<client::Unwritten>& unwritten) {
   const auto begin_of_numbers = std::find_if(changes.begin(), changes.end(), [](const client::LaneChange& change) {
-    return change.lane.table == Table::input_register;
+    return change.lane.plane == Plane::event_numbers;
   });
   const auto bits = changes.first(static_cast<std::size_t>(begin_of_numbers - changes.begin()));
   const auto numbers = changes.subspan(bits.size());
@@ -67,8 +75,10 @@ client::Fault ModbusDialog::write(std::span<const client::LaneChange> changes,
   if (coils) {
     add_coils(bits);
     if (client::Fault fault = write_area(Area::coils, kMostBitsWritten, {bits, unwritten})) return fault;
+  } else {
+    add_packed(bits);
   }
-  add_registers(coils ? numbers : changes);
+  add_numbers(numbers);
   return write_area(Area::holding_registers, kMostRegistersWritten, {coils ? numbers : changes, unwritten});
 }
 
@@ -144,8 +154,10 @@ void ModbusDialog::refuse(const ClientRequest& request, std::uint8_t code, const
 
 /// The address at which a bit of a change is written.
 std::uint32_t ModbusDialog::address_in(const client::LaneChange& change, std::uint32_t bit) const {
-  const Placement& placed = placement(change.lane.table);
-  return placed.offset + (has_bits(placed.area) ? client::kLaneBits * change.lane.number + bit : change.lane.number);
+  const Placement& placed = placement(table_of(change.lane.plane));
+  if (has_bits(placed.area)) return placed.offset + client::kLaneBits * change.lane.number + bit;
+  const bool number = change.lane.plane == Plane::event_numbers;
+  return placed.offset + (number ? registers_[change.lane.number] : change.lane.number);
 }
 
 }  // namespace symplant::link::modbus

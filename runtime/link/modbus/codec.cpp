@@ -59,7 +59,7 @@ Answer reported(std::size_t size, Table table, std::uint32_t first, std::uint32_
           .read_count = static_cast<std::uint16_t>(count)};
 }
 
-Answer read_bits(Request request, Reply reply, Table table, image::TableView<const std::uint64_t> view) noexcept {
+Answer read_bits(Request request, Reply reply, Table table, TableView<const std::uint64_t> view) noexcept {
   const Exception fault = check_read(request, kMaxReadBits, view.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
@@ -78,40 +78,47 @@ Answer read_bits(Request request, Reply reply, Table table, image::TableView<con
   return reported(2 + bytes, table, first, quantity);
 }
 
+/// The registers of a table: `registers(address)` is the value of one.
+template <class Registers>
 Answer registers_from(std::uint32_t first, std::uint32_t quantity, Request request, Reply reply, Table table,
-                      image::TableView<const std::uint64_t> view) noexcept {
+                      const Registers& registers) noexcept {
   reply[0] = request[0];
   reply[1] = static_cast<std::uint8_t>(2 * quantity);
-  for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, image::get_register(view.words, first + i));
+  for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, registers(first + i));
   return reported(2 + 2 * quantity, table, first, quantity);
 }
 
-Answer read_registers(Request request, Reply reply, Table table, image::TableView<const std::uint64_t> view) noexcept {
-  const Exception fault = check_read(request, kMaxReadRegisters, view.size);
+template <class Registers>
+Answer read_registers(Request request, Reply reply, Table table, std::uint32_t size,
+                      const Registers& registers) noexcept {
+  const Exception fault = check_read(request, kMaxReadRegisters, size);
   if (fault != Exception::none) return refuse(request, reply, fault);
-  const std::uint32_t first = field(request, 1);
-  const std::uint32_t quantity = field(request, 3);
-  return registers_from(first, quantity, request, reply, table, view);
+  return registers_from(field(request, 1), field(request, 3), request, reply, table, registers);
 }
 
-Answer read_coils(Request request, const image::Tables& tables, Reply reply) noexcept {
+auto holding_registers_of(const Tables& tables) noexcept {
+  return [words = tables.holding_registers.words](std::uint32_t address) { return image::get_lane(words, address); };
+}
+
+Answer read_coils(Request request, const Tables& tables, Reply reply) noexcept {
   return read_bits(request, reply, Table::coil, {tables.coils.words, tables.coils.size});
 }
 
-Answer read_discrete_inputs(Request request, const image::Tables& tables, Reply reply) noexcept {
+Answer read_discrete_inputs(Request request, const Tables& tables, Reply reply) noexcept {
   return read_bits(request, reply, Table::discrete_input, tables.discrete_inputs);
 }
 
-Answer read_holding_registers(Request request, const image::Tables& tables, Reply reply) noexcept {
-  return read_registers(request, reply, Table::holding_register,
-                        {tables.holding_registers.words, tables.holding_registers.size});
+Answer read_holding_registers(Request request, const Tables& tables, Reply reply) noexcept {
+  return read_registers(request, reply, Table::holding_register, tables.holding_registers.size,
+                        holding_registers_of(tables));
 }
 
-Answer read_input_registers(Request request, const image::Tables& tables, Reply reply) noexcept {
-  return read_registers(request, reply, Table::input_register, tables.input_registers);
+Answer read_input_registers(Request request, const Tables& tables, Reply reply) noexcept {
+  return read_registers(request, reply, Table::input_register, tables.input_registers.size(),
+                        [&](std::uint32_t address) { return tables.input_registers[address]; });
 }
 
-Answer write_single_coil(Request request, const image::Tables& tables, Reply reply) noexcept {
+Answer write_single_coil(Request request, const Tables& tables, Reply reply) noexcept {
   if (request.size() != kShortRequest) return refuse(request, reply, Exception::illegal_data_value);
   const std::uint16_t value = field(request, 3);
   if (value != kCoilOn && value != kCoilOff) return refuse(request, reply, Exception::illegal_data_value);
@@ -121,11 +128,11 @@ Answer write_single_coil(Request request, const image::Tables& tables, Reply rep
   return echo(request, reply, Table::coil, 1);
 }
 
-Answer write_single_register(Request request, const image::Tables& tables, Reply reply) noexcept {
+Answer write_single_register(Request request, const Tables& tables, Reply reply) noexcept {
   if (request.size() != kShortRequest) return refuse(request, reply, Exception::illegal_data_value);
   const std::uint16_t address = field(request, 1);
   if (address >= tables.holding_registers.size) return refuse(request, reply, Exception::illegal_data_address);
-  image::set_register(tables.holding_registers.words, address, field(request, 3));
+  image::set_lane(tables.holding_registers.words, address, field(request, 3));
   return echo(request, reply, Table::holding_register, 1);
 }
 
@@ -140,7 +147,7 @@ Exception check_write(Request request, std::uint32_t max, std::uint32_t (*bytes)
   return field(request, 1) + quantity > size ? Exception::illegal_data_address : Exception::none;
 }
 
-Answer write_coils(Request request, const image::Tables& tables, Reply reply) noexcept {
+Answer write_coils(Request request, const Tables& tables, Reply reply) noexcept {
   const Exception fault = check_write(request, kMaxWriteBits, bytes_of_bits, tables.coils.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
@@ -155,13 +162,13 @@ Answer write_coils(Request request, const image::Tables& tables, Reply reply) no
   return echo(request, reply, Table::coil, quantity);
 }
 
-void put_registers(Request data, std::uint32_t first, std::uint32_t quantity, const image::Tables& tables) noexcept {
+void put_registers(Request data, std::uint32_t first, std::uint32_t quantity, const Tables& tables) noexcept {
   for (std::uint32_t i = 0; i < quantity; ++i) {
-    image::set_register(tables.holding_registers.words, first + i, field(data, 2 * std::size_t{i}));
+    image::set_lane(tables.holding_registers.words, first + i, field(data, 2 * std::size_t{i}));
   }
 }
 
-Answer write_registers(Request request, const image::Tables& tables, Reply reply) noexcept {
+Answer write_registers(Request request, const Tables& tables, Reply reply) noexcept {
   constexpr auto kBytes = [](std::uint32_t registers) { return 2 * registers; };
   const Exception fault = check_write(request, kMaxWriteRegisters, kBytes, tables.holding_registers.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
@@ -171,7 +178,7 @@ Answer write_registers(Request request, const image::Tables& tables, Reply reply
   return echo(request, reply, Table::holding_register, quantity);
 }
 
-Answer mask_write_register(Request request, const image::Tables& tables, Reply reply) noexcept {
+Answer mask_write_register(Request request, const Tables& tables, Reply reply) noexcept {
   if (request.size() < 3) return refuse(request, reply, Exception::illegal_data_value);
   // The only function whose diagram checks the address first (section 6.16).
   const std::uint16_t address = field(request, 1);
@@ -179,8 +186,8 @@ Answer mask_write_register(Request request, const image::Tables& tables, Reply r
   if (request.size() != kMaskRequest) return refuse(request, reply, Exception::illegal_data_value);
   const std::uint32_t kept = field(request, 3);
   const std::uint32_t set = field(request, 5);
-  const std::uint32_t now = image::get_register(tables.holding_registers.words, address);
-  image::set_register(tables.holding_registers.words, address,
+  const std::uint32_t now = image::get_lane(tables.holding_registers.words, address);
+  image::set_lane(tables.holding_registers.words, address,
                       static_cast<std::uint16_t>((now & kept) | (set & ~kept)));
   std::copy_n(request.begin(), kMaskRequest, reply.begin());
   return {.size = kMaskRequest, .written = Table::holding_register, .first = address, .count = 1};
@@ -200,14 +207,14 @@ Exception check_read_write(Request request, std::uint32_t size) noexcept {
   return within ? Exception::none : Exception::illegal_data_address;
 }
 
-Answer read_write_registers(Request request, const image::Tables& tables, Reply reply) noexcept {
+Answer read_write_registers(Request request, const Tables& tables, Reply reply) noexcept {
   const Exception fault = check_read_write(request, tables.holding_registers.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint16_t first = field(request, 5);
   const std::uint16_t quantity = field(request, 7);
   put_registers(request.subspan(kReadWriteHead), first, quantity, tables);
   Answer answer = registers_from(field(request, 1), field(request, 3), request, reply, Table::holding_register,
-                                 {tables.holding_registers.words, tables.holding_registers.size});
+                                 holding_registers_of(tables));
   answer.written = Table::holding_register;
   answer.first = first;
   answer.count = quantity;
@@ -217,7 +224,7 @@ Answer read_write_registers(Request request, const image::Tables& tables, Reply 
 /// A function code and the function that answers it.
 struct Function {
   std::uint8_t code;
-  Answer (*answer)(Request request, const image::Tables& tables, Reply reply) noexcept;
+  Answer (*answer)(Request request, const Tables& tables, Reply reply) noexcept;
 };
 
 constexpr std::array kFunctions = {
@@ -237,7 +244,7 @@ bool gets_no_reply(Request request) noexcept { return request.empty() || request
 
 }  // namespace
 
-Answer answer_request(Request request, const image::Tables& tables, const Identity& identity, Reply reply) noexcept {
+Answer answer_request(Request request, const Tables& tables, const Identity& identity, Reply reply) noexcept {
   if (gets_no_reply(request)) return {};
   if (request[0] == kEncapsulatedInterface) {
     const Identified identified = identify(request, identity, reply);

@@ -8,12 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "symplant/link/image/operation_writes.hpp"
 #include "symplant/link/modbus/framing.hpp"
+#include "symplant/link/modbus/operation_writes.hpp"
 
 namespace symplant::link::modbus {
-
-using image::ClientId;
 
 /// Answers the PDU of a request from the server's tables.
 class Responder {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "symplant/link/link_settings.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 
 namespace symplant::link::modbus {
 

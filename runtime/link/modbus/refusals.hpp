@@ -7,12 +7,17 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "symplant/link/modbus/fields.hpp"
 #include "symplant/link/modbus/pdu.hpp"
 #include "symplant/tables/refusal.hpp"
 
 namespace symplant::link::modbus {
+
+/// "function 15 (write coils) from number 800 on with exception 02: ...": what the server answered with an exception,
+/// what that means and what to do. The side is modbus_server.
+std::string answer_text(const tables::Refusal& refusal);
 
 /// A kind is a function, an exception and a first address. O(kKinds).
 class Refusals {

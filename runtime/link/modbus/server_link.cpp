@@ -9,6 +9,7 @@
 #include "symplant/link/image/request_watch.hpp"
 #include "symplant/link/modbus/refusals.hpp"
 #include "symplant/link/modbus/server.hpp"
+#include "symplant/link/modbus/server_tables.hpp"
 #include "symplant/link/net/listener.hpp"
 #include "symplant/tables/version.hpp"
 
@@ -22,29 +23,29 @@ constexpr std::string_view kScheme = "modbus-tcp-server";
 class ImageResponder final : public Responder {
  public:
   /// If the map has a watchdog, only a change of its register is a sign of life.
-  ImageResponder(image::Images& images, image::RequestWatch& watch, const Identity& identity, const IoMap& map) noexcept
-      : images_(images),
+  ImageResponder(ServerTables& tables, image::RequestWatch& watch, const Identity& identity, const IoMap& map) noexcept
+      : tables_(tables),
         watch_(watch),
         identity_(identity),
         watched_(map.watchdog.has_value()),
-        state_register_(map.status_block ? *map.status_block + image::kStateField : kNowhere) {}
+        state_register_(map.status_block ? *map.status_block + kStatusFields[kStateField].first : kNowhere) {}
 
   Answer respond(const ClientId& client, std::span<const std::uint8_t> request,
                  std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
     const bool left =
         left_.load(std::memory_order_acquire);  // read before the image, which then has the stopping state
-    images_.begin_request(losses_.load(std::memory_order_relaxed));
-    const Answer answer = answer_request(request, images_.tables(), identity_, reply);
-    const std::uint32_t gaps = images_.written(answer.written, answer.first, answer.count, client);
+    tables_.begin_request(losses_.load(std::memory_order_relaxed));
+    const Answer answer = answer_request(request, tables_.tables(), identity_, reply);
+    const std::uint32_t gaps = tables_.written(answer.written, answer.first, answer.count, client);
     // After written(), so that a cycle that sees the count also sees the data.
-    if (watched_ ? images_.changed_watchdog(answer.written, answer.first, answer.count) : touches_map(answer)) {
+    if (watched_ ? tables_.changed_watchdog(answer.written, answer.first, answer.count) : touches_map(answer)) {
       heard_.fetch_add(1, std::memory_order_release);
     }
     if (reads_state(answer)) (left ? end_read_ : state_read_).store(true, std::memory_order_relaxed);
     if (answer.size != 0) add(requests_, 1);
     if (answer.exception != Exception::none) refuse(request, answer.exception);
     if (gaps != 0) add(gaps_, gaps);
-    images_.end_request(answer.read, answer.read_first, answer.read_count);
+    tables_.end_request(answer.read, answer.read_first, answer.read_count);
     return answer;
   }
 
@@ -53,7 +54,7 @@ class ImageResponder final : public Responder {
     if (!request.empty()) refuse(request, Exception::server_device_busy);
   }
 
-  void left(const ClientId& client) noexcept override { watch_.writes.left(client); }
+  void left(const ClientId& client) noexcept override { tables_.left(client); }
 
   /// Number of signs of life: requests that touched the map or changed the watchdog. Any thread.
   std::uint64_t heard() const noexcept { return heard_.load(std::memory_order_acquire); }
@@ -85,8 +86,8 @@ class ImageResponder final : public Responder {
   }
 
   bool touches_map(const Answer& answer) const noexcept {
-    return (answer.count != 0 && images_.is_mapped(answer.written, answer.first, answer.count)) ||
-           (answer.read_count != 0 && images_.is_mapped(answer.read, answer.read_first, answer.read_count));
+    return (answer.count != 0 && tables_.is_mapped(answer.written, answer.first, answer.count)) ||
+           (answer.read_count != 0 && tables_.is_mapped(answer.read, answer.read_first, answer.read_count));
   }
 
   bool reads_state(const Answer& answer) const noexcept {
@@ -94,7 +95,7 @@ class ImageResponder final : public Responder {
            state_register_ - answer.read_first < answer.read_count;
   }
 
-  image::Images& images_;
+  ServerTables& tables_;
   image::RequestWatch& watch_;
   Refusals refusals_;
   Identity identity_;
@@ -115,9 +116,11 @@ class ServerLink final : public Link {
   ServerLink(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings, net::Listener listener,
              const plant::Plant* plant)
       : bound_(std::move(listener.bound)),
-        watch_(map),
-        cycle_(tables, map, settings, plant, &watch_),
-        responder_(cycle_.images(), watch_, {"symplant", tables.name, tables::version()}, map),
+        placed_(image_of(tables, map)),
+        watch_(placed_),
+        cycle_(tables, placed_, policies_of(map, settings), plant, &watch_),
+        tables_(tables, map, placed_, cycle_.images(), &watch_),
+        responder_(tables_, watch_, {"symplant", tables.name, tables::version()}, map),
         server_(std::move(listener.socket), responder_, options_of(settings)) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + net::format_host_port(bound_); }
@@ -145,6 +148,13 @@ class ServerLink final : public Link {
     return std::nullopt;
   }
 
+  std::vector<std::uint32_t> events_on_request() const override {
+    std::vector<std::uint32_t> events;
+    for (const image::Point& point : placed_.points) {
+      if (point.plane == Plane::event_bits) events.push_back(point.symbol);
+    }
+    return events;
+  }
   void cut(bool on) noexcept override { server_.cut(on); }
   exec::LinkState state() const noexcept override { return cycle_.state(); }
   bool freezes_plant() const noexcept override { return cycle_.freezes_plant(); }
@@ -163,9 +173,17 @@ class ServerLink final : public Link {
             .keep = {settings.keep.begin(), settings.keep.end()}};
   }
 
+  /// With a watchdog the link is lost when that does not change.
+  static LinkSettings policies_of(const IoMap& map, LinkSettings settings) {
+    if (map.watchdog) settings.loss_after = settings.watchdog_within;
+    return settings;
+  }
+
   net::HostPort bound_;
+  image::Map placed_;
   image::RequestWatch watch_;
   image::CycleSide cycle_;
+  ServerTables tables_;
   ImageResponder responder_;
   Server server_;  // last member: its thread ends before what it uses is destroyed
 };
@@ -182,6 +200,17 @@ std::string address_fault(std::string_view rest) {
   const auto address = server_address(rest);
   const auto* const error = std::get_if<LinkError>(&address);
   return error == nullptr ? std::string() : error->message;
+}
+
+std::variant<LinkMap, LinkError> server_map(std::string_view /*rest*/, const LinkChoice& link,
+                                            const tables::PlantTables& tables) {
+  auto io = std::make_shared<const IoMap>(make_io_map(tables, link.controller, link.settings));
+  LinkMap map{{}, unreachable_symbols(*io), {}, io};
+  map.symbols.reserve(io->points.size());
+  for (const IoPoint& point : io->points) {
+    map.symbols.push_back({point.symbol, location_text(point), point.word_order, point.on_loss});
+  }
+  return map;
 }
 
 LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,

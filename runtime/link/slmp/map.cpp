@@ -2,11 +2,15 @@
 #include "symplant/link/slmp/map.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
+#include "symplant/link/image/numbers.hpp"
+#include "symplant/link/image/words.hpp"
 #include "symplant/tables/ascii.hpp"
 #include "symplant/tables/lists.hpp"
 #include "symplant/tables/names.hpp"
@@ -88,6 +92,12 @@ class Maker {
   }
 
  private:
+  /// The position of a number in the images, and which of its words comes first.
+  struct Number {
+    std::uint32_t position;
+    WordOrder order;
+  };
+
   std::string_view name(std::uint32_t symbol) const { return texts_[std::size_t{2} * symbol]; }
   std::string_view address(std::uint32_t symbol) const { return texts_[std::size_t{2} * symbol + 1]; }
 
@@ -124,11 +134,11 @@ class Maker {
   bool fits_group(std::uint32_t symbol, const Device& device) const {
     const tables::DataType type = tables_.symbols[symbol].type();
     if (device.digits == 0 || type == tables::DataType::boolean) return true;
-    return device.digits * kBitsPerDigit == width_of(type) * kCellBits;
+    return device.digits * kBitsPerDigit == image::words_of(type) * kCellBits;
   }
 
   void skip_group(std::uint32_t symbol, const std::string& where) {
-    const std::uint32_t bits = width_of(tables_.symbols[symbol].type()) * kCellBits;
+    const std::uint32_t bits = image::words_of(tables_.symbols[symbol].type()) * kCellBits;
     skip(symbol, "is a number of " + std::to_string(bits) + " bits at " + where);
   }
 
@@ -171,7 +181,7 @@ class Maker {
                        : "is a number at " + where + ", which is a bit: give a word, or K4X0");
       return std::nullopt;
     }
-    const std::uint32_t more = bit ? 0 : width_of(row.type()) * (info_of(device.kind).bit ? kCellBits : 1) - 1;
+    const std::uint32_t more = bit ? 0 : image::words_of(row.type()) * (info_of(device.kind).bit ? kCellBits : 1) - 1;
     if (device.number + more >= kMostDevices) {
       return error_of(ticked(name(symbol)) + " is at " + where +
                       ", beyond the devices that a request can name: " + "correct its address or `map`");
@@ -188,7 +198,7 @@ class Maker {
   }
 
   void add_number(std::uint32_t symbol, const Device& device, bool operation, const std::string& where) {
-    const std::uint8_t width = width_of(tables_.symbols[symbol].type());
+    const std::uint8_t width = image::words_of(tables_.symbols[symbol].type());
     std::uint32_t first = device.number;
     if (info_of(device.kind).bit) {
       if (!fits_group(symbol, device)) return skip_group(symbol, where);
@@ -205,7 +215,7 @@ class Maker {
     if (a.operation != b.operation || a.device != b.device) return false;
     const bool same =
         leader_[a.symbol] == leader_[b.symbol] || tables::equal_ignoring_case(address(a.symbol), address(b.symbol));
-    return same && width_of(tables_.symbols[a.symbol].type()) == width_of(tables_.symbols[b.symbol].type());
+    return same && image::words_of(tables_.symbols[a.symbol].type()) == image::words_of(tables_.symbols[b.symbol].type());
   }
 
   /// Two symbols on one bit; or an event, whose whole word is written, in a word with anything else.
@@ -230,12 +240,11 @@ class Maker {
     return std::nullopt;
   }
 
-  /// Gives each cell its position in the images, and each symbol its point.
+  /// Gives each symbol its position in the images, and each cell its lane. Numbers of one device have one position.
   void number_all() {
     for (const Use& use : uses_) {
-      Cells& cells = use.operation ? map_.operations : map_.events;
-      std::vector<Cell>& list = is_bit(use) ? cells.bits : cells.numbers;
-      if (list.empty() || list.back() != use.cell) list.push_back(use.cell);
+      std::vector<Cell>& bits = cells_of(use).bits;
+      if (is_bit(use) && (bits.empty() || bits.back() != use.cell)) bits.push_back(use.cell);
     }
     std::stable_sort(uses_.begin(), uses_.end(), [](const Use& a, const Use& b) {
       return std::tuple(a.symbol, a.cell) < std::tuple(b.symbol, b.cell);
@@ -243,15 +252,17 @@ class Maker {
     const MapRow* next = link_.rows.data();
     const MapRow* const end = next + link_.rows.size();
     for (const Use& use : uses_) {
-      if (!map_.io.points.empty() && map_.io.points.back().symbol == use.symbol) continue;
+      if (!map_.image.points.empty() && map_.image.points.back().symbol == use.symbol) continue;
       while (next != end && next->symbol < use.symbol) ++next;
       const bool is_set = next != end && next->symbol == use.symbol;
       add_point(use, is_set ? *next : MapRow{.symbol = use.symbol});
     }
-    set_size(Table::coil, kCellBits * map_.operations.bits.size());
-    set_size(Table::holding_register, map_.operations.numbers.size());
-    set_size(Table::discrete_input, kCellBits * map_.events.bits.size());
-    set_size(Table::input_register, map_.events.numbers.size());
+    set_size(Plane::operation_bits, kCellBits * map_.operations.bits.size());
+    set_size(Plane::event_bits, kCellBits * map_.events.bits.size());
+    for (Cells* const cells : {&map_.operations, &map_.events}) {
+      std::sort(cells->numbers.begin(), cells->numbers.end(),
+                [](const NumberCell& a, const NumberCell& b) { return a.cell < b.cell; });
+    }
   }
 
   /// A MELSEC has the low word first, whatever the list looks like.
@@ -261,24 +272,39 @@ class Maker {
   }
 
   bool is_bit(const Use& use) const { return tables_.symbols[use.symbol].type() == tables::DataType::boolean; }
+  Cells& cells_of(const Use& use) { return use.operation ? map_.operations : map_.events; }
 
   void add_point(const Use& use, const MapRow& row) {
-    const Cells& cells = use.operation ? map_.operations : map_.events;
-    const std::vector<Cell>& list = is_bit(use) ? cells.bits : cells.numbers;
-    const auto position =
-        static_cast<std::uint32_t>(std::lower_bound(list.begin(), list.end(), use.cell) - list.begin());
-    std::uint32_t shift = 0;
-    while (is_bit(use) && (use.mask >> shift & 1) == 0) ++shift;
-    const Table table = is_bit(use) ? (use.operation ? Table::coil : Table::discrete_input)
-                                    : (use.operation ? Table::holding_register : Table::input_register);
-    map_.io.points.push_back({use.symbol, table, is_bit(use) ? kCellBits * position + shift : position,
-                              width_of(tables_.symbols[use.symbol].type()), order_of(row),
-                              row.on_loss == OnLoss::as_link ? link_.on_loss : row.on_loss});
+    const Plane plane = image::plane_of(tables_.symbols[use.symbol]);
+    const OnLoss on_loss = row.on_loss == OnLoss::as_link ? link_.on_loss : row.on_loss;
+    const Number number = is_bit(use) ? Number{bit_position(use), order_of(row)} : number_of(use, plane, order_of(row));
+    map_.image.points.push_back({use.symbol, plane, number.position, on_loss});
     map_.devices.push_back(use.device);
+    map_.word_orders.push_back(number.order);
   }
 
-  void set_size(Table table, std::size_t size) {
-    map_.io.sizes[static_cast<std::size_t>(table)] = static_cast<std::uint32_t>(size);
+  std::uint32_t bit_position(const Use& use) {
+    const std::vector<Cell>& bits = cells_of(use).bits;
+    const auto cell = static_cast<std::uint32_t>(std::lower_bound(bits.begin(), bits.end(), use.cell) - bits.begin());
+    return kCellBits * cell + static_cast<std::uint32_t>(std::countr_zero(use.mask));
+  }
+
+  /// `use` has the first cell of the number. Symbols that share a number have the word order of the first one.
+  Number number_of(const Use& use, Plane plane, WordOrder order) {
+    std::uint32_t& size = map_.image.sizes[static_cast<std::size_t>(plane)];
+    const auto [place, is_new] = numbers_.try_emplace({plane, use.cell}, Number{size, order});
+    if (!is_new) return place->second;
+    const std::uint32_t words = image::words_of(tables_.symbols[use.symbol].type());
+    for (std::uint32_t k = 0; k < words; ++k) {
+      const Cell cell{use.cell.kind, use.cell.word + (order == WordOrder::low_first ? k : words - 1 - k)};
+      cells_of(use).numbers.push_back({cell, image::kLanesPerWord * size + k});
+    }
+    ++size;
+    return place->second;
+  }
+
+  void set_size(Plane plane, std::size_t size) {
+    map_.image.sizes[static_cast<std::size_t>(plane)] = static_cast<std::uint32_t>(size);
   }
 
   const tables::PlantTables& tables_;
@@ -288,6 +314,7 @@ class Maker {
   std::vector<std::string_view> texts_;  ///< two for each symbol: name, address
   std::vector<std::uint32_t> leader_;    ///< by symbol: the first one with its address
   std::vector<Use> uses_;
+  std::map<std::pair<Plane, Cell>, Number> numbers_;  ///< by first cell
   DeviceMap map_;
 };
 

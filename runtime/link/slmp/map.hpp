@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "symplant/link/client/parts.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/image/map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/slmp/plan.hpp"
 #include "symplant/link/slmp/settings.hpp"
@@ -15,19 +15,25 @@
 
 namespace symplant::link::slmp {
 
-/// The cells of one direction. Lane i of the table of bits is bit_cells[i], register i is number_cells[i]; both ascend
-/// without duplicates.
+/// A cell of numbers and the lane of the image that has its word.
+struct NumberCell {
+  Cell cell;
+  std::uint32_t lane;
+};
+
+/// The cells of one direction, both in ascending order without duplicates. Lane i of the plane of bits is bits[i].
 struct Cells {
   std::vector<Cell> bits;
-  std::vector<Cell> numbers;
+  std::vector<NumberCell> numbers;
 };
 
 struct DeviceMap {
-  IoMap io;  ///< numbers are positions in the images, not devices
+  image::Map image;
   Cells operations;
   Cells events;
-  std::vector<Device> devices;  ///< of the points of `io`, in their order
-  std::vector<client::Unreachable> unreachable;
+  std::vector<Device> devices;         ///< of the points of `image`, in their order
+  std::vector<WordOrder> word_orders;  ///< of these points
+  std::vector<Unreachable> unreachable;
 };
 
 /// The map of a controller's symbols. A symbol's device is its address, as `settings` move it. Errors, of kind usage:

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "symplant/link/client/parts.hpp"
-#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/image/words.hpp"
 #include "symplant/link/slmp/cpu_model.hpp"
 #include "symplant/link/slmp/refusal.hpp"
 
@@ -26,12 +26,18 @@ std::uint32_t head_of(const Span& span) { return info_of(span.kind).bit ? kBitsI
 
 std::vector<std::uint16_t> owned_bits(const DeviceMap& map) {
   std::vector<std::uint16_t> owned(map.events.bits.size());
-  for (const IoPoint& point : map.io.points) {
-    if (point.table != Table::discrete_input) continue;
-    std::uint16_t& mask = owned[point.number / kBitsInCell];
-    mask = static_cast<std::uint16_t>(mask | 1U << (point.number % kBitsInCell));
+  for (const image::Point& point : map.image.points) {
+    if (point.plane != Plane::event_bits) continue;
+    std::uint16_t& mask = owned[point.position / kBitsInCell];
+    mask = static_cast<std::uint16_t>(mask | 1U << (point.position % kBitsInCell));
   }
   return owned;
+}
+
+std::vector<Cell> cells_by_lane(const DeviceMap& map) {
+  std::vector<Cell> cells(std::size_t{image::kLanesPerWord} * map.image.size(Plane::event_numbers));
+  for (const NumberCell& number : map.events.numbers) cells[number.lane] = number.cell;
+  return cells;
 }
 
 }  // namespace
@@ -40,9 +46,10 @@ SlmpDialog::SlmpDialog(const Settings& settings, DeviceMap map)
     : settings_(settings),
       map_(std::move(map)),
       limits_(limits_of(settings.framing)),
-      operations_(operations_plan()),
-      events_(events_plan()),
+      operations_(plan_of(map_.operations)),
+      events_(plan_of(map_.events)),
       owned_(owned_bits(map_)),
+      number_cells_(cells_by_lane(map_)),
       exchange_(settings),
       words_(std::max(limits_.words, limits_.block_points)) {}
 
@@ -55,25 +62,23 @@ void SlmpDialog::retry_rejected() noexcept {
   events_.requests.retry();
 }
 
-SlmpDialog::ReadPlan SlmpDialog::plan_of(const Cells& cells, Table numbers) const {
+SlmpDialog::ReadPlan SlmpDialog::plan_of(const Cells& cells) const {
   ReadPlan plan;
-  std::set_union(cells.bits.begin(), cells.bits.end(), cells.numbers.begin(), cells.numbers.end(),
-                 std::back_inserter(plan.cells));
+  plan.cells = cells.bits;
+  for (const NumberCell& number : cells.numbers) plan.cells.push_back(number.cell);
+  std::sort(plan.cells.begin(), plan.cells.end());
+  plan.cells.erase(std::unique(plan.cells.begin(), plan.cells.end()), plan.cells.end());
   plan.targets.resize(plan.cells.size());
-  const auto position = [&](const Cell& cell) {
-    return std::lower_bound(plan.cells.begin(), plan.cells.end(), cell) - plan.cells.begin();
-  };
-  for (std::uint32_t i = 0; i < cells.bits.size(); ++i) {
-    plan.targets[static_cast<std::size_t>(position(cells.bits[i]))].bits = i;
-  }
-  for (std::uint32_t i = 0; i < cells.numbers.size(); ++i) {
-    plan.targets[static_cast<std::size_t>(position(cells.numbers[i]))].numbers = i;
-  }
   plan.continues.resize(plan.cells.size());
-  for (const IoPoint& point : map_.io.points) {
-    for (std::uint32_t lane = point.number + 1; point.table == numbers && lane <= point.last(); ++lane) {
-      plan.continues[static_cast<std::size_t>(position(cells.numbers[lane]))] = true;
-    }
+  const auto position = [&](const Cell& cell) {
+    return static_cast<std::size_t>(std::lower_bound(plan.cells.begin(), plan.cells.end(), cell) - plan.cells.begin());
+  };
+  for (std::uint32_t i = 0; i < cells.bits.size(); ++i) plan.targets[position(cells.bits[i])].bits = i;
+  std::uint32_t before = kNowhere;  // the number of the cell before
+  for (const NumberCell& number : cells.numbers) {
+    const std::uint32_t own = number.lane / image::kLanesPerWord;
+    plan.targets[position(number.cell)].numbers = number.lane;
+    plan.continues[position(number.cell)] = std::exchange(before, own) == own;
   }
   plan.requests = client::RequestList<Transfer>(plan_reads(plan.cells, limits_));
   return plan;
@@ -119,9 +124,9 @@ Identity SlmpDialog::identify(Fault& fault) {
   fault = transact(reply);
   if (fault) return {};
   Identity identity = identity_of(reply, settings_.framing);
-  std::vector<std::uint64_t> bits(image::register_words(static_cast<std::uint32_t>(map_.events.bits.size())));
-  std::vector<std::uint64_t> numbers(image::register_words(static_cast<std::uint32_t>(map_.events.numbers.size())));
-  fault = read_back(bits, numbers, 0);  // whether the PLC has what is to be written
+  std::vector<std::uint64_t> bits(image::bit_words(map_.image.size(Plane::event_bits)));
+  std::vector<std::uint64_t> numbers(map_.image.size(Plane::event_numbers));
+  fault = read_back({bits, numbers}, 0);  // whether the PLC has what is to be written
   if (fault.kind == Fault::Kind::rejected) fault = {};
   return identity;
 }
@@ -170,8 +175,8 @@ void SlmpDialog::scatter(const Transfer& transfer, const ReadPlan& plan, const W
       if (cell.kind != span.kind || cell.word - span.first >= span.count) break;
       const std::uint16_t value = words_[base + cell.word - span.first];
       const Target& target = plan.targets[i];
-      if (target.bits != kNowhere) image::set_register(out.bits, target.bits, value);
-      if (target.numbers != kNowhere) image::set_register(out.numbers, target.numbers, value);
+      if (target.bits != kNowhere) image::set_lane(out.bits, target.bits, value);
+      if (target.numbers != kNowhere) image::set_lane(out.numbers, target.numbers, value);
     }
     base += span.count;
   }
@@ -217,12 +222,12 @@ class SlmpDialog::Reading {
   /// Events are not left out because they cannot be read back.
   void leave_out(const Transfer& transfer) {
     if (&plan_ != &dialog_.operations_) return;
-    const auto add = [&](Table table, std::uint32_t lane) {
-      if (lane != kNowhere) dialog_.left_out_.push_back({{{table, lane}, kWholeCell, 0}, dialog_.refusal_});
+    const auto add = [&](Plane plane, std::uint32_t lane) {
+      if (lane != kNowhere) dialog_.left_out_.push_back({{{plane, lane}, kWholeCell, 0}, dialog_.refusal_});
     };
     for (const std::uint32_t cell : cells_in(transfer)) {
-      add(Table::coil, plan_.targets[cell].bits);
-      add(Table::holding_register, plan_.targets[cell].numbers);
+      add(Plane::operation_bits, plan_.targets[cell].bits);
+      add(Plane::operation_numbers, plan_.targets[cell].numbers);
     }
   }
 
@@ -282,18 +287,15 @@ bool SlmpDialog::adapt_to(Access access, bool of_bits, std::uint16_t end_code) {
   return true;
 }
 
-Fault SlmpDialog::read(image::Tables& tables, tables::Time now) {
+Fault SlmpDialog::read(const Words& operations, tables::Time now) {
   if (std::exchange(adapted_, false)) {
-    operations_ = operations_plan();
-    events_ = events_plan();
+    operations_ = plan_of(map_.operations);
+    events_ = plan_of(map_.events);
   }
-  return read_all(operations_, {tables.coils.words, tables.holding_registers.words}, now);
+  return read_all(operations_, operations, now);
 }
 
-Fault SlmpDialog::read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
-                            tables::Time now) {
-  return read_all(events_, {discrete_inputs, input_registers}, now);
-}
+Fault SlmpDialog::read_back(const Words& events, tables::Time now) { return read_all(events_, events, now); }
 
 std::vector<std::string> SlmpDialog::notes() const {
   return client::request_notes(operations_.requests.size(), requests_to_write(), events_.requests.size());

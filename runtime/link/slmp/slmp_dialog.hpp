@@ -28,10 +28,9 @@ class SlmpDialog final : public client::Dialog {
   client::Fault open() override;
   void close() noexcept override { exchange_.close(); }
   client::Identity identify(client::Fault& fault) override;
-  client::Fault read(image::Tables& tables, tables::Time now) override;
+  client::Fault read(const client::Words& operations, tables::Time now) override;
   client::Fault write(std::span<const client::LaneChange> changes, std::vector<client::Unwritten>& unwritten) override;
-  client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers,
-                          tables::Time now) override;
+  client::Fault read_back(const client::Words& events, tables::Time now) override;
   void retry_rejected() noexcept override;
   bool is_dividing() const noexcept override {
     return operations_.requests.is_dividing() || events_.requests.is_dividing();
@@ -43,7 +42,7 @@ class SlmpDialog final : public client::Dialog {
   std::uint64_t rejected() const noexcept override { return rejected_.load(std::memory_order_relaxed); }
 
  private:
-  /// Where a word of memory goes in the images: lanes of one or both tables, or kNowhere.
+  /// Where a word of memory goes in the images: lanes of one or both planes, or kNowhere.
   struct Target {
     std::uint32_t bits = kNowhere;
     std::uint32_t numbers = kNowhere;
@@ -56,14 +55,9 @@ class SlmpDialog final : public client::Dialog {
     client::RequestList<Transfer> requests;
   };
   class Reading;
-  struct Words {
-    std::span<std::uint64_t> bits;
-    std::span<std::uint64_t> numbers;
-  };
+  using Words = client::Words;
 
-  ReadPlan plan_of(const Cells& cells, Table numbers) const;
-  ReadPlan operations_plan() const { return plan_of(map_.operations, Table::holding_register); }
-  ReadPlan events_plan() const { return plan_of(map_.events, Table::input_register); }
+  ReadPlan plan_of(const Cells& cells) const;
   client::Fault read_all(ReadPlan& plan, const Words& out, tables::Time now);
   static void put_counts(RequestWriter& request, const Transfer& transfer);
   static void put_span(RequestWriter& request, const Transfer& transfer, const Span& span);
@@ -80,6 +74,9 @@ class SlmpDialog final : public client::Dialog {
     std::vector<Transfer> bit_transfers;
     bool splits_words = false;  ///< some bits could be written as whole words
   };
+  const Cell& cell_of(const client::Lane& lane) const {
+    return lane.plane == Plane::event_bits ? map_.events.bits[lane.number] : number_cells_[lane.number];
+  }
   Writes writes_of(std::span<const client::LaneChange> changes, bool whole) const;
   std::size_t requests_to_write() const;
   /// A request to write, and what becomes of it.
@@ -106,6 +103,7 @@ class SlmpDialog final : public client::Dialog {
   ReadPlan operations_;
   ReadPlan events_;
   std::vector<std::uint16_t> owned_;  ///< by bit cell of the events: its mapped bits
+  std::vector<Cell> number_cells_;    ///< by lane of the event numbers
   Exchange exchange_;
   std::vector<std::uint16_t> words_;  ///< of the latest reply, in the order of its spans
   tables::Refusal refusal_;           ///< of the latest reading that was refused

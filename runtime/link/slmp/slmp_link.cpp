@@ -24,8 +24,9 @@ client::PartsResult slmp_parts(std::string_view rest, const LinkChoice& link, co
   if (auto* error = std::get_if<LinkError>(&made)) return std::move(*error);
   DeviceMap& map = std::get<DeviceMap>(made);
   client::ClientParts parts{.dialog = nullptr,
-                            .map = map.io,
+                            .map = map.image,
                             .addresses = {},
+                            .word_orders = map.word_orders,
                             .unreachable = map.unreachable,
                             .times = settings.times,
                             .notes = {}};

@@ -16,8 +16,8 @@ SlmpDialog::Writes SlmpDialog::writes_of(std::span<const LaneChange> changes, bo
   Writes writes;
   std::vector<std::pair<Cell, std::uint16_t>> words;
   for (const LaneChange& change : changes) {
-    const bool bits = change.lane.table == Table::discrete_input;
-    const Cell& cell = (bits ? map_.events.bits : map_.events.numbers)[change.lane.number];
+    const bool bits = change.lane.plane == Plane::event_bits;
+    const Cell& cell = cell_of(change.lane);
     const bool all_bits = bits && owned_[change.lane.number] == kWholeCell;
     const bool word = !bits || !info_of(cell.kind).bit || (whole && all_bits);
     writes.splits_words = writes.splits_words || (all_bits && !word);
@@ -41,10 +41,8 @@ SlmpDialog::Writes SlmpDialog::writes_of(std::span<const LaneChange> changes, bo
 /// For all events.
 std::size_t SlmpDialog::requests_to_write() const {
   std::vector<LaneChange> all;
-  for (std::uint32_t i = 0; i < owned_.size(); ++i) all.push_back({{Table::discrete_input, i}, owned_[i], 0});
-  for (std::uint32_t i = 0; i < map_.events.numbers.size(); ++i) {
-    all.push_back({{Table::input_register, i}, kWholeCell, 0});
-  }
+  for (std::uint32_t i = 0; i < owned_.size(); ++i) all.push_back({{Plane::event_bits, i}, owned_[i], 0});
+  for (const NumberCell& number : map_.events.numbers) all.push_back({{Plane::event_numbers, number.lane}, kWholeCell, 0});
   const auto count = [&](bool whole) {
     const Writes writes = writes_of(all, whole);
     return writes.words_transfers.size() + writes.bit_transfers.size();
@@ -128,8 +126,8 @@ void SlmpDialog::refuse(const Transfer& transfer, bool of_bits, const client::Un
                        [&](const Span& span) { return span.kind == cell.kind && number - span.first < span.count; });
   };
   for (const LaneChange& change : writing.changes) {
-    const bool bits = change.lane.table == Table::discrete_input;
-    const Cell& cell = (bits ? map_.events.bits : map_.events.numbers)[change.lane.number];
+    const bool bits = change.lane.plane == Plane::event_bits;
+    const Cell& cell = cell_of(change.lane);
     if (of_bits && !(bits && info_of(cell.kind).bit)) continue;
     client::Unwritten part = why;
     part.change = change;

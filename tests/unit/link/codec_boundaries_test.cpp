@@ -86,7 +86,7 @@ TEST_CASE("Writing one coil (05) checks the value before the address") {
         const Reply reply = ask(memory, bytes);
         CHECK(reply.bytes == bytes);
         CHECK(memory == expected);
-        CHECK(reply.answer.written == link::Table::coil);
+        CHECK(reply.answer.written == link::modbus::Table::coil);
         CHECK(reply.answer.first == address);
         CHECK(reply.answer.count == 1);
       }
@@ -109,7 +109,7 @@ TEST_CASE("Writing one register (06) takes any value") {
       const Reply reply = ask(memory, bytes);
       CHECK(reply.bytes == bytes);
       CHECK(memory == expected);
-      CHECK(reply.answer.written == link::Table::holding_register);
+      CHECK(reply.answer.written == link::modbus::Table::holding_register);
     }
   }
 }

@@ -63,14 +63,14 @@ TEST_CASE("An unsupported function code gets exception 01, a reserved one gets n
 TEST_CASE("An answer contains what was read and what was written") {
   Memory memory(kBits, kRegisters);
   const Answer both = ask(memory, {23, 0, 4, 0, 3, 0, 5, 0, 1, 2, 0xBE, 0xEF}).answer;
-  CHECK(both.read == link::Table::holding_register);
+  CHECK(both.read == link::modbus::Table::holding_register);
   CHECK(both.read_first == 4);
   CHECK(both.read_count == 3);
-  CHECK(both.written == link::Table::holding_register);
+  CHECK(both.written == link::modbus::Table::holding_register);
   CHECK(both.first == 5);
   CHECK(both.count == 1);
   const Answer inputs = ask(memory, request(2, {7, 2})).answer;
-  CHECK(inputs.read == link::Table::discrete_input);
+  CHECK(inputs.read == link::modbus::Table::discrete_input);
   CHECK(inputs.read_first == 7);
   CHECK(inputs.read_count == 2);
   CHECK(inputs.count == 0);

@@ -21,7 +21,7 @@ struct ImageBench {
   tables::Time time = 0;
 
   explicit ImageBench(const tables::PlantTables& given, const link::LinkSettings& settings = {})
-      : tables(given), plant(tables), images(tables, link::make_io_map(tables, 0, settings)) {
+      : tables(given), plant(tables), images(tables, link::modbus::make_io_map(tables, 0, settings)) {
     plant->advance_to(0);
     write();
   }

@@ -100,8 +100,8 @@ TEST_CASE("The Modbus client reads and writes a server of libmodbus") {
   CHECK_THAT(bench.dialog().identify(fault).message, Catch::Matchers::ContainsSubstring("its operations can be read"));
   REQUIRE_FALSE(fault);
   REQUIRE_FALSE(bench.read());
-  CHECK(bench.bit(link::Table::coil, 3));
-  CHECK(bench.number(link::Table::holding_register, 6) == 0xBEEF);
+  CHECK(bench.bit(link::modbus::Table::coil, 3));
+  CHECK(bench.number(link::modbus::Table::holding_register, 6) == 0xBEEF);
   CHECK_THAT(bench.dialog().take_rejections().front().message,
              Catch::Matchers::ContainsSubstring("coil 100: exception 02"));
   bench.set_bit(4, true);

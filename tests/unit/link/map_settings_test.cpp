@@ -1,13 +1,13 @@
 // The effect of a link's settings on its map, and the map's digest.
 #include "support/catch.hpp"
-#include "symplant/link/io_map.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 #include "symplant/link/status_fields.hpp"
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
 using link::LinkSettings;
 using link::MapRow;
-using link::Table;
+using link::modbus::Table;
 using link::WordOrder;
 using tables::AddressForm;
 using tables::DataType;
@@ -21,17 +21,17 @@ constexpr auto kCoils = static_cast<std::size_t>(Table::coil);
 constexpr auto kHolding = static_cast<std::size_t>(Table::holding_register);
 constexpr auto kInput = static_cast<std::size_t>(Table::input_register);
 
-std::vector<int> numbers(const link::IoMap& map) {
+std::vector<int> numbers(const link::modbus::IoMap& map) {
   std::vector<int> result;
-  for (const link::IoPoint& point : map.points) result.push_back(static_cast<int>(point.number));
+  for (const link::modbus::IoPoint& point : map.points) result.push_back(static_cast<int>(point.number));
   return result;
 }
 
 std::vector<std::string> faults(const SymbolList& list, const LinkSettings& settings = {}) {
   const tables::PlantTables tables = list.tables();
-  const auto map = link::make_io_map(tables, 0, settings);
+  const auto map = link::modbus::make_io_map(tables, 0, settings);
   std::vector<std::string> texts;
-  for (const link::MapFault& fault : map.faults) texts.push_back(link::fault_text(tables, map, fault));
+  for (const link::modbus::MapFault& fault : map.faults) texts.push_back(link::modbus::fault_text(tables, map, fault));
   return texts;
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("The status block starts at the first multiple of 100 above the highes
       table<std::uint32_t, std::uint16_t>({{0, 100}, {98, 100}, {99, 100}, {100, 200}, {199, 200}, {65'400, 65'500}}));
   SymbolList list;
   list.add("A", kOperation, highest);
-  const auto map = link::make_io_map(list.tables(), 0, {});
+  const auto map = link::modbus::make_io_map(list.tables(), 0, {});
   REQUIRE(map.status_block);
   CHECK(*map.status_block == first);
   CHECK(map.sizes[kInput] == (first + 12U + 15U) / 16 * 16);
@@ -54,24 +54,24 @@ TEST_CASE("The status block starts at the first multiple of 100 above the highes
 TEST_CASE("The last register of a number counts for the start of the status block") {
   SymbolList list;
   list.add("A", kOperation, 25, DataType::lint);  // 100 to 103
-  CHECK(link::make_io_map(list.tables(), 0, {}).status_block == 200);
+  CHECK(link::modbus::make_io_map(list.tables(), 0, {}).status_block == 200);
 }
 
 TEST_CASE("The status block of a map without symbols starts at 100") {
-  CHECK(link::make_io_map(tables::PlantTables{}, 0, {}).status_block == 100);
+  CHECK(link::modbus::make_io_map(tables::PlantTables{}, 0, {}).status_block == 100);
 }
 
 TEST_CASE("Without room above the map there is no status block, and the map says so") {
   SymbolList list;
   list.add("A", kOperation, 65'500);
-  const auto map = link::make_io_map(list.tables(), 0, {});
+  const auto map = link::modbus::make_io_map(list.tables(), 0, {});
   CHECK_FALSE(map.status_block);
   CHECK(map.no_room_for_status);
   CHECK(map.faults.empty());
 
   LinkSettings small;
   small.sizes[kInput] = 64;
-  const auto sized = link::make_io_map(SymbolList().tables(), 0, small);
+  const auto sized = link::modbus::make_io_map(SymbolList().tables(), 0, small);
   CHECK_FALSE(sized.status_block);
   CHECK(sized.no_room_for_status);
 }
@@ -82,7 +82,7 @@ TEST_CASE("Status block and watchdog are at their given numbers, or absent") {
   LinkSettings settings;
   settings.status_block = 4;
   settings.watchdog = 9;
-  const auto map = link::make_io_map(list.tables(), 0, settings);
+  const auto map = link::modbus::make_io_map(list.tables(), 0, settings);
   CHECK(map.status_block == 4);
   CHECK(map.watchdog == 9);
   CHECK(map.sizes[kInput] == 16);
@@ -90,7 +90,7 @@ TEST_CASE("Status block and watchdog are at their given numbers, or absent") {
 
   settings.status_block = link::kNowhere;
   settings.watchdog = link::kNowhere;
-  const auto bare = link::make_io_map(list.tables(), 0, settings);
+  const auto bare = link::modbus::make_io_map(list.tables(), 0, settings);
   CHECK_FALSE(bare.status_block);
   CHECK_FALSE(bare.no_room_for_status);
   CHECK_FALSE(bare.watchdog);
@@ -163,7 +163,7 @@ TEST_CASE("A symbol that ends after the last number, or outside the given table 
                                       "`size`, or the symbol a lower number"});
   small.sizes[kCoils] = 21;
   CHECK(faults(sized, small).empty());
-  CHECK(link::make_io_map(sized.tables(), 0, small).sizes[kCoils] == 21);
+  CHECK(link::modbus::make_io_map(sized.tables(), 0, small).sizes[kCoils] == 21);
 }
 
 TEST_CASE("Symbols with given numbers keep them, and a packed table fills the gaps") {
@@ -175,7 +175,7 @@ TEST_CASE("Symbols with given numbers keep them, and a packed table fills the ga
   const std::array<MapRow, 1> rows{{{3, 2}}};
   LinkSettings settings;
   settings.rows = rows;
-  const auto map = link::make_io_map(list.tables(), 0, settings);
+  const auto map = link::modbus::make_io_map(list.tables(), 0, settings);
   CHECK(numbers(map) == std::vector<int>{0, 3, 5, 2});  // B takes 3 and 4, since D is at 2
   CHECK(map.packed[kHolding]);
   CHECK(map.faults.empty());
@@ -189,7 +189,7 @@ TEST_CASE("A number for the only symbol without one keeps its table from being p
   const std::array<MapRow, 1> rows{{{0, 3}}};
   LinkSettings settings;
   settings.rows = rows;
-  CHECK(numbers(link::make_io_map(list.tables(), 0, settings)) == std::vector<int>{3, 7});
+  CHECK(numbers(link::modbus::make_io_map(list.tables(), 0, settings)) == std::vector<int>{3, 7});
 }
 
 TEST_CASE("Word order and on-loss are those of the link, or of the symbol") {
@@ -200,7 +200,7 @@ TEST_CASE("Word order and on-loss are those of the link, or of the symbol") {
   LinkSettings settings;
   settings.rows = rows;
   settings.word_order = WordOrder::high_first;
-  const auto map = link::make_io_map(list.tables(), 0, settings);
+  const auto map = link::modbus::make_io_map(list.tables(), 0, settings);
   CHECK(map.points[0].word_order == WordOrder::high_first);
   CHECK(map.points[0].on_loss == link::OnLoss::hold);
   CHECK(map.points[1].word_order == WordOrder::low_first);
@@ -221,7 +221,7 @@ TEST_CASE("The digest of a map changes with all that a PLC program depends on, a
     if (reversed) list.add("LAMP", kOperation, 1);
     list.add(wanted.name, wanted.direction, wanted.number, wanted.type);
     if (!reversed) list.add("LAMP", kOperation, 1);
-    return link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, wanted.settings));
+    return link::modbus::map_hash(list.tables(), link::modbus::make_io_map(list.tables(), 0, wanted.settings));
   };
   const std::uint64_t before = hash({});
   CHECK(before == hash({}));
@@ -248,7 +248,7 @@ TEST_CASE("The digest of a map orders several names at one number independently 
     SymbolList list;
     const std::uint32_t leader = list.add(one, kOperation, 1);
     list.share(list.add(other, kOperation, 1), leader);
-    return link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, {}));
+    return link::modbus::map_hash(list.tables(), link::modbus::make_io_map(list.tables(), 0, {}));
   };
   CHECK(hash("A", "B") == hash("a", "B"));
   CHECK(hash("A", "B") == hash("B", "a"));
@@ -259,7 +259,7 @@ TEST_CASE("The digest of known maps is the same in every version") {
   SymbolList list;
   list.add("A", kOperation, 0);
   list.add("B", kEvent, 2, DataType::real);
-  CHECK(link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, {})) == 0xB5CB'2135'57CB'D1C2);
+  CHECK(link::modbus::map_hash(list.tables(), link::modbus::make_io_map(list.tables(), 0, {})) == 0xB5CB'2135'57CB'D1C2);
 }
 
 TEST_CASE("The fields of the status block fill its registers one after the other") {
@@ -268,5 +268,5 @@ TEST_CASE("The fields of the status block fill its registers one after the other
     CHECK(field.first == next);
     next += field.registers;
   }
-  CHECK(next == link::kStatusRegisters);
+  CHECK(next == link::kStatusWords);
 }

@@ -35,7 +35,7 @@ struct ReadBench {
 
   SymbolList list = made();
   tables::PlantTables tables = list.tables();
-  link::IoMap map = link::make_io_map(tables, 0, {});
+  link::modbus::IoMap map = link::modbus::make_io_map(tables, 0, {});
   EventReads reads{map.sizes[1]};
   MissedEvents missed{map, reads};
   std::vector<std::uint64_t> words = {0, 0};

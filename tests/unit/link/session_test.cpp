@@ -17,7 +17,7 @@
 
 using namespace symplant;
 using link::LinkFinding;
-using link::Table;
+using link::modbus::Table;
 using link::client::ClientTimes;
 using link::client::Dialog;
 using link::client::Fault;
@@ -86,7 +86,7 @@ class SessionBench {
   explicit SessionBench(const ClientTimes& times)
       : times_(times),
         tables_(list_.tables()),
-        map_(link::make_io_map(tables_, 0, {.status_block = link::kNowhere})),
+        map_(link::modbus::make_io_map(tables_, 0, {.status_block = link::kNowhere})),
         plant_(tables_),
         images_(tables_, map_),
         session_(plc, map_, times, images_, false) {
@@ -117,7 +117,7 @@ class SessionBench {
   ClientTimes times_;
   SymbolList list_ = four_events();
   tables::PlantTables tables_;
-  link::IoMap map_;
+  link::modbus::IoMap map_;
   test::OwnedPlant plant_;
   link::image::Images images_;
   tables::Time now_ = 0;

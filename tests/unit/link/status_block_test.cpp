@@ -7,7 +7,7 @@ using symplant::exec::LinkState;
 using symplant::link::WordOrder;
 using namespace symplant::link::image;
 using namespace symplant::link::modbus;
-using symplant::link::kStatusRegisters;
+using symplant::link::kStatusWords;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // The block of numbers that a PLC transfers, and writes beyond it.
-#include "symplant/link/transfer_range.hpp"
+#include "symplant/link/modbus/transfer_range.hpp"
 
 #include <optional>
 #include <string>
@@ -11,14 +11,14 @@
 namespace symplant::test {
 namespace {
 
-using link::NumberRange;
-using link::Table;
+using link::modbus::NumberRange;
+using link::modbus::Table;
 
 std::optional<NumberRange> range_of(const std::vector<std::uint32_t>& coils, std::uint32_t watchdog = link::kNowhere) {
   SymbolList list;
   for (const std::uint32_t coil : coils) list.add("A" + std::to_string(coil), SymbolList::kOut, coil);
   const tables::PlantTables tables = list.tables();
-  return link::transfer_range(tables, link::make_io_map(tables, 0, {.watchdog = watchdog}), Table::coil);
+  return link::modbus::transfer_range(tables, link::modbus::make_io_map(tables, 0, {.watchdog = watchdog}), Table::coil);
 }
 
 TEST_CASE("The transfer range is what the slave devices of OpenPLC transfer") {

@@ -7,7 +7,7 @@
 
 using namespace symplant;
 using Catch::Matchers::ContainsSubstring;
-using link::Table;
+using link::modbus::Table;
 using link::client::Fault;
 using tables::DataType;
 using test::add_bits;

@@ -7,7 +7,7 @@
 #include "unit/modbus/dialog_bench.hpp"
 
 using namespace symplant;
-using link::Table;
+using link::modbus::Table;
 using link::client::Fault;
 using test::DialogBench;
 using test::SymbolList;

@@ -9,7 +9,7 @@
 #include "unit/modbus/draw.hpp"
 
 using namespace symplant;
-using link::Table;
+using link::modbus::Table;
 using tables::DataType;
 using test::DialogBench;
 using test::draw;

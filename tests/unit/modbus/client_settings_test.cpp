@@ -6,7 +6,7 @@
 using namespace symplant;
 using namespace symplant::link::modbus;
 using Catch::Matchers::ContainsSubstring;
-using link::Table;
+using link::modbus::Table;
 
 namespace {
 

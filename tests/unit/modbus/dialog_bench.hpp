@@ -21,13 +21,13 @@ class DialogBench {
  public:
   DialogBench(const SymbolList& list, std::uint16_t port, const std::string& parameters)
       : list_(list), tables_(list_.tables()), parts_(open(port, parameters)), outbox_(parts_.map) {
-    for (std::size_t i = 0; i < link::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 16 * 4 + 4);
+    for (std::size_t i = 0; i < link::modbus::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 16 * 4 + 4);
   }
 
   link::client::Dialog& dialog() { return *parts_.dialog; }
   link::client::Outbox& outbox() { return outbox_; }
-  const link::IoMap& map() const { return parts_.map; }
-  std::vector<std::uint64_t>& words(link::Table table) { return words_[static_cast<std::size_t>(table)]; }
+  const link::modbus::IoMap& map() const { return parts_.map; }
+  std::vector<std::uint64_t>& words(link::modbus::Table table) { return words_[static_cast<std::size_t>(table)]; }
 
   link::client::Fault read(tables::Time now = 0) {
     link::image::Tables tables = images();
@@ -47,13 +47,13 @@ class DialogBench {
     return parts_.dialog->read_back(bits, numbers, 0);
   }
 
-  bool bit(link::Table table, std::uint32_t number) { return link::image::get_bit(words(table), number); }
-  std::uint16_t number(link::Table table, std::uint32_t number) {
+  bool bit(link::modbus::Table table, std::uint32_t number) { return link::image::get_bit(words(table), number); }
+  std::uint16_t number(link::modbus::Table table, std::uint32_t number) {
     return link::image::get_register(words(table), number);
   }
-  void set_bit(std::uint32_t number, bool on) { link::image::set_bit(words(link::Table::discrete_input), number, on); }
+  void set_bit(std::uint32_t number, bool on) { link::image::set_bit(words(link::modbus::Table::discrete_input), number, on); }
   void set_number(std::uint32_t number, std::uint16_t value) {
-    link::image::set_register(words(link::Table::input_register), number, value);
+    link::image::set_register(words(link::modbus::Table::input_register), number, value);
   }
 
  private:
@@ -72,7 +72,7 @@ class DialogBench {
   link::client::ClientParts parts_;
   link::client::Outbox outbox_;
   std::vector<link::client::Unwritten> unwritten_;
-  std::array<std::vector<std::uint64_t>, link::kTables> words_;
+  std::array<std::vector<std::uint64_t>, link::modbus::kTables> words_;
 };
 
 }  // namespace symplant::test

@@ -10,7 +10,7 @@
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
-using link::Table;
+using link::modbus::Table;
 using test::SymbolList;
 
 namespace {
@@ -37,7 +37,7 @@ class Images {
     auto made = link::client_parts({url, 0}, list_.tables());
     if (auto* error = std::get_if<link::LinkError>(&made)) FAIL(error->message);
     parts_ = std::get<link::client::ClientParts>(std::move(made));
-    for (std::size_t i = 0; i < link::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 4 + 1);
+    for (std::size_t i = 0; i < link::modbus::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 4 + 1);
     REQUIRE_FALSE(parts_.dialog->open());
   }
 
@@ -110,7 +110,7 @@ class Images {
   template <class Visit>
   void each_word(bool operations, Visit visit) {
     for (std::size_t i = 0; i < parts_.map.points.size(); ++i) {
-      const link::IoPoint& point = parts_.map.points[i];
+      const link::modbus::IoPoint& point = parts_.map.points[i];
       const bool operation = point.table == Table::coil || point.table == Table::holding_register;
       const auto device = link::slmp::parse_device(parts_.addresses[i], family_);
       if (operation != operations || !device) continue;
@@ -136,7 +136,7 @@ class Images {
   test::slmp::SlmpPlc plc_;
   SymbolList list_;
   link::client::ClientParts parts_;
-  std::array<std::vector<std::uint64_t>, link::kTables> words_;
+  std::array<std::vector<std::uint64_t>, link::modbus::kTables> words_;
 };
 
 ImageCase case_of(const std::string& parameters, link::slmp::Family family, test::slmp::Family server) {
