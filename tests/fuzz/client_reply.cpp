@@ -8,7 +8,7 @@
 
 #include "fuzz/dice.hpp"
 #include "fuzz/target.hpp"
-#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/image/words.hpp"
 #include "symplant/link/modbus/client_codec.hpp"
 #include "symplant/link/slmp/framing.hpp"
 

@@ -81,13 +81,15 @@ class PlannedClient {
     auto made = link::client_parts({url_of(family, port), 0}, list_.tables());
     if (auto* error = std::get_if<link::LinkError>(&made)) throw std::runtime_error(error->message);
     parts_ = std::get<link::client::ClientParts>(std::move(made));
-    for (std::size_t i = 0; i < link::modbus::kTables; ++i) words_[i].resize(link::image::bit_words(parts_.map.sizes[i]));
-    changes_.resize(parts_.map.sizes[static_cast<std::size_t>(link::modbus::Table::discrete_input)] / 16);
-    for (const link::modbus::IoPoint& point : parts_.map.points) {
-      if (point.table != link::modbus::Table::discrete_input) continue;
-      const std::uint32_t lane = point.number / 16;
-      changes_[lane].lane = {link::modbus::Table::discrete_input, lane};
-      changes_[lane].mask = static_cast<std::uint16_t>(changes_[lane].mask | 1U << (point.number % 16));
+    bits_.resize(link::image::bit_words(parts_.map.size(link::Plane::operation_bits)));
+    numbers_.resize(parts_.map.size(link::Plane::operation_numbers));
+    changes_.resize(parts_.map.size(link::Plane::event_bits) / link::image::kLaneBits);
+    for (const link::image::Point& point : parts_.map.points) {
+      if (point.plane != link::Plane::event_bits) continue;
+      const std::uint32_t lane = point.position / link::image::kLaneBits;
+      changes_[lane].lane = {link::Plane::event_bits, lane};
+      changes_[lane].mask =
+          static_cast<std::uint16_t>(changes_[lane].mask | 1U << (point.position % link::image::kLaneBits));
       changes_[lane].value = changes_[lane].mask;
     }
     if (auto fault = parts_.dialog->open()) throw std::runtime_error(fault.message);
@@ -95,9 +97,7 @@ class PlannedClient {
 
   /// Reads all operations and writes all events. False if a request failed.
   bool exchange() {
-    const auto size = [&](std::size_t table) { return parts_.map.sizes[table]; };
-    link::image::Tables tables{{words_[0], size(0)}, {words_[1], size(1)}, {words_[2], size(2)}, {words_[3], size(3)}};
-    return !parts_.dialog->read(tables, 0) && !parts_.dialog->write(changes_, unwritten_) && unwritten_.empty();
+    return !parts_.dialog->read({bits_, numbers_}, 0) && !parts_.dialog->write(changes_, unwritten_) && unwritten_.empty();
   }
 
  private:
@@ -119,7 +119,8 @@ class PlannedClient {
 
   SymbolList list_;
   link::client::ClientParts parts_;
-  std::array<std::vector<std::uint64_t>, link::modbus::kTables> words_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::uint64_t> numbers_;
   std::vector<link::client::LaneChange> changes_;
   std::vector<link::client::Unwritten> unwritten_;
 };

@@ -26,7 +26,7 @@ struct Bench {
   explicit Bench(std::uint32_t carries) {
     auto made = std::make_unique<SetLink>();
     link = made.get();
-    links.push_back({"", carries, {}, std::move(made)});
+    links.push_back({"", {"", carries, {}}, std::move(made)});
     watched = std::make_unique<host::WatchedLinks>(links, plant, recorder);
     recorder.attach(plant);
   }
@@ -125,7 +125,7 @@ std::size_t short_events_on(const std::string& url, std::uint32_t carries) {
   auto opened = link::open_link({url, carries, {}}, tables.rows);
   REQUIRE(std::holds_alternative<std::unique_ptr<link::Link>>(opened));
   host::Links links;
-  links.push_back({"", carries, {}, std::get<std::unique_ptr<link::Link>>(std::move(opened))});
+  links.push_back({"", {url, carries, {}}, std::get<std::unique_ptr<link::Link>>(std::move(opened))});
   trace::Recorder recorder(tables.rows, 256);
   const host::WatchedLinks watched(links, plant, recorder);
   plant.advance_to(0);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <numeric>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -18,25 +19,30 @@ using Bytes = std::vector<std::uint8_t>;
 /// A server's memory, filled with a different value at each address.
 struct Memory {
   std::vector<std::uint64_t> coils, discrete, holding, input;
-  std::array<std::uint32_t, 4> sizes;
+  std::vector<std::uint32_t> input_lanes;  ///< the registers in their order
+  std::uint32_t bits;
+  std::uint32_t registers;
 
-  explicit Memory(std::uint32_t bits, std::uint32_t registers)
-      : coils(bit_words(bits)),
-        discrete(bit_words(bits)),
-        holding(register_words(registers)),
-        input(register_words(registers)),
-        sizes{bits, bits, registers, registers} {
+  explicit Memory(std::uint32_t bit_count, std::uint32_t register_count)
+      : coils(bit_words(bit_count)),
+        discrete(bit_words(bit_count)),
+        holding(lane_words(register_count)),
+        input(lane_words(register_count)),
+        input_lanes(register_count),
+        bits(bit_count),
+        registers(register_count) {
+    std::iota(input_lanes.begin(), input_lanes.end(), 0U);
     for (std::uint32_t i = 0; i < bits; ++i) {
       set_bit(coils, i, i % 3 == 0);
       set_bit(discrete, i, i % 5 < 2);
     }
     for (std::uint32_t i = 0; i < registers; ++i) {
-      set_register(holding, i, static_cast<std::uint16_t>(i * 7 + 1));
-      set_register(input, i, static_cast<std::uint16_t>(0xF000 + i));
+      set_lane(holding, i, static_cast<std::uint16_t>(i * 7 + 1));
+      set_lane(input, i, static_cast<std::uint16_t>(0xF000 + i));
     }
   }
 
-  Tables tables() { return {{coils, sizes[0]}, {discrete, sizes[1]}, {holding, sizes[2]}, {input, sizes[3]}}; }
+  Tables tables() { return {{coils, bits}, {discrete, bits}, {holding, registers}, {input, input_lanes}}; }
   bool operator==(const Memory&) const = default;
 };
 

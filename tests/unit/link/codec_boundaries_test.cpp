@@ -105,7 +105,7 @@ TEST_CASE("Writing one register (06) takes any value") {
         continue;
       }
       Memory expected = memory;
-      set_register(expected.holding, address, static_cast<std::uint16_t>(value));
+      set_lane(expected.holding, address, static_cast<std::uint16_t>(value));
       const Reply reply = ask(memory, bytes);
       CHECK(reply.bytes == bytes);
       CHECK(memory == expected);
@@ -156,7 +156,7 @@ TEST_CASE("Writing registers (16) at every boundary writes all or none") {
       }
       Memory expected = memory;
       for (std::uint32_t i = 0; i < quantity; ++i) {
-        set_register(expected.holding, address + i, static_cast<std::uint16_t>(0x8001 + 3 * i));
+        set_lane(expected.holding, address + i, static_cast<std::uint16_t>(0x8001 + 3 * i));
       }
       const Reply reply = ask(memory, bytes);
       CHECK(reply.bytes == request(16, {address, quantity}));

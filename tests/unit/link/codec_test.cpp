@@ -106,7 +106,7 @@ TEST_CASE("The last address of a full table is served, and no address wraps") {
   check_refused(memory, request(1, {0xFFFF, 2}), 2);
   check_refused(memory, request(3, {0xFFFF, 2}), 2);
   CHECK(ask(memory, request(6, {0xFFFF, 0x1234})).bytes == request(6, {0xFFFF, 0x1234}));
-  CHECK(get_register(memory.holding, 0xFFFF) == 0x1234);
+  CHECK(get_lane(memory.holding, 0xFFFF) == 0x1234);
 }
 
 TEST_CASE("A busy answer names the function, and a reserved code gets none") {

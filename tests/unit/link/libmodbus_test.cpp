@@ -100,8 +100,8 @@ TEST_CASE("The Modbus client reads and writes a server of libmodbus") {
   CHECK_THAT(bench.dialog().identify(fault).message, Catch::Matchers::ContainsSubstring("its operations can be read"));
   REQUIRE_FALSE(fault);
   REQUIRE_FALSE(bench.read());
-  CHECK(bench.bit(link::modbus::Table::coil, 3));
-  CHECK(bench.number(link::modbus::Table::holding_register, 6) == 0xBEEF);
+  CHECK(bench.bit(3));
+  CHECK(bench.number(6) == 0xBEEF);
   CHECK_THAT(bench.dialog().take_rejections().front().message,
              Catch::Matchers::ContainsSubstring("coil 100: exception 02"));
   bench.set_bit(4, true);
@@ -111,7 +111,7 @@ TEST_CASE("The Modbus client reads and writes a server of libmodbus") {
   std::vector<std::uint64_t> bits(8);
   std::vector<std::uint64_t> numbers(8);
   REQUIRE_FALSE(bench.read_back(bits, numbers));
-  CHECK(bench.outbox().differences(bits, numbers).empty());
+  CHECK(bench.outbox().differences({bits, numbers}).empty());
   bench.dialog().close();
   CHECK(server.memory().tab_bits[54] == 1);
   CHECK(server.memory().tab_registers[54] == 0x1234);

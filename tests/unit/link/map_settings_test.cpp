@@ -266,7 +266,7 @@ TEST_CASE("The fields of the status block fill its registers one after the other
   std::uint32_t next = 0;
   for (const link::StatusField& field : link::kStatusFields) {
     CHECK(field.first == next);
-    next += field.registers;
+    next += field.words;
   }
   CHECK(next == link::kStatusWords);
 }

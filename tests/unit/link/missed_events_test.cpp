@@ -35,8 +35,8 @@ struct ReadBench {
 
   SymbolList list = made();
   tables::PlantTables tables = list.tables();
-  link::modbus::IoMap map = link::modbus::make_io_map(tables, 0, {});
-  EventReads reads{map.sizes[1]};
+  link::image::Map map = image_of(tables, link::modbus::make_io_map(tables, 0, {}));
+  EventReads reads{map.size(link::Plane::event_bits)};
   MissedEvents missed{map, reads};
   std::vector<std::uint64_t> words = {0, 0};
   bool value = false;

@@ -1,18 +1,18 @@
 // What a PLC has written, and whether it has written all of it again.
-#include "symplant/link/image/rewriting.hpp"
+#include "symplant/link/modbus/rewriting.hpp"
 
 #include <random>
 #include <set>
 
 #include "support/catch.hpp"
 
-using symplant::link::image::AddressSet;
-using symplant::link::image::Rewriting;
+using symplant::link::image::PositionSet;
+using symplant::link::modbus::Rewriting;
 
 TEST_CASE("A set of addresses contains the added ranges, wherever they begin and end") {
   std::mt19937 dice(7);
   const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(dice() % end); };
-  AddressSet set(300);
+  PositionSet set(300);
   std::set<std::uint32_t> expected;
   for (int i = 0; i < 500; ++i) {
     const std::uint32_t first = below(300);
@@ -34,8 +34,8 @@ TEST_CASE("A set of addresses contains the added ranges, wherever they begin and
 namespace {
 
 /// Every address has a symbol.
-AddressSet all() {
-  AddressSet set(200);
+PositionSet all() {
+  PositionSet set(200);
   set.add(0, 200);
   return set;
 }
@@ -45,7 +45,7 @@ AddressSet all() {
 TEST_CASE("Addresses without a symbol are not awaited") {
   Rewriting writes(200, 200);
   writes.wrote(true, 0, 10);
-  AddressSet mapped(200);
+  PositionSet mapped(200);
   mapped.add(3, 1);
   writes.begin(mapped, mapped);
   CHECK_FALSE(writes.complete());

@@ -9,15 +9,14 @@
 
 #include "support/catch.hpp"
 #include "symplant/link/client/reconnection.hpp"
-#include "symplant/link/image/table_view.hpp"
 #include "symplant/link/modbus/client_settings.hpp"
+#include "symplant/link/modbus/io_map.hpp"
 #include "symplant/link/slmp/settings.hpp"
 #include "unit/exec/cell.hpp"
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
 using link::LinkFinding;
-using link::modbus::Table;
 using link::client::ClientTimes;
 using link::client::Dialog;
 using link::client::Fault;
@@ -42,7 +41,7 @@ class FakePlc final : public Dialog {
   Fault open() override { return {}; }
   void close() noexcept override {}
   link::client::Identity identify(Fault& /*fault*/) override { return {link::client::Identity::Kind::verified, "CPU"}; }
-  Fault read(link::image::Tables& /*tables*/, tables::Time /*now*/) override { return {}; }
+  Fault read(const link::client::Words& /*operations*/, tables::Time /*now*/) override { return {}; }
   Fault write(std::span<const LaneChange> changes, std::vector<Unwritten>& unwritten) override {
     for (const LaneChange& change : changes) {
       ++writes;
@@ -58,8 +57,8 @@ class FakePlc final : public Dialog {
     }
     return {};
   }
-  Fault read_back(std::span<std::uint64_t> bits, std::span<std::uint64_t> /*numbers*/, tables::Time /*now*/) override {
-    bits[0] = inputs;
+  Fault read_back(const link::client::Words& events, tables::Time /*now*/) override {
+    events.bits[0] = inputs;
     return {};
   }
   void retry_rejected() noexcept override {}
@@ -86,10 +85,10 @@ class SessionBench {
   explicit SessionBench(const ClientTimes& times)
       : times_(times),
         tables_(list_.tables()),
-        map_(link::modbus::make_io_map(tables_, 0, {.status_block = link::kNowhere})),
+        map_(image_of(tables_, link::modbus::make_io_map(tables_, 0, {.status_block = link::kNowhere}))),
         plant_(tables_),
         images_(tables_, map_),
-        session_(plc, map_, times, images_, false) {
+        session_(plc, tables_, map_, times, images_, false) {
     images_.write_events(*plant_);
     REQUIRE_FALSE(session_.begin(now_));
   }
@@ -117,7 +116,7 @@ class SessionBench {
   ClientTimes times_;
   SymbolList list_ = four_events();
   tables::PlantTables tables_;
-  link::modbus::IoMap map_;
+  link::image::Map map_;
   test::OwnedPlant plant_;
   link::image::Images images_;
   tables::Time now_ = 0;

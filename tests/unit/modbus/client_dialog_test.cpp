@@ -36,11 +36,11 @@ TEST_CASE("Operations are read over gaps in one request for each area") {
   REQUIRE_FALSE(bench.dialog().open());
   REQUIRE_FALSE(bench.read());
   CHECK(sent(plc) == Texts{"1:5+896", "3:20+2"});
-  CHECK(bench.bit(Table::coil, 5));
-  CHECK_FALSE(bench.bit(Table::coil, 6));
-  CHECK(bench.bit(Table::coil, 900));
-  CHECK(bench.number(Table::holding_register, 20) == 0x1234);
-  CHECK(bench.number(Table::holding_register, 21) == 0x5678);
+  CHECK(bench.bit(5));
+  CHECK_FALSE(bench.bit(6));
+  CHECK(bench.bit(900));
+  CHECK(bench.number(20) == 0x1234);
+  CHECK(bench.number(21) == 0x5678);
 }
 
 TEST_CASE("Packed operations and numbers of one area are read by one request, in either order of bits") {
@@ -59,10 +59,10 @@ TEST_CASE("Packed operations and numbers of one area are read by one request, in
     REQUIRE_FALSE(bench.dialog().open());
     REQUIRE_FALSE(bench.read());
     CHECK(sent(plc) == Texts{"4:100+11"});
-    CHECK(bench.bit(Table::coil, 16));
-    CHECK_FALSE(bench.bit(Table::coil, 17));
-    CHECK_FALSE(bench.bit(Table::coil, 2));
-    CHECK(bench.number(Table::holding_register, 4) == 77);
+    CHECK(bench.bit(16));
+    CHECK_FALSE(bench.bit(17));
+    CHECK_FALSE(bench.bit(2));
+    CHECK(bench.number(4) == 77);
   }
 }
 
@@ -79,8 +79,8 @@ TEST_CASE("A request over addresses that the PLC does not have is divided from t
   REQUIRE_FALSE(bench.dialog().open());
   REQUIRE_FALSE(bench.read());
   CHECK(sent(plc) == Texts{"1:3+7", "1:3+2", "1:9+1"});
-  CHECK(bench.bit(Table::coil, 3));
-  CHECK(bench.bit(Table::coil, 9));
+  CHECK(bench.bit(3));
+  CHECK(bench.bit(9));
   REQUIRE_FALSE(bench.read());
   CHECK(sent(plc) == Texts{"1:3+2", "1:9+1"});
   CHECK(bench.dialog().take_rejections().empty());
@@ -113,15 +113,15 @@ TEST_CASE("A mapped address that the PLC does not have is found, reported, tried
   CHECK(refused < 40);
   const auto left_out = bench.dialog().take_left_out();
   REQUIRE(left_out.size() == 2);
-  CHECK(left_out[0].lanes.lane == link::client::Lane{Table::coil, 62});
+  CHECK(left_out[0].lanes.lane == link::client::Lane{link::Plane::operation_bits, 62});
   CHECK(left_out[0].lanes.mask == 0x0100);
   CHECK(left_out[1].lanes.mask == 0x0200);
   CHECK(left_out[0].refusal == tables::Refusal{tables::Refusal::Side::modbus_client, 1, 2, 1000});
   CHECK(bench.dialog().take_rejections().empty());
   plc.with([](PlcMemory& memory) { memory.coils.resize(2000, 1); });
   pass(200 * tables::kSecond);
-  CHECK(bench.bit(Table::coil, 1000));
-  CHECK(bench.bit(Table::coil, 1001));
+  CHECK(bench.bit(1000));
+  CHECK(bench.bit(1001));
   CHECK(pass(300 * tables::kSecond) == Texts{"1:3+999"});  // whole again
 }
 

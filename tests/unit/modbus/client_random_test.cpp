@@ -81,11 +81,11 @@ void remove_unused(PlcMemory& memory, const RandomMap& map, std::mt19937& random
 void check_reading(DialogBench& bench, const RandomMap& map, const PlcMemory& memory) {
   REQUIRE_FALSE(bench.read());
   for (const Numbered& one : map.bit_operations) {
-    CHECK(bench.bit(Table::coil, one.number) == (memory.discrete_inputs[one.number + 7] != 0));
+    CHECK(bench.bit(one.number) == (memory.discrete_inputs[one.number + 7] != 0));
   }
   for (const Numbered& one : map.number_operations) {
     for (std::uint32_t k = 0; k < one.width; ++k) {
-      CHECK(bench.number(Table::holding_register, one.number + k) == memory.input_registers[one.number + k + 9]);
+      CHECK(bench.number(one.number + k) == memory.input_registers[one.number + k + 9]);
     }
   }
 }
@@ -117,7 +117,7 @@ void check_writing(ModbusPlc& plc, DialogBench& bench, const RandomMap& map, boo
   std::vector<std::uint64_t> bits(200);
   std::vector<std::uint64_t> numbers(200);
   REQUIRE_FALSE(bench.read_back(bits, numbers));
-  CHECK(bench.outbox().differences(bits, numbers).empty());
+  CHECK(bench.outbox().differences({bits, numbers}).empty());
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_CASE("A number of several registers is never written in parts: it is refuse
   REQUIRE_FALSE(bench.dialog().open());
   REQUIRE_FALSE(bench.write());
   REQUIRE(bench.unwritten().size() == 2);
-  CHECK(bench.unwritten()[0].change.lane == link::client::Lane{Table::input_register, 42});
+  CHECK(bench.unwritten()[0].change.lane.plane == link::Plane::event_numbers);
   CHECK(bench.unwritten()[0].refusal.function == 16);
   CHECK_THAT(bench.dialog().take_rejections().front().message, ContainsSubstring("use a number of 16 bits"));
   for (const auto& written : plc.written()) CHECK(written.first == 20);
@@ -132,9 +132,9 @@ TEST_CASE("With swapped bytes each register is read and written so, packed bits 
                     "&bytes=swapped");
   REQUIRE_FALSE(bench.dialog().open());
   REQUIRE_FALSE(bench.read());
-  CHECK(bench.number(Table::holding_register, 10) == 0x1234);
-  CHECK(bench.bit(Table::coil, 8));
-  CHECK_FALSE(bench.bit(Table::coil, 0));
+  CHECK(bench.number(10) == 0x1234);
+  CHECK(bench.bit(8));
+  CHECK_FALSE(bench.bit(0));
   bench.set_number(20, 0x0102);
   bench.set_bit(1, true);
   REQUIRE_FALSE(bench.write());
@@ -159,7 +159,7 @@ TEST_CASE("A server that closes after each answer is served, one connection for 
     bench.set_bit(1, i % 2 == 0);
     REQUIRE_FALSE(bench.read());
     REQUIRE_FALSE(bench.write());
-    CHECK(bench.bit(Table::coil, 3) == (i % 2 != 0));
+    CHECK(bench.bit(3) == (i % 2 != 0));
     plc.with([i](PlcMemory& memory) { CHECK(memory.coils[101] == (i % 2 == 0 ? 1 : 0)); });
   }
   CHECK(plc.accepted() == plc.requests().size());

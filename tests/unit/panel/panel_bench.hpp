@@ -179,7 +179,7 @@ class PanelBench {
     link->now = state;
     link::LinkSettings settings;
     if (freezes) settings.plant_on_loss = link::PlantOnLoss::freeze;
-    links_.push_back({"", 0, settings, std::move(link)});
+    links_.push_back({"", {"", 0, settings}, std::move(link)});
     names.name_links(host::named_links(links_));
   }
   void cycles() {

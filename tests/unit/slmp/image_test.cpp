@@ -6,11 +6,12 @@
 #include "support/catch.hpp"
 #include "support/slmp/slmp_plc.hpp"
 #include "symplant/link/client_parts.hpp"
+#include "symplant/link/image/numbers.hpp"
 #include "symplant/link/slmp/device.hpp"
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
-using link::modbus::Table;
+using link::Plane;
 using test::SymbolList;
 
 namespace {
@@ -37,31 +38,32 @@ class Images {
     auto made = link::client_parts({url, 0}, list_.tables());
     if (auto* error = std::get_if<link::LinkError>(&made)) FAIL(error->message);
     parts_ = std::get<link::client::ClientParts>(std::move(made));
-    for (std::size_t i = 0; i < link::modbus::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 4 + 1);
+    for (std::size_t i = 0; i < link::kPlanes; ++i) {
+      const std::uint32_t size = parts_.map.sizes[i];
+      words_[i].resize(link::has_bits(static_cast<Plane>(i)) ? link::image::bit_words(size) + 1 : size + 1);
+    }
     REQUIRE_FALSE(parts_.dialog->open());
   }
 
   /// Fills the operations in the PLC, reads them, and counts those that are different.
   int wrong_after_read() {
     each_word(true,
-              [&](const char* device, std::uint32_t number, Table, std::uint32_t) { put(device, number, draw()); });
-    const auto size = [&](std::size_t table) { return parts_.map.sizes[table]; };
-    link::image::Tables tables{{words_[0], size(0)}, {words_[1], size(1)}, {words_[2], size(2)}, {words_[3], size(3)}};
-    REQUIRE_FALSE(parts_.dialog->read(tables, 0));
+              [&](const char* device, std::uint32_t number, Plane, std::uint32_t) { put(device, number, draw()); });
+    REQUIRE_FALSE(parts_.dialog->read({image(Plane::operation_bits), image(Plane::operation_numbers)}, 0));
     return wrong(true);
   }
 
   /// Writes random events, and counts those that the PLC has otherwise.
   int wrong_after_write() {
-    std::map<std::pair<Table, std::uint32_t>, link::client::LaneChange> changes;
-    each_word(false, [&](const char*, std::uint32_t, Table table, std::uint32_t at) {
-      const bool bit = table == Table::discrete_input;
+    std::map<std::pair<Plane, std::uint32_t>, link::client::LaneChange> changes;
+    each_word(false, [&](const char*, std::uint32_t, Plane plane, std::uint32_t at) {
+      const bool bit = plane == Plane::event_bits;
       const std::uint32_t lane = bit ? at / 16 : at;
-      auto& change = changes[{table, lane}];
-      change.lane = {table, lane};
+      auto& change = changes[{plane, lane}];
+      change.lane = {plane, lane};
       change.mask = static_cast<std::uint16_t>(change.mask | (bit ? 1U << at % 16 : 0xFFFFU));
-      link::image::set_register(image(table), lane, draw());
-      change.value = link::image::get_register(image(table), lane);
+      link::image::set_lane(image(plane), lane, draw());
+      change.value = link::image::get_lane(image(plane), lane);
     });
     std::vector<link::client::LaneChange> list;
     for (const auto& entry : changes) list.push_back(entry.second);
@@ -74,7 +76,7 @@ class Images {
   /// Number of bits and words of events.
   std::size_t events() {
     std::size_t count = 0;
-    each_word(false, [&](const char*, std::uint32_t, Table, std::uint32_t) { ++count; });
+    each_word(false, [&](const char*, std::uint32_t, Plane, std::uint32_t) { ++count; });
     return count;
   }
 
@@ -92,10 +94,11 @@ class Images {
     for (const std::uint32_t number : drawn) {
       const std::string text = device_text({*link::slmp::kind_of(name), number}, family_);
       list_.add_device("AT_" + text, direction, text, type);
+      types_.push_back(type);
     }
   }
 
-  std::span<std::uint64_t> image(Table table) { return words_[static_cast<std::size_t>(table)]; }
+  std::span<std::uint64_t> image(Plane plane) { return words_[static_cast<std::size_t>(plane)]; }
 
   bool is_bit(const std::string& device) const { return device == "M" || device == "L"; }
   void put(const std::string& device, std::uint32_t number, std::uint16_t value) {
@@ -106,26 +109,28 @@ class Images {
     return is_bit(device) ? std::uint16_t{plc_.memory().bit(device, number)} : plc_.memory().word(device, number);
   }
 
-  /// Calls `visit(device, number, table, number in the table)` for each bit and word of operations, or of events.
+  /// Calls `visit(device, number, plane, position of the bit, or lane of the word)` for each bit and word of operations, or of events.
   template <class Visit>
   void each_word(bool operations, Visit visit) {
     for (std::size_t i = 0; i < parts_.map.points.size(); ++i) {
-      const link::modbus::IoPoint& point = parts_.map.points[i];
-      const bool operation = point.table == Table::coil || point.table == Table::holding_register;
+      const link::image::Point& point = parts_.map.points[i];
+      const bool operation = !link::is_event(point.plane);
+      const bool bit = link::has_bits(point.plane);
       const auto device = link::slmp::parse_device(parts_.addresses[i], family_);
       if (operation != operations || !device) continue;
       const std::string name(link::slmp::info_of(device->kind).name);
-      for (std::uint32_t k = 0; k < point.width; ++k)
-        visit(name.c_str(), device->number + k, point.table, point.number + k);
+      const auto words = static_cast<std::uint32_t>(link::image::words_of(types_.at(point.symbol)));
+      for (std::uint32_t k = 0; k < (bit ? 1 : words); ++k) {
+        visit(name.c_str(), device->number + k, point.plane, bit ? point.position : 4 * point.position + k);
+      }
     }
   }
 
   int wrong(bool operations) {
     int count = 0;
-    each_word(operations, [&](const char* device, std::uint32_t number, Table table, std::uint32_t at) {
-      const bool bit = table == Table::coil || table == Table::discrete_input;
-      const std::uint16_t value =
-          bit ? std::uint16_t{link::image::get_bit(image(table), at)} : link::image::get_register(image(table), at);
+    each_word(operations, [&](const char* device, std::uint32_t number, Plane plane, std::uint32_t at) {
+      const std::uint16_t value = link::has_bits(plane) ? std::uint16_t{link::image::get_bit(image(plane), at)}
+                                                        : link::image::get_lane(image(plane), at);
       if (value != get(device, number)) ++count;
     });
     return count;
@@ -135,8 +140,9 @@ class Images {
   link::slmp::Family family_;
   test::slmp::SlmpPlc plc_;
   SymbolList list_;
+  std::vector<tables::DataType> types_;  ///< by symbol
   link::client::ClientParts parts_;
-  std::array<std::vector<std::uint64_t>, link::modbus::kTables> words_;
+  std::array<std::vector<std::uint64_t>, link::kPlanes> words_;
 };
 
 ImageCase case_of(const std::string& parameters, link::slmp::Family family, test::slmp::Family server) {

@@ -52,8 +52,8 @@ TEST_CASE("The low word of a number is first, whatever the list has, unless the 
   const std::array<link::MapRow, 1> rows{link::MapRow{.symbol = 1, .word_order = link::WordOrder::high_first}};
   const auto orders = [&](const link::LinkSettings& link) {
     const auto made = make_device_map(list.tables(), 0, link, std::get<Settings>(read_settings("//h:5000?family=q")));
-    const auto& points = std::get<DeviceMap>(made).io.points;
-    return std::pair(points[0].word_order, points[1].word_order);
+    const auto& orders_of_points = std::get<DeviceMap>(made).word_orders;
+    return std::pair(orders_of_points[0], orders_of_points[1]);
   };
   constexpr auto kLow = link::WordOrder::low_first;
   constexpr auto kHigh = link::WordOrder::high_first;
@@ -100,13 +100,15 @@ TEST_CASE("Images hold 16 bits of a word together, and numbers in the order of t
   list.add_device("F", kIn, "M100");
   const DeviceMap map = map_of(list, "family=q");
   CHECK(map.operations.bits == std::vector<Cell>{{*kind_of("Y"), 0}, {*kind_of("Y"), 2}});
-  CHECK(map.operations.numbers == std::vector<Cell>{{*kind_of("D"), 5}, {*kind_of("D"), 8}, {*kind_of("D"), 9}});
-  REQUIRE(map.io.points.size() == 5);
-  CHECK(map.io.points[0].number == 16 + 15);
-  CHECK(map.io.points[1].number == 1);
-  CHECK(map.io.points[2].number == 1);
-  CHECK(map.io.points[3].number == 0);
-  CHECK(map.io.points[4].number == 100 % 16);
+  std::vector<std::uint32_t> words;
+  for (const link::slmp::NumberCell& number : map.operations.numbers) words.push_back(number.cell.word);
+  CHECK(words == std::vector<std::uint32_t>{5, 8, 9});
+  REQUIRE(map.image.points.size() == 5);
+  CHECK(map.image.points[0].position == 16 + 15);
+  CHECK(map.image.points[1].position == 1);
+  CHECK(map.image.points[2].position == 1);
+  CHECK(map.image.points[3].position == 0);
+  CHECK(map.image.points[4].position == 100 % 16);
   REQUIRE(map.unreachable.size() == 1);
   CHECK_THAT(map.unreachable[0].reason, ContainsSubstring("not a device"));
 }

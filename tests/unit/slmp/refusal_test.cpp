@@ -33,20 +33,19 @@ class Conversation {
         {"slmp://127.0.0.1:" + std::to_string(port) + "?family=iqr&events=direct&" + parameters, 0}, tables_);
     if (auto* error = std::get_if<link::LinkError>(&parts)) throw std::runtime_error(error->message);
     parts_ = std::get<link::client::ClientParts>(std::move(parts));
-    for (std::size_t i = 0; i < link::modbus::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 4 + 4);
+    bits_.resize(link::image::bit_words(parts_.map.size(link::Plane::operation_bits)) + 1);
+    numbers_.resize(parts_.map.size(link::Plane::operation_numbers) + 1);
     if (auto fault = parts_.dialog->open()) throw std::runtime_error(fault.message);
   }
 
   Dialog& dialog() { return *parts_.dialog; }
   link::client::Fault read(tables::Time now) {
-    const auto size = [&](std::size_t table) { return parts_.map.sizes[table]; };
-    link::image::Tables tables{{words_[0], size(0)}, {words_[1], size(1)}, {words_[2], size(2)}, {words_[3], size(3)}};
-    return parts_.dialog->read(tables, now);
+    return parts_.dialog->read({bits_, numbers_}, now);
   }
   std::uint16_t number(const std::string& name) {
-    for (const link::modbus::IoPoint& point : parts_.map.points) {
+    for (const link::image::Point& point : parts_.map.points) {
       const auto texts = tables::split_names(tables_.symbol_names);
-      if (texts[std::size_t{2} * point.symbol] == name) return link::image::get_register(words_[2], point.number);
+      if (texts[std::size_t{2} * point.symbol] == name) return static_cast<std::uint16_t>(numbers_[point.position]);
     }
     throw std::runtime_error("no symbol " + name);
   }
@@ -55,7 +54,8 @@ class Conversation {
   test::SymbolList list_;
   tables::PlantTables tables_;
   link::client::ClientParts parts_;
-  std::array<std::vector<std::uint64_t>, link::modbus::kTables> words_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::uint64_t> numbers_;
 };
 
 /// Operations at these words of D.
@@ -122,7 +122,7 @@ TEST_CASE("A reading that the PLC refuses is divided until the refused word is a
   for (; now < 10 * tables::kSecond; now += 10 * tables::kMillisecond) CHECK_FALSE(link.read(now));
   const auto left_out = link.dialog().take_left_out();
   REQUIRE(left_out.size() == 1);
-  CHECK(left_out.front().lanes.lane == link::client::Lane{link::modbus::Table::holding_register, 40});
+  CHECK(left_out.front().lanes.lane == link::client::Lane{link::Plane::operation_numbers, 4 * 40});
   CHECK(left_out.front().refusal.code == 0x4031);
   CHECK_THAT(link::slmp::refusal_text(left_out.front().refusal),
              ContainsSubstring("reading from D100 on: end code 4031"));
@@ -168,7 +168,7 @@ TEST_CASE("With 3E an old answer to a reading is not taken for the confirmation 
   list.add_device("E", test::SymbolList::kIn, "D7", tables::DataType::word);
   Conversation link(list, plc.port(), "");
   std::vector<link::client::Unwritten> unwritten;
-  const std::vector<link::client::LaneChange> changes = {{{link::modbus::Table::input_register, 0}, 0xFFFF, 3}};
+  const std::vector<link::client::LaneChange> changes = {{{link::Plane::event_numbers, 0}, 0xFFFF, 3}};
   const auto fault = link.dialog().write(changes, unwritten);
   CHECK(fault.kind == link::client::Fault::Kind::transport);
   CHECK_THAT(fault.message, ContainsSubstring("answers a request to write with values"));
