@@ -25,7 +25,7 @@ class Memory final : public Responder {
     const auto coils = coils_;
     const auto holding = holding_;
     const Answer answer =
-        answer_request(request, {{coils_, kBits}, {inputs_, kBits}, {holding_, kRegisters}, {inputs_, kRegisters}},
+        answer_request(request, {{coils_, kBits}, {inputs_, kBits}, {holding_, kRegisters}, {inputs_, lanes_}},
                        {"v", "p", "r"}, reply);
     require(answer.size <= kMaxPdu, "an answer is longer than a frame holds");
     require(answer.exception == Exception::none || answer.count == 0, "a refused request has written");
@@ -34,7 +34,7 @@ class Memory final : public Responder {
               "a coil changed untold");
     }
     for (std::uint32_t i = 0; i < kRegisters; ++i) {
-      const bool same = get_register(holding, i) == get_register(holding_, i);
+      const bool same = get_lane(holding, i) == get_lane(holding_, i);
       require(same || is_reported(answer, link::modbus::Table::holding_register, i), "a register changed untold");
     }
     require(coils_.back() >> (kBits % kBitsPerWord) == 0, "bits behind the last coil changed");
@@ -48,8 +48,13 @@ class Memory final : public Responder {
   }
 
   std::array<std::uint64_t, bit_words(kBits)> coils_{};
-  std::array<std::uint64_t, register_words(kRegisters)> holding_{};
-  std::array<std::uint64_t, register_words(kRegisters)> inputs_{};
+  std::array<std::uint64_t, lane_words(kRegisters)> holding_{};
+  std::array<std::uint64_t, lane_words(kRegisters)> inputs_{};
+  std::array<std::uint32_t, kRegisters> lanes_ = [] {
+    std::array<std::uint32_t, kRegisters> lanes{};
+    for (std::uint32_t i = 0; i < kRegisters; ++i) lanes[i] = i;
+    return lanes;
+  }();
 };
 
 class Peer final : public Sink {

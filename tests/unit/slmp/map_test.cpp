@@ -90,7 +90,7 @@ TEST_CASE("Operations need no choice, and events never go to outputs") {
              ContainsSubstring("`W` is an event at Y5") && ContainsSubstring("never written"));
 }
 
-TEST_CASE("Images hold 16 bits of a word together, and numbers in the order of their devices") {
+TEST_CASE("Images hold 16 bits of a word together, and each number at one position, in list order") {
   SymbolList list;
   list.add_device("A", kOut, "Y2F", 0x2F);
   list.add_device("B", kOut, "Y1", 1);
@@ -106,8 +106,8 @@ TEST_CASE("Images hold 16 bits of a word together, and numbers in the order of t
   REQUIRE(map.image.points.size() == 5);
   CHECK(map.image.points[0].position == 16 + 15);
   CHECK(map.image.points[1].position == 1);
-  CHECK(map.image.points[2].position == 1);
-  CHECK(map.image.points[3].position == 0);
+  CHECK(map.image.points[2].position == 0);
+  CHECK(map.image.points[3].position == 1);
   CHECK(map.image.points[4].position == 100 % 16);
   REQUIRE(map.unreachable.size() == 1);
   CHECK_THAT(map.unreachable[0].reason, ContainsSubstring("not a device"));
