@@ -43,11 +43,18 @@ void require_device(const Device& device, Family family) {
   require(parse_device(device_text(device, family), family) == device, "the text of a device is another device");
 }
 
-void require_cells(const std::vector<Cell>& cells) {
+void require_ascending(const std::vector<Cell>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     require(cells[i].word < kMostDevices / (info_of(cells[i].kind).bit ? 16 : 1), "a word is beyond all devices");
     require(i == 0 || cells[i - 1] < cells[i], "the words of a map do not ascend");
   }
+}
+
+void require_cells(const Cells& cells) {
+  require_ascending(cells.bits);
+  std::vector<Cell> numbers;
+  for (const NumberCell& number : cells.numbers) numbers.push_back(number.cell);
+  require_ascending(numbers);
 }
 
 void play_slmp_url(std::string_view rest) {
@@ -65,14 +72,12 @@ void play_slmp_url(std::string_view rest) {
   const auto made = make_device_map(moved_list().tables(), 0, {}, settings);
   if (const auto* error = std::get_if<LinkError>(&made)) return require_usage(*error);
   const auto& map = std::get<DeviceMap>(made);
-  require(map.devices.size() == map.io.points.size(), "points and devices differ in number");
+  require(map.devices.size() == map.image.points.size(), "points and devices differ in number");
   for (const Device& device : map.devices) require_device(device, family);
-  for (const Cells* cells : {&map.operations, &map.events}) {
-    require_cells(cells->bits);
-    require_cells(cells->numbers);
-  }
-  for (const link::modbus::IoPoint& point : map.io.points) {
-    require(point.number < map.io.sizes[static_cast<std::size_t>(point.table)], "a point is outside of its image");
+  require_cells(map.operations);
+  require_cells(map.events);
+  for (const link::image::Point& point : map.image.points) {
+    require(point.position < map.image.size(point.plane), "a point is outside of its image");
   }
 }
 
