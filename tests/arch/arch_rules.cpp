@@ -20,9 +20,9 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 20> kGenerator = {
-    "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing", "infer",
-    "model", "score", "convert", "lower",   "check", "findings", "emit",        "view",   "diff",    "app"};
+constexpr std::array<std::string_view, 21> kGenerator = {
+    "base",  "text",    "diag",  "address", "read",     "name", "description", "naming", "pairing", "infer", "model",
+    "score", "convert", "lower", "check",   "findings", "emit", "view",        "diff",   "map",     "app"};
 constexpr std::array<std::string_view, 13> kRuntime = {"tables",   "engine", "plant", "condition", "json",
                                                        "share",    "exec",   "link",  "trace",     "why",
                                                        "scenario", "panel",  "host"};
@@ -47,6 +47,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"emit", " tables plant "},
     RuntimeUse{"view", " tables "},
     RuntimeUse{"diff", " tables "},
+    RuntimeUse{"map", " tables link trace why "},
     RuntimeUse{"app", " tables json link trace why scenario panel host "},
 };
 

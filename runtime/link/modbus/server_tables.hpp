@@ -17,7 +17,7 @@
 namespace symplant::link::modbus {
 
 /// Coils and discrete inputs are the bits of the images, and input registers read its numbers. Holding registers are
-/// memory of their own, which keeps gaps and the parts of numbers; what is written of a number goes to the image. Used
+/// separate memory, which keeps gaps and the parts of numbers; what is written of a number goes to the image. Used
 /// by the server's thread.
 class ServerTables {
  public:
