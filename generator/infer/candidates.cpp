@@ -107,7 +107,7 @@ class CandidateFinder {
 
   void mark(name::SymbolRule& rule) const {
     name::FieldRule field{"direction", {}, {}};
-    for (const auto& [word, side] : marks_) field.words.emplace_back(word, side);
+    for (const auto& [word, side] : marks_) field.words.push_back({word, side});
     rule.fields.push_back(std::move(field));
   }
 
