@@ -176,7 +176,7 @@ class CandidateFinder {
     if (total.operations == 0 || total.events == 0) return;
     for (const std::string_view rest : {"{class}_{device...}_{task:known}", "{class}_{task:known}_{device...}"}) {
       name::SymbolRule motions = rule(prefix(position) + std::string(rest));
-      for (const auto& [word, side] : classes) motions.classes.emplace_back(word, side);
+      for (const auto& [word, side] : classes) motions.classes.push_back({word, side});
       motions.fan_out = true;
       add(CandidateKind::motions, {std::move(motions)}, total.total(), "classes before a motion");
     }
