@@ -2,6 +2,7 @@
 #include "name/symbol_reader.hpp"
 
 #include <memory>
+#include <deque>
 #include <random>
 #include <string>
 #include <vector>
@@ -250,9 +251,10 @@ TEST_CASE("An exact rule reads names as the same pattern with expressions does")
   const auto reader = reader_of(exact);
   std::mt19937 random(7);
   const std::vector<std::string> pieces = {"A", "b1", "I", "o", "O", "WELD", "Ü", "로봇", "_", "_", "_", "-", "9"};
+  std::deque<std::string> names;  // readers keep views of them
   int followed = 0;
   for (int i = 0; i < 20000; ++i) {
-    std::string name = std::to_string(i);
+    std::string& name = names.emplace_back(std::to_string(i));
     for (int k = 0; k < 9; ++k) name += k % 2 == 0 && random() % 4 != 0 ? "_" : pieces[random() % pieces.size()];
     const Reading one = reader->read({name, {}, {}, {}});
     const Reading other = general->read({name, {}, {}, {}});
