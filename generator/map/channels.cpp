@@ -41,8 +41,8 @@ int Channel::function() const {
 }
 
 std::string_view Channel::access() const {
-  constexpr std::array<std::string_view, link::modbus::kTables> kAccess{"write multiple coils", "read discrete inputs",
-                                                                "write multiple registers", "read input registers"};
+  constexpr std::array<std::string_view, link::modbus::kTables> kAccess{
+      "write multiple coils", "read discrete inputs", "write multiple registers", "read input registers"};
   return kAccess[static_cast<std::size_t>(table)];
 }
 

@@ -3,11 +3,11 @@
 #include <string>
 #include <string_view>
 
+#include "convert/cells.hpp"
 #include "map/channels.hpp"
 #include "map/drivers.hpp"
 #include "map/formats.hpp"
 #include "map/texts.hpp"
-#include "convert/cells.hpp"
 #include "read/types/data_types.hpp"
 #include "symplant/link/status_fields.hpp"
 

@@ -54,7 +54,7 @@ bool check_client(const model::PlantModel& plant, const tables::PlantTables& tab
 }
 
 constexpr std::array<std::string_view, link::modbus::kTables> kSizeKeys{"coils", "discrete-inputs", "holding-registers",
-                                                                "input-registers"};
+                                                                        "input-registers"};
 
 /// The key that the user must change.
 description::Pointer key_of(Kind kind, const description::Pointer& link) {
@@ -74,8 +74,8 @@ description::Pointer key_of(Kind kind, const description::Pointer& link) {
 }
 
 /// Adds one fault for each table whose size is too small, however many symbols are beyond it.
-void add_size_faults(const tables::PlantTables& tables, const link::modbus::IoMap& map, const description::Pointer& link,
-                     std::vector<description::DescriptionFault>& faults) {
+void add_size_faults(const tables::PlantTables& tables, const link::modbus::IoMap& map,
+                     const description::Pointer& link, std::vector<description::DescriptionFault>& faults) {
   std::array<const link::modbus::IoPoint*, link::modbus::kTables> last{};
   std::array<std::size_t, link::modbus::kTables> count{};
   for (const link::modbus::MapFault& fault : map.faults) {
@@ -94,7 +94,8 @@ void add_size_faults(const tables::PlantTables& tables, const link::modbus::IoMa
         {(link / "size" / kSizeKeys[t]).text(),
          fmt::format("{} {} beyond the size of {}, the last is `{}` on {}: give a size of {} or more, or omit the size",
                      count[t], count[t] == 1 ? "symbol is" : "symbols are", map.sizes[t],
-                     texts[std::size_t{last[t]->symbol} * 2], link::modbus::location_text(*last[t]), last[t]->last() + 1),
+                     texts[std::size_t{last[t]->symbol} * 2], link::modbus::location_text(*last[t]),
+                     last[t]->last() + 1),
          0, description::FaultKind::contradiction});
   }
 }

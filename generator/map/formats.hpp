@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "map/link_view.hpp"
 #include "base/text_source.hpp"
+#include "map/link_view.hpp"
 
 namespace symplant::map {
 

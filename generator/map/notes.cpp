@@ -7,9 +7,9 @@
 #include <iterator>
 #include <vector>
 
+#include "diag/visible_text.hpp"
 #include "map/channels.hpp"
 #include "map/texts.hpp"
-#include "diag/visible_text.hpp"
 #include "symplant/link/status_fields.hpp"
 #include "view/words.hpp"
 
@@ -21,8 +21,8 @@ std::string time_text(tables::Time time) { return view::duration_text(descriptio
 void add_sizes(std::string& text, const link::modbus::IoMap& map) {
   for (std::size_t t = 0; t < link::modbus::kTables; ++t) {
     if (map.sizes[t] == 0) continue;
-    fmt::format_to(std::back_inserter(text), "{}s: size {}{}\n", link::modbus::table_name(static_cast<link::modbus::Table>(t)),
-                   map.sizes[t],
+    fmt::format_to(std::back_inserter(text), "{}s: size {}{}\n",
+                   link::modbus::table_name(static_cast<link::modbus::Table>(t)), map.sizes[t],
                    map.packed[t] ? ", packed in list order, since an address has no number below 65536" : "");
   }
   const auto count = [&](const std::vector<std::uint32_t>& symbols, std::string_view why) {
@@ -41,11 +41,10 @@ void add_status_block(std::string& text, const link::modbus::IoMap& map) {
     return;
   }
   const std::uint32_t first = *map.status_block;
-  fmt::format_to(std::back_inserter(text), "status block: input registers {}\n",
-                 range_text(first, link::kStatusWords));
+  fmt::format_to(std::back_inserter(text), "status block: input registers {}\n", range_text(first, link::kStatusWords));
   for (const link::StatusField& field : link::kStatusFields) {
-    fmt::format_to(std::back_inserter(text), "  {}  {}: {}\n", range_text(first + field.first, field.words),
-                   field.name, field.meaning);
+    fmt::format_to(std::back_inserter(text), "  {}  {}: {}\n", range_text(first + field.first, field.words), field.name,
+                   field.meaning);
   }
 }
 
@@ -58,7 +57,8 @@ void add_policies(std::string& text, const LinkView& view) {
   const std::string silence = map.watchdog ? time_text(settings.watchdog_within) + " without a change of the watchdog"
                                            : time_text(settings.loss_after) + " without a request";
   fmt::format_to(std::back_inserter(text), "lost after {}: operations {}, the plant {}\n", silence,
-                 link::loss_words(view.of->tables, view.map), settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
+                 link::loss_words(view.of->tables, view.map),
+                 settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
   fmt::format_to(std::back_inserter(text),
                  "after a loss: writes are collected for at most {} before they take effect\n",
                  time_text(settings.resync));
@@ -95,7 +95,8 @@ std::string map_notes(const LinkView& view) {
   add_status_block(text, view.served());
   add_channels(text, view.served());
   add_policies(text, view);
-  fmt::format_to(std::back_inserter(text), "map hash: {:016x}\n", link::modbus::map_hash(view.of->tables, view.served()));
+  fmt::format_to(std::back_inserter(text), "map hash: {:016x}\n",
+                 link::modbus::map_hash(view.of->tables, view.served()));
   return text;
 }
 

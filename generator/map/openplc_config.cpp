@@ -14,8 +14,8 @@
 #include "map/formats.hpp"
 #include "map/variables.hpp"
 #include "read/types/data_types.hpp"
-#include "symplant/link/net/host_port.hpp"
 #include "symplant/link/modbus/transfer_range.hpp"
+#include "symplant/link/net/host_port.hpp"
 
 namespace symplant::map {
 namespace {
@@ -92,7 +92,8 @@ class OpenPlcConfig {
       cut(points_of(view_.served(), table), range->first, range->end(), channel_limit(table), blocks);
     }
     if (extra == 0) return std::nullopt;
-    const std::uint32_t first = table == Table::input_register ? *view_.served().status_block : *view_.served().watchdog;
+    const std::uint32_t first =
+        table == Table::input_register ? *view_.served().status_block : *view_.served().watchdog;
     extra_at_[static_cast<std::size_t>(table)] = used;
     blocks.push_back({first, extra, used});
     return std::nullopt;
@@ -145,7 +146,7 @@ class OpenPlcConfig {
                const std::string& comment) const {
     const char direction = is_event(table) ? 'I' : 'Q';
     const std::string address = has_bits(table) ? fmt::format("%{}X{}.{}", direction, kFirst + at / kByte, at % kByte)
-                                                  : fmt::format("%{}W{}", direction, kFirst + at);
+                                                : fmt::format("%{}W{}", direction, kFirst + at);
     out.add(fmt::format("#   {} AT {} : {}; (* {} *)\n", name, address, type, comment));
   }
 
@@ -176,8 +177,8 @@ class OpenPlcConfig {
         if (field.words == 1) {
           declare(out, names_.add(status_name(field)), "UINT", table, at + field.first, comment);
         } else {
-          declare_words(out, status_name(field), field.words, view_.choice.settings.word_order, table,
-                        at + field.first, comment);
+          declare_words(out, status_name(field), field.words, view_.choice.settings.word_order, table, at + field.first,
+                        comment);
         }
       }
     }

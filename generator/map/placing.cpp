@@ -13,9 +13,7 @@ constexpr std::uint32_t kWordBits = 16;
 constexpr std::uint32_t kByteBits = 8;
 constexpr std::uint32_t kLongWord = 4;  ///< words of the largest number
 
-bool is_bits(const Channel& channel) {
-  return has_bits(channel.table);
-}
+bool is_bits(const Channel& channel) { return has_bits(channel.table); }
 
 /// The address that the list gives to the channel's first number; nothing if it gives none, or its symbols disagree.
 std::optional<std::uint32_t> listed_address(const LinkView& view, const Channel& channel) {

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "diag/visible_text.hpp"
 #include "map/drivers.hpp"
 #include "map/formats.hpp"
 #include "map/notes.hpp"
 #include "map/texts.hpp"
-#include "diag/visible_text.hpp"
 #include "text/utf8.hpp"
 
 namespace symplant::map {
@@ -43,9 +43,8 @@ std::array<bool, kColumns> columns_of(const LinkView& view) {
   shown[kModicon] = view.is_server();
   shown[kWords] = any([&](const Mapped& one) { return view.words(one.symbol) > 1; });
   shown[kInverted] = any([&](const Mapped& one) { return view.of->tables.symbols[one.symbol].inverted(); });
-  shown[kOnLoss] = any([&](const Mapped& one) {
-    return view.is_operation(one.symbol) && one.on_loss != view.choice.settings.on_loss;
-  });
+  shown[kOnLoss] = any(
+      [&](const Mapped& one) { return view.is_operation(one.symbol) && one.on_loss != view.choice.settings.on_loss; });
   return shown;
 }
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "map/texts.hpp"
 #include "convert/identifiers.hpp"
+#include "map/texts.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::map {

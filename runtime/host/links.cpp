@@ -92,9 +92,8 @@ std::string left_out_words(const link::LinkChoice& choice, const tables::PlantTa
   if (map->left_out.empty() || kMostOf * map->left_out.size() < all) return "";
   const link::Unreachable& first = map->left_out.front();
   return fmt::format(
-      "carries {} of {}: `{}` {}{}; `symplant map` lists all symbols", map->symbols.size(),
-      plural(all, "I/O symbol"), shown(trace::NameIndex(tables.symbol_names)[2 * std::size_t{first.symbol}]),
-      first.reason,
+      "carries {} of {}: `{}` {}{}; `symplant map` lists all symbols", map->symbols.size(), plural(all, "I/O symbol"),
+      shown(trace::NameIndex(tables.symbol_names)[2 * std::size_t{first.symbol}]), first.reason,
       map->left_out.size() == 1 ? "" : fmt::format(", and {} more are left out", map->left_out.size() - 1));
 }
 
@@ -120,7 +119,8 @@ int open_links(const LinkChoices& chosen, const tables::PlantTables& tables, con
       return error->kind == link::LinkError::Kind::usage ? kBadInput : kEnvironment;
     }
     const bool says_whose = controllers.size() > 1 && choice.controller < controllers.size();
-    links.push_back({says_whose ? std::string(controllers[choice.controller]) : std::string(), choice, std::get<std::unique_ptr<link::Link>>(std::move(opened))});
+    links.push_back({says_whose ? std::string(controllers[choice.controller]) : std::string(), choice,
+                     std::get<std::unique_ptr<link::Link>>(std::move(opened))});
   }
   return kGood;
 }

@@ -37,13 +37,12 @@ std::string policy_words(const OpenLink& open, const tables::PlantTables& tables
   if (open.link->state() != exec::LinkState::waiting) return "";
   const link::LinkSettings& settings = open.choice.settings;
   const bool watchdog = settings.watchdog != link::kNowhere;
-  return fmt::format("; after {} {}: operations {}, the plant {}",
-                     seconds(watchdog ? settings.watchdog_within : settings.loss_after),
-                     watchdog                        ? "without a change of the watchdog"
-                     : open.link->status().is_client ? "without an answer"
-                                                     : "without a request",
-                     operations_on_loss(open, tables),
-                     settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
+  return fmt::format(
+      "; after {} {}: operations {}, the plant {}", seconds(watchdog ? settings.watchdog_within : settings.loss_after),
+      watchdog                        ? "without a change of the watchdog"
+      : open.link->status().is_client ? "without an answer"
+                                      : "without a request",
+      operations_on_loss(open, tables), settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
 }
 
 /// Warns of links whose timeouts are too short for the cycle.

@@ -97,7 +97,8 @@ class PlannedClient {
 
   /// Reads all operations and writes all events. False if a request failed.
   bool exchange() {
-    return !parts_.dialog->read({bits_, numbers_}, 0) && !parts_.dialog->write(changes_, unwritten_) && unwritten_.empty();
+    return !parts_.dialog->read({bits_, numbers_}, 0) && !parts_.dialog->write(changes_, unwritten_) &&
+           unwritten_.empty();
   }
 
  private:

@@ -38,7 +38,8 @@ std::vector<EventLanes> event_lanes(const tables::PlantTables& tables, const ima
   if (!map.status) return events;
   EventLanes status{tables::kNone, {}};
   std::uint32_t position = *map.status;
-  for (const StatusField& field : kStatusFields) add_number(status.lanes, Plane::event_numbers, position++, field.words);
+  for (const StatusField& field : kStatusFields)
+    add_number(status.lanes, Plane::event_numbers, position++, field.words);
   events.push_back(std::move(status));
   return events;
 }

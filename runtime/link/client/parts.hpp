@@ -30,7 +30,7 @@ struct ClientTimes {
 struct ClientParts {
   std::unique_ptr<Dialog> dialog;
   image::Map map;
-  std::vector<std::string> addresses;   ///< in the PLC, of the map's points in their order
+  std::vector<std::string> addresses;  ///< in the PLC, of the map's points in their order
   std::vector<WordOrder> word_orders;  ///< of the map's points
   std::vector<Unreachable> unreachable;
   ClientTimes times;

@@ -20,7 +20,9 @@ tables::Time steady_now() {
 }  // namespace
 
 Poller::Poller(ClientParts parts, const tables::PlantTables& tables, image::Images& images, bool arm, std::string note)
-    : dialog_(std::move(parts.dialog)), times_(parts.times), session_(*dialog_, tables, parts.map, parts.times, images, arm) {
+    : dialog_(std::move(parts.dialog)),
+      times_(parts.times),
+      session_(*dialog_, tables, parts.map, parts.times, images, arm) {
   session_.messages().add(std::move(note));
   const net::NoSignals blocked;
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });

@@ -18,8 +18,8 @@ namespace symplant::link::image {
 class CycleSide {
  public:
   /// If `plant` is given, the images have its events at once. `watch` as for Images.
-  CycleSide(const tables::PlantTables& tables, const Map& map, const LinkSettings& settings,
-            const plant::Plant* plant, RequestWatch* watch = nullptr);
+  CycleSide(const tables::PlantTables& tables, const Map& map, const LinkSettings& settings, const plant::Plant* plant,
+            RequestWatch* watch = nullptr);
 
   /// Takes the operations of the other thread and applies them as the link's health allows. `signs` counts the signs of
   /// life of the PLC; it must be read before the call. Returns true if the link is lost from this cycle on.

@@ -102,10 +102,10 @@ class Images {
   std::vector<std::uint64_t> zeroed_;   ///< bits that go to zero when the link is lost
   std::vector<std::uint64_t> scratch_;  ///< memory of zero_operations()
   std::optional<std::uint32_t> status_;
-  std::vector<std::uint64_t> events_written_;      ///< event bits of the plant, as in the image
-  std::vector<std::uint32_t> position_of_event_;   ///< by event bit; tables::kNone
-  std::vector<std::uint32_t> position_of_slot_;    ///< by slot of a numeric event; tables::kNone
-  std::vector<tables::DataType> type_of_slot_;     ///< by slot of a numeric event
+  std::vector<std::uint64_t> events_written_;     ///< event bits of the plant, as in the image
+  std::vector<std::uint32_t> position_of_event_;  ///< by event bit; tables::kNone
+  std::vector<std::uint32_t> position_of_slot_;   ///< by slot of a numeric event; tables::kNone
+  std::vector<tables::DataType> type_of_slot_;    ///< by slot of a numeric event
   bool first_write_ = true;
   bool behind_ = false;  ///< the taken image may differ from the operations of the plant
   std::uint32_t losses_seen_ = 0;

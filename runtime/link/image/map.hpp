@@ -24,10 +24,10 @@ struct Point {
 /// The positions that a protocol gives to the symbols of a controller. They are dense where memory and cost count: each
 /// costs a bit, or 8 bytes. A protocol with bit addresses makes them positions, so that ranges of them stay ranges.
 struct Map {
-  std::vector<Point> points;                    ///< ascending by symbol
-  std::array<std::uint32_t, kPlanes> sizes{};   ///< positions of each plane
-  std::optional<std::uint32_t> status;          ///< position of the first of the kStatusFields among the event numbers
-  std::uint64_t hash = 0;                       ///< digest of the protocol's map, for the status
+  std::vector<Point> points;                   ///< ascending by symbol
+  std::array<std::uint32_t, kPlanes> sizes{};  ///< positions of each plane
+  std::optional<std::uint32_t> status;         ///< position of the first of the kStatusFields among the event numbers
+  std::uint64_t hash = 0;                      ///< digest of the protocol's map, for the status
 
   std::uint32_t size(Plane plane) const noexcept { return sizes[static_cast<std::size_t>(plane)]; }
 };

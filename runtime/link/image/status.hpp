@@ -31,9 +31,8 @@ inline PlantState plant_state(exec::LinkState link, bool frozen, bool stopping) 
 /// The numbers in the order of kStatusFields.
 inline std::array<std::uint64_t, kStatusFields.size()> numbers_of(const Status& status) noexcept {
   constexpr std::uint64_t kLayout = 1;  // changes with the fields
-  return {kLayout,     status.cycles,         static_cast<std::uint64_t>(status.state),
-          status.live, status.lost_exchanges, status.overruns,
-          status.map_hash};
+  return {kLayout,         status.cycles,  static_cast<std::uint64_t>(status.state), status.live, status.lost_exchanges,
+          status.overruns, status.map_hash};
 }
 
 }  // namespace symplant::link::image

@@ -101,11 +101,11 @@ class ModbusDialog final : public client::Dialog {
   std::array<std::uint32_t, kTables> sizes_;
   Direction operations_{.bits = Table::coil, .numbers = Table::holding_register};
   Direction events_{.bits = Table::discrete_input, .numbers = Table::input_register};
-  std::vector<std::uint16_t> owned_;  ///< by 16 discrete inputs: the mapped ones
-  std::vector<bool> continues_;       ///< by input register: it belongs to the number that begins before it
+  std::vector<std::uint16_t> owned_;      ///< by 16 discrete inputs: the mapped ones
+  std::vector<bool> continues_;           ///< by input register: it belongs to the number that begins before it
   std::vector<std::uint32_t> registers_;  ///< by lane of the event numbers: its input register
-  std::vector<Piece> pieces_;         ///< of one write(), for one area
-  std::vector<AddressRange> ranges_;  ///< of pieces_
+  std::vector<Piece> pieces_;             ///< of one write(), for one area
+  std::vector<AddressRange> ranges_;      ///< of pieces_
   std::vector<std::uint16_t> values_;
   ClientExchange exchange_;
   bool mute_ = false;                  ///< function 43 got no valid answer; it is not asked again

@@ -187,8 +187,7 @@ Answer mask_write_register(Request request, const Tables& tables, Reply reply) n
   const std::uint32_t kept = field(request, 3);
   const std::uint32_t set = field(request, 5);
   const std::uint32_t now = image::get_lane(tables.holding_registers.words, address);
-  image::set_lane(tables.holding_registers.words, address,
-                      static_cast<std::uint16_t>((now & kept) | (set & ~kept)));
+  image::set_lane(tables.holding_registers.words, address, static_cast<std::uint16_t>((now & kept) | (set & ~kept)));
   std::copy_n(request.begin(), kMaskRequest, reply.begin());
   return {.size = kMaskRequest, .written = Table::holding_register, .first = address, .count = 1};
 }

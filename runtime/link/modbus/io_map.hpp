@@ -59,15 +59,15 @@ struct MapFault {
 };
 
 struct IoMap {
-  std::vector<IoPoint> points;                 ///< in the order of the symbol list
-  std::array<std::uint32_t, kTables> sizes{};  ///< as set; else highest number + 1, rounded up to a multiple of 16
-  std::array<bool, kTables> packed{};          ///< numbers are positions, not addresses: some address did not fit
-  std::optional<std::uint32_t> status_block;   ///< its first input register; it has kStatusWords
+  std::vector<IoPoint> points;                     ///< in the order of the symbol list
+  std::array<std::uint32_t, kTables> sizes{};      ///< as set; else highest number + 1, rounded up to a multiple of 16
+  std::array<bool, kTables> packed{};              ///< numbers are positions, not addresses: some address did not fit
+  std::optional<std::uint32_t> status_block;       ///< its first input register; it has kStatusWords
   WordOrder status_order = WordOrder::high_first;  ///< of the numbers in the status block
-  bool no_room_for_status = false;             ///< there is no block, since there is no room above the map
-  std::optional<std::uint32_t> watchdog;       ///< its holding register
-  std::vector<std::uint32_t> excluded;         ///< symbols that the settings leave out
-  std::vector<std::uint32_t> without_address;  ///< symbols on no link, since they have no address
+  bool no_room_for_status = false;                 ///< there is no block, since there is no room above the map
+  std::optional<std::uint32_t> watchdog;           ///< its holding register
+  std::vector<std::uint32_t> excluded;             ///< symbols that the settings leave out
+  std::vector<std::uint32_t> without_address;      ///< symbols on no link, since they have no address
   std::vector<std::uint32_t> of_8_bits;  ///< numeric symbols of 8 bits without a number in the settings: on no link
   std::vector<std::uint32_t> too_many;   ///< symbols beyond the 65,536 addresses of a table
   std::vector<MapFault> faults;          ///< empty in a map that a link can be opened with

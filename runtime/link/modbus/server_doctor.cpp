@@ -34,9 +34,8 @@ class Noting final : public Responder {
   }
 
   Answer respond(const ClientId& /*client*/, std::span<const std::uint8_t> request,
-                         std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
-    const Answer answer =
-        answer_request(request, tables_.tables(), {"symplant", plant_, tables::version()}, reply);
+                 std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+    const Answer answer = answer_request(request, tables_.tables(), {"symplant", plant_, tables::version()}, reply);
     tables_.written(answer.written, answer.first, answer.count);
     if (answer.count != 0) note(answer.written, answer.first, answer.count);
     if (answer.read_count != 0) note(answer.read, answer.read_first, answer.read_count);

@@ -59,7 +59,7 @@ class ServerTables {
   std::vector<std::uint32_t> holding_lanes_;      ///< as lanes_of()
   std::vector<std::uint32_t> input_lanes_;
   std::array<image::PositionSet, kTables> mapped_;  ///< addresses of symbols and of the watchdog
-  std::array<image::PositionSet, kTables> used_;    ///< of coils and holding registers: mapped, or in the transfer range
+  std::array<image::PositionSet, kTables> used_;  ///< of coils and holding registers: mapped, or in the transfer range
   std::optional<std::uint32_t> watchdog_;
   std::uint16_t watchdog_value_ = 0;
   Rewriting rewriting_;

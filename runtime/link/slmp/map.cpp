@@ -215,7 +215,8 @@ class Maker {
     if (a.operation != b.operation || a.device != b.device) return false;
     const bool same =
         leader_[a.symbol] == leader_[b.symbol] || tables::equal_ignoring_case(address(a.symbol), address(b.symbol));
-    return same && image::words_of(tables_.symbols[a.symbol].type()) == image::words_of(tables_.symbols[b.symbol].type());
+    return same &&
+           image::words_of(tables_.symbols[a.symbol].type()) == image::words_of(tables_.symbols[b.symbol].type());
   }
 
   /// Two symbols on one bit; or an event, whose whole word is written, in a word with anything else.

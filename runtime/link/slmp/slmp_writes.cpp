@@ -42,7 +42,8 @@ SlmpDialog::Writes SlmpDialog::writes_of(std::span<const LaneChange> changes, bo
 std::size_t SlmpDialog::requests_to_write() const {
   std::vector<LaneChange> all;
   for (std::uint32_t i = 0; i < owned_.size(); ++i) all.push_back({{Plane::event_bits, i}, owned_[i], 0});
-  for (const NumberCell& number : map_.events.numbers) all.push_back({{Plane::event_numbers, number.lane}, kWholeCell, 0});
+  for (const NumberCell& number : map_.events.numbers)
+    all.push_back({{Plane::event_numbers, number.lane}, kWholeCell, 0});
   const auto count = [&](bool whole) {
     const Writes writes = writes_of(all, whole);
     return writes.words_transfers.size() + writes.bit_transfers.size();

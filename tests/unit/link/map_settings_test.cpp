@@ -7,8 +7,8 @@
 using namespace symplant;
 using link::LinkSettings;
 using link::MapRow;
-using link::modbus::Table;
 using link::WordOrder;
+using link::modbus::Table;
 using tables::AddressForm;
 using tables::DataType;
 using test::SymbolList;
@@ -259,7 +259,8 @@ TEST_CASE("The digest of known maps is the same in every version") {
   SymbolList list;
   list.add("A", kOperation, 0);
   list.add("B", kEvent, 2, DataType::real);
-  CHECK(link::modbus::map_hash(list.tables(), link::modbus::make_io_map(list.tables(), 0, {})) == 0xB5CB'2135'57CB'D1C2);
+  CHECK(link::modbus::map_hash(list.tables(), link::modbus::make_io_map(list.tables(), 0, {})) ==
+        0xB5CB'2135'57CB'D1C2);
 }
 
 TEST_CASE("The fields of the status block fill its registers one after the other") {

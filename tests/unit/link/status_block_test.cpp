@@ -1,9 +1,8 @@
 // The status of the plant as numbers, and as the registers of a Modbus server.
-#include "symplant/link/image/status.hpp"
-
 #include <vector>
 
 #include "support/catch.hpp"
+#include "symplant/link/image/status.hpp"
 #include "symplant/link/modbus/io_map.hpp"
 #include "symplant/link/modbus/tables.hpp"
 #include "unit/link/symbol_list.hpp"

@@ -18,7 +18,8 @@ std::optional<NumberRange> range_of(const std::vector<std::uint32_t>& coils, std
   SymbolList list;
   for (const std::uint32_t coil : coils) list.add("A" + std::to_string(coil), SymbolList::kOut, coil);
   const tables::PlantTables tables = list.tables();
-  return link::modbus::transfer_range(tables, link::modbus::make_io_map(tables, 0, {.watchdog = watchdog}), Table::coil);
+  return link::modbus::transfer_range(tables, link::modbus::make_io_map(tables, 0, {.watchdog = watchdog}),
+                                      Table::coil);
 }
 
 TEST_CASE("The transfer range is what the slave devices of OpenPLC transfer") {

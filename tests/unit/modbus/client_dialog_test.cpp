@@ -7,8 +7,8 @@
 
 using namespace symplant;
 using Catch::Matchers::ContainsSubstring;
-using link::modbus::Table;
 using link::client::Fault;
+using link::modbus::Table;
 using tables::DataType;
 using test::add_bits;
 using test::DialogBench;

@@ -7,8 +7,8 @@
 #include "unit/modbus/dialog_bench.hpp"
 
 using namespace symplant;
-using link::modbus::Table;
 using link::client::Fault;
+using link::modbus::Table;
 using test::DialogBench;
 using test::SymbolList;
 using test::modbus::Lie;

@@ -70,9 +70,10 @@ TEST_CASE("A name in two lists is declared twice, and both locations are reporte
 
 TEST_CASE("A name in lists of two controllers is an error, for any address") {
   const Analysed plant = two(kFirst, {{"L_P_D_O_A", "Y1"}}, "PLC1", "PLC2");
-  CHECK(finding_of(plant, "symbol-declared-differently").message ==
-        "`L_P_D_O_A` is declared again with another address, type or controller: rename it, or delete the wrong row, or "
-        "give its list a `prefix` in plant.json, such as `\"prefix\": \"PLC2_\"`");
+  CHECK(
+      finding_of(plant, "symbol-declared-differently").message ==
+      "`L_P_D_O_A` is declared again with another address, type or controller: rename it, or delete the wrong row, or "
+      "give its list a `prefix` in plant.json, such as `\"prefix\": \"PLC2_\"`");
 }
 
 TEST_CASE("Findings are in the order of the lists, for any order of rules and size of lists") {

@@ -1,8 +1,8 @@
 // Symbols read by rules of naming.json: patterns, directions, tasks.
 #include "name/symbol_reader.hpp"
 
-#include <memory>
 #include <deque>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>

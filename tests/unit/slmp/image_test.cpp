@@ -109,7 +109,8 @@ class Images {
     return is_bit(device) ? std::uint16_t{plc_.memory().bit(device, number)} : plc_.memory().word(device, number);
   }
 
-  /// Calls `visit(device, number, plane, position of the bit, or lane of the word)` for each bit and word of operations, or of events.
+  /// Calls `visit(device, number, plane, position of the bit, or lane of the word)` for each bit and word of
+  /// operations, or of events.
   template <class Visit>
   void each_word(bool operations, Visit visit) {
     for (std::size_t i = 0; i < parts_.map.points.size(); ++i) {

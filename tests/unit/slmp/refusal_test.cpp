@@ -39,9 +39,7 @@ class Conversation {
   }
 
   Dialog& dialog() { return *parts_.dialog; }
-  link::client::Fault read(tables::Time now) {
-    return parts_.dialog->read({bits_, numbers_}, now);
-  }
+  link::client::Fault read(tables::Time now) { return parts_.dialog->read({bits_, numbers_}, now); }
   std::uint16_t number(const std::string& name) {
     for (const link::image::Point& point : parts_.map.points) {
       const auto texts = tables::split_names(tables_.symbol_names);
