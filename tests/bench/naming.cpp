@@ -120,7 +120,7 @@ void inference(benchmark::State& state) {
   for (const std::string& name : names) {
     infer::Sample& sample = samples.emplace_back();
     sample.text.name = std::string_view(name).substr(2);
-    sample.side = name.front() == 'Q' ? name::Side::operation : name::Side::event;
+    sample.side = name.front() == 'Q' ? tables::Direction::operation : tables::Direction::event;
     sample.text.address = sample.side;
   }
   for ([[maybe_unused]] auto _ : state) {
