@@ -22,7 +22,7 @@ LinkError map_error(std::string message) { return {LinkError::Kind::usage, std::
 /// "holding registers 10-11", "holding register 1024.3".
 std::string address_words(const IoPoint& point, const Placement& placement, BitOrder order) {
   const std::uint32_t first = address_of(placement, point.table, point.number);
-  const std::string text = range_text(area_name(placement.area), first, point.width);
+  std::string text = range_text(area_name(placement.area), first, point.width);
   if (!is_packed(placement, point.table)) return text;
   const std::uint32_t bit = point.number % kBitsInRegister;
   return text + "." + std::to_string(order == BitOrder::low_first ? bit : kBitsInRegister - 1 - bit);

@@ -18,7 +18,7 @@ namespace symplant::link::slmp {
 /// A cell of numbers and the lane of the image that has its word.
 struct NumberCell {
   Cell cell;
-  std::uint32_t lane;
+  std::uint32_t lane = 0;
 };
 
 /// The cells of one direction, both in ascending order without duplicates. Lane i of the plane of bits is bits[i].
