@@ -1,0 +1,44 @@
+// A shared library with a PLC program.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "symplant/program.h"
+
+namespace symplant::program {
+
+/// Why a program cannot be used; `environment` decides the exit code (3, otherwise 2).
+struct LoadError {
+  std::string message;
+  bool environment = false;
+};
+
+/// An open library. The program that it exports is valid while it is open. Not copyable; closes the library at the end.
+class Library {
+ public:
+  /// Opens the library (RTLD_NOW | RTLD_LOCAL) and checks what it exports. `copied`: opens a copy, so that a library that
+  /// is open already has its variables once more. Code of the library's constructors runs.
+  static std::variant<std::unique_ptr<Library>, LoadError> open(const std::string& path, bool copied = false);
+
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  ~Library();
+
+  const symplant_program& program() const { return *program_; }
+
+ private:
+  Library(void* handle, const symplant_program* program) : handle_(handle), program_(program) {}
+
+  void* handle_;
+  const symplant_program* program_;
+};
+
+/// Why a program does not fit this interface; empty if it does.
+std::string program_fault(const symplant_program* program);
+
+/// A digest of a file, as hexadecimal digits; empty if it cannot be read. O(file).
+std::string file_digest(const std::string& path);
+
+}  // namespace symplant::program
