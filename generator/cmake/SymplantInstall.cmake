@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/symplant)
-set(targets symplant_tables symplant_engine symplant_plant symplant_condition symplant_json symplant_share symplant_exec symplant_link symplant_trace symplant_why symplant_scenario symplant_panel symplant_host symplant_runtime)
+set(targets symplant_tables symplant_engine symplant_plant symplant_condition symplant_json symplant_share symplant_exec symplant_link symplant_trace symplant_why symplant_scenario symplant_program symplant_panel symplant_host symplant_runtime)
 if(SYMPLANT_BUILD_GENERATOR)
   list(APPEND targets symplant)
 endif()
@@ -13,13 +13,14 @@ install(
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT symplantTargets NAMESPACE symplant:: DESTINATION ${package_dir})
-foreach(floor tables engine plant condition json share exec link trace why scenario panel host)
+foreach(floor tables engine plant condition json share exec link trace why scenario program panel host)
   install(
     DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/${floor}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant
     FILES_MATCHING
     PATTERN "*.hpp")
 endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/runtime/program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
 install(FILES ${PROJECT_SOURCE_DIR}/generator/description/plant.schema.json
               ${PROJECT_SOURCE_DIR}/generator/naming/naming.schema.json

@@ -46,7 +46,7 @@ class Run {
     write_events(first);
     note_plc_clock();
     deadline_ = clock_.now();
-    while (time_ < options_.until && !has_waited_enough() && !over()) {
+    while (time_ < options_.until && !has_waited_enough() && !over() && !failed()) {
       const tables::Time length = plc_time_ != nullptr ? cycle_ : std::min(cycle_, options_.until - time_);
       deadline_ += length;
       const tables::Time woken = wait_until(deadline_);
@@ -116,6 +116,8 @@ class Run {
     return options_.until != tables::kNever && waited_ >= std::max(options_.until - time_, kPatience);
   }
   bool over() const noexcept { return stepper_ != nullptr && options_.until == tables::kNever && stepper_->over(); }
+
+  bool failed() const noexcept { return stepper_ != nullptr && stepper_->failed(); }
 
   void write_events(const CycleStatus& reported) noexcept {
     for (Exchange* link : links_) link->write_events(plant_, reported);

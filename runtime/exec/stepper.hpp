@@ -18,6 +18,8 @@ class Stepper {
   virtual void hold() noexcept {}
   /// Whether it has nothing left to do, so that the run may end.
   virtual bool over() const noexcept = 0;
+  /// Whether it cannot go on, so that the run must end.
+  virtual bool failed() const noexcept { return false; }
 
  protected:
   ~Stepper() = default;

@@ -48,15 +48,18 @@ std::vector<trace::PlantNames::Link> named_links(const Links& links) {
   return named;
 }
 
-bool keeps_plants_links_closed(const RunOptions& options) {
+bool keeps_plants_links_closed(const RunOptions& options, bool with_program) {
   using enum RunOptions::Clock;
-  return options.clock == virtual_time || (!options.scenario.empty() && options.clock == automatic);
+  return options.clock == virtual_time ||
+         ((!options.scenario.empty() || with_program) && options.clock == automatic);
 }
 
-std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options) {
+std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options,
+                                                    const std::vector<bool>& with_program) {
+  const bool any_program = std::find(with_program.begin(), with_program.end(), true) != with_program.end();
   std::vector<link::LinkRequest> requests;
   for (const std::string& text : options.links) requests.push_back(link::parse_request(text));
-  if (requests.empty() && !keeps_plants_links_closed(options)) {
+  if (requests.empty() && !keeps_plants_links_closed(options, any_program)) {
     for (const DefaultLink& own : program.links) {
       requests.push_back({std::string(own.controller), std::string(own.url)});
     }
@@ -65,6 +68,11 @@ std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program,
   }
   auto chosen = link::choose_links(program.tables, requests);
   if (auto* choices = std::get_if<LinkChoices>(&chosen)) {
+    if (options.links.empty()) {
+      std::erase_if(*choices, [&](const link::LinkChoice& choice) {
+        return choice.controller < with_program.size() && with_program[choice.controller];
+      });
+    }
     for (link::LinkChoice& choice : *choices) {
       if (choice.controller < program.link_settings.size()) choice.settings = program.link_settings[choice.controller];
       choice.settings.on_loss = options.on_loss.value_or(choice.settings.on_loss);

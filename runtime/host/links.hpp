@@ -16,15 +16,16 @@
 
 namespace symplant::host {
 
-/// Whether the plant's own links stay closed: with `--clock virtual`, and with a scenario unless another clock is
-/// given.
-bool keeps_plants_links_closed(const RunOptions& options);
+/// Whether the plant's own links stay closed: with `--clock virtual`, and with a scenario or a program unless another
+/// clock is given.
+bool keeps_plants_links_closed(const RunOptions& options, bool with_program);
 
 using LinkChoices = std::vector<link::LinkChoice>;
 
 /// The links of a run and the controllers of their symbols: those of the command line, else the plant's own unless they
-/// stay closed.
-std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options);
+/// stay closed. `with_program`: by controller, whether it has a program, so that the plant's own link of it stays closed.
+std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options,
+                                                    const std::vector<bool>& with_program);
 
 /// Whether one of them is a link to a PLC, which needs real time.
 bool has_real_link(const LinkChoices& links);

@@ -35,7 +35,8 @@ trace::OutputFile Outputs::file(const char* what, const std::string& path, std::
 
 bool Outputs::open(std::uint64_t model_hash, std::ostream& err) {
   if (!options_.trace.empty()) {
-    trace_.emplace(file("trace", options_.trace, options_.trace_limit), names_.tables(), model_hash, options_.seed);
+    trace_.emplace(file("trace", options_.trace, options_.trace_limit), names_.tables(), model_hash, options_.seed,
+                   names_.programs());
   }
   if (!options_.vcd.empty()) vcd_.emplace(file("VCD file", options_.vcd, options_.trace_limit), names_);
   if (!options_.findings.empty()) findings_.emplace(file("findings", options_.findings, trace::kNoLimit), names_);

@@ -17,6 +17,16 @@ struct DefaultLink {
   std::string_view url;
 };
 
+/// A PLC program of the plant's description.
+struct DefaultProgram {
+  std::string_view controller;  ///< whose symbols it has; empty: those of the only one
+  std::string_view file;
+  tables::Time period = 0;  ///< 0: the program's
+  tables::Time delay = 0;   ///< 0: the period
+  link::OnLoss on_loss = link::OnLoss::hold;
+  std::span<const std::string_view> ignore = {};  ///< patterns of variables that need no symbol
+};
+
 /// An entry of `check` / `ignore` of the plant's description: findings of a run that are expected.
 struct IgnoredFinding {
   std::string_view finding;  ///< `started on enabling`
@@ -29,6 +39,7 @@ struct PlantProgram {
   const tables::PlantTables& tables;
   std::span<const engine::Behaviour> behaviours = {};  ///< as for plant::Plant
   std::span<const DefaultLink> links = {};             ///< links of the description, used without --link
+  std::span<const DefaultProgram> programs = {};       ///< programs of the description, used without --program
   /// By controller, for any URL of its link; empty: defaults for all.
   std::span<const link::LinkSettings> link_settings = {};
   std::string_view default_link = {};           ///< as for --link, used without both of these; empty: no link

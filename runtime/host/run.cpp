@@ -18,6 +18,7 @@
 #include "symplant/host/panel_run.hpp"
 #include "symplant/host/plc_clock.hpp"
 #include "symplant/host/plc_verdict.hpp"
+#include "symplant/host/programs.hpp"
 #include "symplant/host/result_files.hpp"
 #include "symplant/host/rt_check.hpp"
 #include "symplant/host/run_paced.hpp"
@@ -142,6 +143,23 @@ std::string save_end(const Stage& stage, const RunOptions& options) {
   return trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));
 }
 
+/// By controller: whether it has a program.
+std::vector<bool> controllers_of(const ProgramChoices& programs) {
+  std::vector<bool> controllers;
+  for (const ProgramChoice& choice : programs) {
+    controllers.resize(std::max<std::size_t>(controllers.size(), choice.options.controller + 1));
+    controllers[choice.options.controller] = true;
+  }
+  return controllers;
+}
+
+/// Lets programs run with the plant of a stage.
+void add_programs(const Programs& programs, Stage& stage) {
+  stage.programs.emplace(stage.plant, &stage.recorder);
+  for (const OpenProgram& one : programs) stage.programs->add(one.library->program(), one.choice.options);
+  stage.stepper(nullptr);
+}
+
 /// What a run plays.
 struct Played {
   const PlantProgram& program;
@@ -149,6 +167,7 @@ struct Played {
   trace::PlantNames& names;
   const scenario::Scenario* scenario;  ///< null: none
   const LinkChoices& links;
+  const Programs& programs;
   const std::vector<bool>& carried;  ///< by symbol: whether one of the links carries it
   const std::vector<Question>& questions;
   bool real;                    ///< in real time
@@ -163,8 +182,9 @@ void report_plant(const Played& played, const Links& links, const Stage& stage, 
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << behaviour_lines(program.tables, program.behaviours);
   if (!played.real) streams.report << cut_link_lines(program.tables);
+  streams.report << program_lines(played.programs, program.tables);
   if (played.scenario != nullptr) streams.report << scenario_summary(played.options.scenario, *played.scenario);
-  if (played.options.links.empty() && keeps_plants_links_closed(played.options) &&
+  if (played.options.links.empty() && keeps_plants_links_closed(played.options, !played.programs.empty()) &&
       !(program.links.empty() && program.default_link.empty())) {
     streams.report << "links of the plant are not opened in virtual time; to open them, use --clock real\n";
   }
@@ -237,6 +257,7 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
     errors += (errors.empty() ? "" : "\n") + error;
   };
   if (plcs != nullptr) note(plcs->unreached);
+  if (stage.programs && stage.programs->failed()) note(program::failure_words(*stage.programs->failure()));
   note(played.files.write_stats(stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, shown.real,
                                             played.clock, links, shown.answers, played.names, shown.wall})));
   note(save_end(stage, options));
@@ -248,7 +269,7 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
 /// Runs the plant from time 0 to the end. Returns the exit code.
 int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
   // So that links answer from the plant's initial state, or what was written to a saved one takes effect.
-  stage.advance_to(stage.plant.now());
+  stage.advance_without_programs(stage.plant.now());
   Links links;
   const int opened = open_all(stage, played, links, streams);
   if (opened != kGood) return opened;
@@ -276,13 +297,23 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
              std::ostream& err) {
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
   files.replace_unless_among(program.inputs);
-  const auto planned = links_of(program, options);
+  const auto chosen_programs = programs_of(program, options);
+  if (const auto* error = std::get_if<std::string>(&chosen_programs)) {
+    err << "error: " << *error << "\n";
+    return kBadInput;
+  }
+  const auto& program_choices = std::get<ProgramChoices>(chosen_programs);
+  const auto planned = links_of(program, options, controllers_of(program_choices));
   if (const auto* error = std::get_if<link::LinkError>(&planned)) {
     err << "error: " << error->message << "\n";
     return kBadInput;
   }
   const auto& chosen = std::get<LinkChoices>(planned);
   const bool linked = has_real_link(chosen);
+  if (const std::string both = link_beside_program(program_choices, chosen, program.tables); !both.empty()) {
+    err << "error: " << both << "\n";
+    return kBadInput;
+  }
   if (linked && options.clock == RunOptions::Clock::virtual_time) {
     err << "error: a link to a PLC needs real time: remove `--clock virtual`\n";
     return kBadInput;
@@ -295,13 +326,23 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   if (!chosen_clock.warning.empty()) err << "warning: " << chosen_clock.warning << "\n";
   const PlcClockChoice* const clock = chosen_clock.clock ? &*chosen_clock.clock : nullptr;
   trace::PlantNames names(program.tables);
-  const std::vector<bool> carried = carried_symbols(chosen, program.tables);
+  std::vector<bool> carried = carried_symbols(chosen, program.tables);
+  Programs programs;
+  const int programs_opened = open_programs(program_choices, names, programs, err);
+  if (programs_opened != kGood) return programs_opened;
+  add_written(programs, program.tables, carried);
+  names.name_programs(named_programs(programs, program.tables));
   const auto questions = questions_of(options.why, names, err);
   if (!questions) return kBadInput;
   std::optional<scenario::Scenario> scenario;
   if (!options.scenario.empty()) {
     scenario = load_scenario(options.scenario, names, carried, err);
     if (!scenario) return kBadInput;
+  }
+  if (const std::string refused = refused_with_programs(options, scenario && !scenario->restore.empty());
+      !programs.empty() && !refused.empty()) {
+    err << "error: " << refused << "\n";
+    return kBadInput;
   }
   catch_signals();
   LastResort resort;
@@ -320,6 +361,7 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   Console console(report, err);
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
+  if (!programs.empty()) add_programs(programs, stage);
   if (linked) stage.outputs.report_short_events_of(carried);
   std::optional<Resumed> resumed;
   if (!read_resumed(stage, options, played, resumed, err)) return kBadInput;
@@ -328,7 +370,7 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
     return kBadInput;
   }
   const Resumed* const from = resumed ? &*resumed : nullptr;
-  const int code = play(stage, {program, options, names, played, chosen, carried, *questions, real, clock, from, files},
+  const int code = play(stage, {program, options, names, played, chosen, programs, carried, *questions, real, clock, from, files},
                         resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;

@@ -61,6 +61,29 @@ void read_clock(const std::string& text, RunOptions& options) {
   options.clock = text == "real" ? real_time : virtual_time;
 }
 
+void add_programs(CLI::App& app, RunOptions& options) {
+  app.add_option("--program", options.programs,
+                 "run this PLC program in lock step with the plant: a shared library with the interface "
+                 "symplant/program.h; with several controllers name one: PLC1=FILE. Replaces the plant's own programs")
+      ->type_name("[CONTROLLER=]FILE")
+      ->allow_extra_args(false);
+  const auto time_option = [&app](const char* name, std::optional<tables::Time>& time, const char* text) {
+    app.add_option_function<std::string>(
+           name,
+           [name, &time](const std::string& given) {
+             time = duration(given, name);
+             if (*time == 0 || *time > kLongestCycle) {
+               throw CLI::ValidationError(name, "`" + given + "` is out of range: write a time above 0 and at most 1h");
+             }
+           },
+           text)
+        ->type_name("T");
+  };
+  time_option("--scan", options.scan, "the time from one scan of a program to the next (default: the program's, else 10ms)");
+  time_option("--scan-delay", options.scan_delay,
+              "the time from a scan until the plant samples its outputs, at most that of --scan (default: as --scan)");
+}
+
 void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--scenario", options.scenario, "play this scenario and check its expectations")->type_name("FILE");
   app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
@@ -237,6 +260,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
                  "modbus-tcp://HOST:PORT?events=coils:800 or slmp://HOST:PORT?family=q (the plant goes to the PLC), or "
                  "loop:; with several controllers name one: PLC1=URL. Replaces the plant's own links")
       ->type_name("[CONTROLLER=]URL");
+  add_programs(app, options);
   add_files(app, options);
   add_panel(app, options);
   app.add_option_function<std::string>(

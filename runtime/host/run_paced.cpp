@@ -26,13 +26,13 @@ class PacedRun {
   PacedRun(Stage& stage, const RunOptions& options, panel::Panel& panel)
       : stage_(stage),
         panel_(panel),
-        stepper_(panel.stepper()),
+        stepper_(*stage.stepper(&panel.stepper())),
         cycle_(options.cycle),
         until_(options.until.value_or(tables::kNever)) {}
 
   void all() {
     Clock::time_point next = Clock::now();
-    while (!stop_requested().load(std::memory_order_relaxed) && now() < until_) {
+    while (!stop_requested().load(std::memory_order_relaxed) && now() < until_ && !stepper_.failed()) {
       next = std::max(next + std::chrono::nanoseconds(cycle_), Clock::now());
       std::this_thread::sleep_until(next);
       if (stepper_.frozen()) {
@@ -61,7 +61,10 @@ class PacedRun {
     } while (now() < target && due() != tables::kNever && Clock::now() < end);
   }
 
-  tables::Time due() const { return std::min(stage_.plant.next_due(), panel_.next_step()); }
+  tables::Time due() const {
+    const tables::Time due = std::min(stage_.plant.next_due(), panel_.next_step());
+    return stage_.programs ? std::min(due, stage_.programs->next_due()) : due;
+  }
 
   /// The plant time of a cycle.
   tables::Time length() const {

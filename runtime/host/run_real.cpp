@@ -183,16 +183,17 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
     panel->set_status([&status] { return status.text(); });
     panel->set_links([&status] { return status.states(); });
   }
-  exec::Stepper* const player = stage.player ? &*stage.player : nullptr;
+  exec::Stepper* const stepper = stage.stepper(panel != nullptr ? &panel->stepper() : nullptr);
   const auto cycles = [&] {
     exec::run_cycles(stage.plant, watched.exchanges(), cycle,
                      {.clock = wall,
                       .meter = meter,
                       .stop = stop_requested(),
                       .observer = &stage.recorder,
-                      .stepper = panel != nullptr ? &panel->stepper() : player,
+                      .stepper = stepper,
                       .plc_time = plc_time ? &*plc_time : nullptr,
                       .standstill = &standstill});
+    if (stage.programs) stage.programs->end();
   };
   CycleThread thread(options.real_time, cycles, options.rt_check.has_value());
   RealRun run;

@@ -25,6 +25,10 @@ void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out) {
   const bool by_scenario = stage.player && !options.until;
   const tables::Time end = by_scenario ? tables::kNever : options.until.value_or(kLongest);
   while (!stop_requested().load(std::memory_order_relaxed)) {
+    if (stage.programs && stage.programs->failed()) {
+      out << fmt::format("ended at {}: a program failed\n", seconds(stage.plant.now()));
+      return;
+    }
     if (by_scenario && stage.player->over()) {
       out << fmt::format("ended at {}: the scenario is over\n", seconds(stage.plant.now()));
       return;

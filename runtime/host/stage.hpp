@@ -11,6 +11,7 @@
 #include "symplant/host/report.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/plant/owned_plant.hpp"
+#include "symplant/program/lock_step.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -39,17 +40,29 @@ class Stage {
 
   /// Sets the plant to a saved state of its model; false if it does not fit. To be called before the first instant.
   bool resume(const trace::Snapshot& snapshot);
-  /// Runs every instant before `time`, then the one at `time`, with the steps of the scenario.
+  /// What advances the plant, if it is not the plant alone; `driver`: instead of the scenario's player. May be null.
+  exec::Stepper* stepper(exec::Stepper* driver) noexcept {
+    if (driver == nullptr && player) driver = &*player;
+    if (!programs) return driver;
+    programs->drive(driver);
+    return &*programs;
+  }
+  /// Runs every instant before `time`, then the one at `time`, with the steps of the scenario and the scans of programs.
   void advance_to(tables::Time time) noexcept {
+    programs ? programs->advance_to(time) : advance_without_programs(time);
+  }
+  /// The same without programs, which begin with the first call of advance_to().
+  void advance_without_programs(tables::Time time) noexcept {
     if (player) {
       player->advance_to(time);
     } else {
       plant.advance_to(time, &recorder);
     }
   }
-  /// Time of the next event of the plant or step of the scenario; kNever if there is nothing more.
+  /// Time of the next event of the plant, step of the scenario or scan of a program; kNever if there is nothing more.
   tables::Time next_due() const noexcept {
-    return player ? std::min(plant.next_due(), player->next()) : plant.next_due();
+    const tables::Time due = player ? std::min(plant.next_due(), player->next()) : plant.next_due();
+    return programs ? std::min(due, programs->next_due()) : due;
   }
 
   plant::OwnedPlant plant;
@@ -58,7 +71,8 @@ class Stage {
   why::Explainer explainer;
   Report report;
   Outputs outputs;
-  std::optional<scenario::Player> player;  ///< only with a scenario
+  std::optional<scenario::Player> player;     ///< only with a scenario
+  std::optional<program::LockStep> programs;  ///< only with PLC programs
 };
 
 }  // namespace symplant::host

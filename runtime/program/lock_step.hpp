@@ -52,7 +52,8 @@ class LockStep final : public exec::Stepper, public scenario::ProgramControl {
   void advance_to(tables::Time time) noexcept override;
   bool frozen() const noexcept override { return stepper_ != nullptr && stepper_->frozen(); }
   void hold() noexcept override;
-  bool over() const noexcept override { return failure_.has_value() || (stepper_ != nullptr && stepper_->over()); }
+  bool over() const noexcept override { return stepper_ != nullptr && stepper_->over(); }
+  bool failed() const noexcept override { return failure_.has_value(); }
   /// The time of the next scan, or of the next sample of operations.
   tables::Time next_due() const noexcept;
   /// Nothing: no program has failed.

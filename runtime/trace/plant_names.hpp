@@ -53,6 +53,19 @@ class PlantNames {
   /// The link with this index; empty without name_links().
   Link link(std::uint32_t link) const { return link < links_.size() ? links_[link] : Link(); }
   void name_links(std::vector<Link> links) { links_ = std::move(links); }
+  /// A PLC program that runs in lock step.
+  struct Program {
+    std::string name;
+    std::string digest;  ///< of its file
+    tables::Time period = 0;
+    tables::Time delay = 0;     ///< from a scan until its writes are sampled
+    std::vector<bool> written;  ///< by symbol: whether it writes it
+  };
+  std::span<const Program> programs() const { return programs_; }
+  void name_programs(std::vector<Program> programs) { programs_ = std::move(programs); }
+  /// ", written by program `cell` in scan 812 (8.12 s)" of an operation that changed at `time`; empty if no program
+  /// wrote it then. O(programs).
+  std::string written_words(std::uint32_t symbol, tables::Time time) const;
   /// The task of a symbol: the state that a unit's operation leads to, else the end of the symbol's name.
   std::string_view task(std::uint32_t symbol) const;
   /// The name of the list that declares a symbol. O(log lists).
@@ -82,6 +95,7 @@ class PlantNames {
   std::vector<std::string_view> sources_;
   std::vector<std::string_view> malfunctions_;
   std::vector<Link> links_;
+  std::vector<Program> programs_;
   std::vector<std::uint32_t> first_states_;  ///< by type: the index of its first state in states_
   mutable std::once_flag grouped_;
   mutable std::vector<std::uint32_t> by_unit_;  ///< symbols of units, grouped by unit

@@ -11,7 +11,8 @@
 
 namespace symplant::trace {
 
-TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed)
+TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed,
+                     std::span<const PlantNames::Program> programs)
     : tables_(tables),
       plant_names_(tables),
       file_(std::move(file)),
@@ -27,8 +28,28 @@ TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::ui
   };
   add(tables.material.location_names, locations_);
   add(tables.material.kind_names, kinds_);
+  add_programs(programs);
   file_.put(head_);
   file_.put("}\n");
+}
+
+/// `,"programs":[{"name":"cell","digest":"..","period":10000000,"delay":10000000,"writes":["Y0"]}]` in the header.
+void TraceFile::add_programs(std::span<const PlantNames::Program> programs) {
+  if (programs.empty()) return;
+  head_ += ",\"programs\":[";
+  for (const PlantNames::Program& program : programs) {
+    head_ += fmt::format(R"({}{{"name":{},"digest":"{}","period":{},"delay":{},"writes":[)",
+                         &program == programs.data() ? "" : ",", json_string(program.name), program.digest,
+                         program.period, program.delay);
+    bool first = true;
+    for (std::uint32_t symbol = 0; symbol < program.written.size(); ++symbol) {
+      if (!program.written[symbol]) continue;
+      head_ += (first ? "" : ",") + json_string(plant_names_.symbol(symbol));
+      first = false;
+    }
+    head_ += "]}";
+  }
+  head_ += "]";
 }
 
 void TraceFile::put_time(tables::Time time) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "symplant/tables/tables.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/output_file.hpp"
+#include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/record.hpp"
 
 namespace symplant::trace {
@@ -16,8 +18,9 @@ namespace symplant::trace {
 /// One writer; not thread-safe.
 class TraceFile {
  public:
-  /// Writes the header. Errors are in error().
-  TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed);
+  /// Writes the header, which names the programs. Errors are in error().
+  TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed,
+            std::span<const PlantNames::Program> programs = {});
 
   /// Writes a record of a change, of a part or of a malfunction; ignores others. O(line).
   void write(const Record& record);
@@ -36,6 +39,7 @@ class TraceFile {
 
  private:
   void put_time(tables::Time time);
+  void add_programs(std::span<const PlantNames::Program> programs);
   void put_part(const PartRecord& part);
   void put_values(const History& history);
   void put_malfunctions(const History& history);

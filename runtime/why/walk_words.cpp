@@ -45,11 +45,13 @@ std::string Walk::operation_words(std::uint32_t operation, std::string_view to) 
   std::string text = operation_head(operation, to);
   const tables::Time rose = view_.rose(operation);
   if (commands(operation)) {
-    text += fmt::format(" has been {} {}", level_words(operation, true), since_words(std::max<tables::Time>(rose, 0)));
+    text += fmt::format(" has been {} {}", level_words(operation, true), since_words(std::max<tables::Time>(rose, 0))) +
+            names_.written_words(operation, rose);
   } else {
     text += rose < 0
                 ? fmt::format(" has never been {}", level_words(operation, true))
-                : fmt::format(" has been {} {}", level_words(operation, false), since_words(view_.since(operation)));
+                : fmt::format(" has been {} {}", level_words(operation, false), since_words(view_.since(operation))) +
+                      names_.written_words(operation, view_.since(operation));
     const std::string why = view_.unwritten(operation);
     if (!why.empty()) text += " (" + why + ")";
   }
