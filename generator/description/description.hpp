@@ -191,6 +191,7 @@ struct Description {
   std::vector<GivenMalfunction> malfunctions;
   std::vector<GivenRequirement> requirements;
   std::vector<LinkDescription> links;
+  std::vector<ProgramDescription> programs;
   GivenCheck check;
   std::vector<GivenView> view;
 };

@@ -54,4 +54,7 @@ DeviceDescription device_entry(const std::string& path, const nlohmann::json& en
 /// An entry of `links`.
 LinkDescription link_entry(const nlohmann::json& entry, const Pointer& here, ShapeFaults& faults);
 
+/// An entry of `programs`.
+ProgramDescription program_entry(const nlohmann::json& entry, const Pointer& here, ShapeFaults& faults);
+
 }  // namespace symplant::description

@@ -36,6 +36,16 @@ struct LinkDescription {
   bool has_settings = false;  ///< it has keys besides URL and controller
 };
 
+/// A PLC program that runs in lock step. It is used if the command line names no program.
+struct ProgramDescription {
+  std::string file;             ///< as written: relative to plant.json
+  std::string controller = {};  ///< the controller whose symbols it has; empty if not named
+  tables::Time period = 0;      ///< 0: not given
+  tables::Time delay = 0;       ///< 0: not given
+  link::OnLoss on_loss = link::OnLoss::hold;
+  std::vector<std::string> ignore = {};  ///< patterns of names or addresses
+};
+
 /// Whether a controller may have this name. It is not empty and fits `--link NAME=URL`: no `=`, `:` or control
 /// character, no blank at an end.
 bool is_controller_name(std::string_view name);

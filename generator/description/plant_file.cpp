@@ -92,6 +92,7 @@ class PlantFileReader {
       file_.description.malfunctions = malfunction_entries(*malfunctions, faults_);
     read_requirements();
     read_links();
+    read_programs();
     read_check();
     read_view();
     return std::move(file_);
@@ -250,6 +251,14 @@ class PlantFileReader {
     if (links == nullptr || !links->is_array()) return;
     for (std::size_t i = 0; i < links->size(); ++i) {
       file_.description.links.push_back(link_entry((*links)[i], Pointer("/links") / i, faults_));
+    }
+  }
+
+  void read_programs() {
+    const Json* programs = member(root_, "programs");
+    if (programs == nullptr || !programs->is_array()) return;
+    for (std::size_t i = 0; i < programs->size(); ++i) {
+      file_.description.programs.push_back(program_entry((*programs)[i], Pointer("/programs") / i, faults_));
     }
   }
 

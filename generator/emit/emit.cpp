@@ -87,6 +87,13 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["link_rows"] = link_rows(*plant.description);
   texts["ignored_count"] = std::to_string(ignored_findings(*plant.description).size());
   texts["ignored_rows"] = ignored_rows(*plant.description);
+  view.lists["programs"];
+  if (const auto& programs = plant.description->programs; !programs.empty()) {
+    view.lists["programs"].push_back({{{"program_count", std::to_string(programs.size())},
+                                       {"ignored_variables", ignored_variables(*plant.description)},
+                                       {"program_rows", program_rows(*plant.description)}},
+                                      {}});
+  }
   view.lists["view"];
   if (const model::Layout layout = model::has_layout(plant) ? model::layout_of(plant) : model::Layout();
       !layout.devices.empty()) {

@@ -97,6 +97,36 @@ std::string link_rows(const description::Description& description) {
   return rows.take();
 }
 
+std::string ignored_variables(const description::Description& description) {
+  RowWriter rows;
+  for (std::size_t i = 0; i < description.programs.size(); ++i) {
+    const std::vector<std::string>& ignored = description.programs[i].ignore;
+    if (ignored.empty()) continue;
+    rows.text("constexpr std::array<std::string_view, ")
+        .number(ignored.size())
+        .text("> kIgnoredVariables")
+        .number(i)
+        .text("{");
+    for (const std::string& pattern : ignored)
+      rows.text(&pattern == &ignored.front() ? "\"" : ", \"").literal(pattern).text("\"");
+    rows.text("};\n");
+  }
+  return rows.take();
+}
+
+std::string program_rows(const description::Description& description) {
+  RowWriter rows;
+  for (std::size_t i = 0; i < description.programs.size(); ++i) {
+    const description::ProgramDescription& program = description.programs[i];
+    rows.text("    {\"").literal(program.controller).text("\", \"").literal(program.file).text("\", ");
+    rows.numbers(program.period, program.delay).text(", symplant::link::OnLoss::");
+    rows.text(program.on_loss == link::OnLoss::zero ? "zero" : "hold");
+    if (!program.ignore.empty()) rows.text(", kIgnoredVariables").number(i);
+    rows.text("},\n");
+  }
+  return rows.take();
+}
+
 std::vector<const description::GivenCheck::Ignore*> ignored_findings(const description::Description& description) {
   std::vector<const description::GivenCheck::Ignore*> entries;
   for (const description::GivenCheck::Ignore& entry : description.check.ignore) {

@@ -1,4 +1,4 @@
-// The plant's links as rows of generated code.
+// The plant's links and programs as rows of generated code.
 #pragma once
 
 #include <string>
@@ -11,6 +11,10 @@ namespace symplant::emit {
 
 /// The links of the description: controller, URL.
 std::string link_rows(const description::Description& description);
+
+/// The programs of the description, and the arrays of their `ignore`: kIgnoredVariables0 of the first program.
+std::string program_rows(const description::Description& description);
+std::string ignored_variables(const description::Description& description);
 
 /// The entries of `ignore` for findings of a run, and their rows: name, pattern, last day.
 std::vector<const description::GivenCheck::Ignore*> ignored_findings(const description::Description& description);

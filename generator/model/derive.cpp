@@ -177,6 +177,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   plant.description_source = std::move(source);
   description::Faults faults(evidence.faults, evidence.warnings);
   const std::vector<const description::LinkDescription*> links = check_links(plant, faults);
+  check_programs(plant, faults);
   evidence.decisions = match_entries(plant, faults);
   MadeNames made;
   derive_units(derived, made, faults);

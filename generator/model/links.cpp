@@ -19,6 +19,25 @@ std::optional<std::size_t> find_controller(const PlantModel& plant, std::string_
   return static_cast<std::size_t>(found - plant.controllers.begin());
 }
 
+/// Reports that the controller of a link or program, which `what` says, does not exist.
+void report_unknown(const PlantModel& plant, const std::string& controller, const description::Pointer& place,
+                    const std::string& what, description::Faults& faults) {
+  if (controller.empty()) {
+    faults.add(place,
+               "the plant has several controllers, and this " + what + " names none of them; give it a `controller`");
+  } else if (plant.controllers.size() == 1 && plant.controllers[0].empty()) {
+    faults.add(place / "controller",
+               "controller " + description::ticked(controller) + " not found, because this plant's only " +
+                   "controller has no name; remove `controller` here, or add it to its list in `symbols`",
+               description::FaultKind::unknown_name);
+  } else {
+    const auto nearest = faults.nearest(controller, plant.controllers.size(),
+                                        [&](std::size_t c) -> std::string_view { return plant.controllers[c]; });
+    faults.add(place / "controller", description::missing("controller " + description::ticked(controller), nearest),
+               description::FaultKind::unknown_name);
+  }
+}
+
 }  // namespace
 
 std::vector<const description::LinkDescription*> check_links(const PlantModel& plant, description::Faults& faults) {
@@ -44,22 +63,29 @@ std::vector<const description::LinkDescription*> check_links(const PlantModel& p
       }
       linked[*controller] = linked[*controller] || link.url != "loop:";
       if (link.has_settings) settings[*controller] = &link;
-    } else if (link.controller.empty()) {
-      faults.add(place, "the plant has several controllers, and this link names none of them; give it a `controller`");
-    } else if (plant.controllers.size() == 1 && plant.controllers[0].empty()) {
-      faults.add(place / "controller",
-                 "controller " + description::ticked(link.controller) + " not found, because this plant's only " +
-                     "controller has no name; remove `controller` here, or add it to its list in `symbols`",
-                 description::FaultKind::unknown_name);
     } else {
-      const auto nearest = faults.nearest(link.controller, plant.controllers.size(),
-                                          [&](std::size_t c) -> std::string_view { return plant.controllers[c]; });
-      faults.add(place / "controller",
-                 description::missing("controller " + description::ticked(link.controller), nearest),
-                 description::FaultKind::unknown_name);
+      report_unknown(plant, link.controller, place, "link", faults);
     }
   }
   return settings;
+}
+
+void check_programs(const PlantModel& plant, description::Faults& faults) {
+  std::vector<bool> has_program(plant.controllers.size());
+  const std::vector<description::ProgramDescription>& programs = plant.description->programs;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const std::string& name = programs[i].controller;
+    const description::Pointer place = description::Pointer("/programs") / i;
+    const bool the_only = name.empty() && plant.controllers.size() == 1;
+    const auto controller = the_only ? std::optional<std::size_t>(0) : find_controller(plant, name);
+    if (!controller) {
+      report_unknown(plant, name, place, "program", faults);
+    } else if (has_program[*controller]) {
+      faults.add(place, "this is the second program of its controller; remove one");
+    } else {
+      has_program[*controller] = true;
+    }
+  }
 }
 
 }  // namespace symplant::model

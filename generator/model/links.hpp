@@ -18,6 +18,10 @@ struct PlantModel;
 /// each controller the link whose settings apply, or null. O(links * controllers).
 std::vector<const description::LinkDescription*> check_links(const PlantModel& plant, description::Faults& faults);
 
+/// Reports an unknown controller of a program, a missing one if the plant has several, and two programs of one
+/// controller. O(programs * controllers).
+void check_programs(const PlantModel& plant, description::Faults& faults);
+
 /// Makes PlantModel::links, the settings by controller. Shared addresses must be known. Reports unknown names in the
 /// entries of a `map`, and entries that contradict each other. O(symbols * entries).
 void resolve_links(PlantModel& plant, const std::vector<const description::LinkDescription*>& links,

@@ -50,8 +50,7 @@ std::vector<trace::PlantNames::Link> named_links(const Links& links) {
 
 bool keeps_plants_links_closed(const RunOptions& options, bool with_program) {
   using enum RunOptions::Clock;
-  return options.clock == virtual_time ||
-         ((!options.scenario.empty() || with_program) && options.clock == automatic);
+  return options.clock == virtual_time || ((!options.scenario.empty() || with_program) && options.clock == automatic);
 }
 
 std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options,

@@ -23,7 +23,8 @@ bool keeps_plants_links_closed(const RunOptions& options, bool with_program);
 using LinkChoices = std::vector<link::LinkChoice>;
 
 /// The links of a run and the controllers of their symbols: those of the command line, else the plant's own unless they
-/// stay closed. `with_program`: by controller, whether it has a program, so that the plant's own link of it stays closed.
+/// stay closed. `with_program`: by controller, whether it has a program, so that the plant's own link of it stays
+/// closed.
 std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options,
                                                     const std::vector<bool>& with_program);
 

@@ -66,6 +66,7 @@ int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::os
                                                 .carried = input.carried,
                                                 .scenario = input.scenario,
                                                 .player = stage.player ? &*stage.player : nullptr,
+                                                .programs = stage.programs ? &*stage.programs : nullptr,
                                                 .scenario_name = stem(input.options.scenario),
                                                 .exercises = std::move(exercises),
                                                 .links = std::move(links),

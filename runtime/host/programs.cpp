@@ -43,8 +43,8 @@ std::variant<ProgramChoice, std::string> parse(const std::string& text, const ta
   if (names.size() <= 1) return ProgramChoice{text, {}};
   std::string known;
   for (const std::string_view name : names) known += fmt::format("{}`{}`", known.empty() ? "" : ", ", name);
-  return fmt::format("`--program {}` does not name its controller: write `--program {}={}`; the controllers are {}", text,
-                     names.front(), equals == text.npos ? text : text.substr(equals + 1), known);
+  return fmt::format("`--program {}` does not name its controller: write `--program {}={}`; the controllers are {}",
+                     text, names.front(), equals == text.npos ? text : text.substr(equals + 1), known);
 }
 
 bool has_link(const RunOptions& options, const tables::PlantTables& tables, std::uint32_t controller) {
@@ -57,8 +57,8 @@ bool has_link(const RunOptions& options, const tables::PlantTables& tables, std:
 std::variant<ProgramChoices, std::string> own_programs(const PlantProgram& program, const RunOptions& options) {
   ProgramChoices choices;
   for (const DefaultProgram& own : program.programs) {
-    const auto controller = own.controller.empty() ? std::optional<std::uint32_t>(0)
-                                                   : controller_named(program.tables, own.controller);
+    const auto controller =
+        own.controller.empty() ? std::optional<std::uint32_t>(0) : controller_named(program.tables, own.controller);
     if (!controller) return fmt::format("the plant has no controller `{}` for its program", own.controller);
     if (has_link(options, program.tables, *controller)) continue;
     ProgramChoice choice{std::string(own.file), {.controller = *controller, .on_loss = own.on_loss}};
@@ -114,7 +114,8 @@ std::string link_beside_program(const ProgramChoices& programs, const LinkChoice
   return {};
 }
 
-int open_programs(const ProgramChoices& choices, const trace::PlantNames& names, Programs& programs, std::ostream& err) {
+int open_programs(const ProgramChoices& choices, const trace::PlantNames& names, Programs& programs,
+                  std::ostream& err) {
   int code = kGood;
   std::set<std::filesystem::path> open;
   for (const ProgramChoice& choice : choices) {
@@ -137,7 +138,6 @@ int open_programs(const ProgramChoices& choices, const trace::PlantNames& names,
       err << fmt::format("error: program `{}`: {}\n", shown(choice.file), shown(error));
       code = std::max<int>(code, kBadInput);
     }
-    if (!one.binding.errors.empty()) err << "note: `symplant program --check` shows how all variables bind\n";
     programs.push_back(std::move(one));
   }
   return code;
@@ -155,20 +155,22 @@ void add_written(const Programs& programs, const tables::PlantTables& tables, st
 std::vector<trace::PlantNames::Program> named_programs(const Programs& programs, const tables::PlantTables& tables) {
   std::vector<trace::PlantNames::Program> named;
   for (const OpenProgram& one : programs) {
-    named.push_back({one.library->program().name, one.digest, one.times.period, one.times.delay,
-                     program::written_symbols(one.library->program(), one.binding, tables)});
+    named.push_back({one.library->program().name, one.choice.options.controller, one.digest, one.times.period,
+                     one.times.delay, program::written_symbols(one.library->program(), one.binding, tables)});
   }
   return named;
 }
 
-std::string program_lines(const Programs& programs, const tables::PlantTables& tables) {
+std::string program_lines(std::span<const OpenProgram> programs, const tables::PlantTables& tables) {
   std::string text;
   for (const OpenProgram& one : programs) {
     const symplant_program& program = one.library->program();
     const auto bound = [&](bool writes) {
       std::size_t count = 0;
       for (std::uint32_t i = 0; i < program.count; ++i) {
-        count += (program.variables[i].writes != 0) == writes && one.binding.symbols[i] != tables::kNone ? std::size_t{1} : 0;
+        count += (program.variables[i].writes != 0) == writes && one.binding.symbols[i] != tables::kNone
+                     ? std::size_t{1}
+                     : 0;
       }
       return count;
     };
@@ -187,8 +189,10 @@ std::string program_lines(const Programs& programs, const tables::PlantTables& t
 std::string refused_with_programs(const RunOptions& options, bool restores) {
   if (!options.save.empty()) return "`--save` is not possible with a program, whose state cannot be saved: remove it";
   if (!options.resume.empty()) return "`--resume` is not possible with a program, whose state was not saved: remove it";
-  if (restores) return "a scenario that begins with `restore` is not possible with a program, whose state was not saved";
-  if (options.rt_check) return "`--rt-check` is not possible with a program, which may use heap and system calls: remove it";
+  if (restores)
+    return "a scenario that begins with `restore` is not possible with a program, whose state was not saved";
+  if (options.rt_check)
+    return "`--rt-check` is not possible with a program, which may use heap and system calls: remove it";
   return {};
 }
 

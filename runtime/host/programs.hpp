@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -52,10 +53,10 @@ void add_written(const Programs& programs, const tables::PlantTables& tables, st
 std::vector<trace::PlantNames::Program> named_programs(const Programs& programs, const tables::PlantTables& tables);
 
 /// "program `cell` (cell.so): reads 4 and writes 6 symbols, a scan every 10 ms", a line for each.
-std::string program_lines(const Programs& programs, const tables::PlantTables& tables);
+std::string program_lines(std::span<const OpenProgram> programs, const tables::PlantTables& tables);
 
-/// An option that cannot be used with programs, in words; empty if there is none. `restores`: the scenario begins with a
-/// restore.
+/// An option that cannot be used with programs, in words; empty if there is none. `restores`: the scenario begins with
+/// a restore.
 std::string refused_with_programs(const RunOptions& options, bool restores);
 
 }  // namespace symplant::host

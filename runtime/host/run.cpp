@@ -158,6 +158,7 @@ void add_programs(const Programs& programs, Stage& stage) {
   stage.programs.emplace(stage.plant, &stage.recorder);
   for (const OpenProgram& one : programs) stage.programs->add(one.library->program(), one.choice.options);
   stage.stepper(nullptr);
+  if (stage.player) stage.player->control(&*stage.programs);
 }
 
 /// What a run plays.
@@ -282,6 +283,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
                                  played.resumed != nullptr ? played.resumed->name : std::string(), streams.console},
                                 stage, streams.report, streams.err, panel);
   if (served != kGood) return served;
+  if (!played.programs.empty()) streams.report.flush();  // a program may end the process
   Shown shown = run_to_end(stage, played, links, panel.get(), streams);
   stage.outputs.drain();
   shown.answers = answers_to(played.questions, stage,
@@ -329,7 +331,10 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   std::vector<bool> carried = carried_symbols(chosen, program.tables);
   Programs programs;
   const int programs_opened = open_programs(program_choices, names, programs, err);
-  if (programs_opened != kGood) return programs_opened;
+  if (programs_opened != kGood) {
+    err << "note: `symplant program --check` shows how the variables of a program bind\n";
+    return programs_opened;
+  }
   add_written(programs, program.tables, carried);
   names.name_programs(named_programs(programs, program.tables));
   const auto questions = questions_of(options.why, names, err);
@@ -370,8 +375,9 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
     return kBadInput;
   }
   const Resumed* const from = resumed ? &*resumed : nullptr;
-  const int code = play(stage, {program, options, names, played, chosen, programs, carried, *questions, real, clock, from, files},
-                        resort, streams);
+  const int code =
+      play(stage, {program, options, names, played, chosen, programs, carried, *questions, real, clock, from, files},
+           resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

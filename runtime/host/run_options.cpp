@@ -79,7 +79,8 @@ void add_programs(CLI::App& app, RunOptions& options) {
            text)
         ->type_name("T");
   };
-  time_option("--scan", options.scan, "the time from one scan of a program to the next (default: the program's, else 10ms)");
+  time_option("--scan", options.scan,
+              "the time from one scan of a program to the next (default: the program's, else 10ms)");
   time_option("--scan-delay", options.scan_delay,
               "the time from a scan until the plant samples its outputs, at most that of --scan (default: as --scan)");
 }

@@ -32,9 +32,9 @@ struct RunOptions {
   bool late_given = false;         ///< whether the user gave --late
   tables::Time spin = 0;           ///< time of busy-waiting before each cycle
   exec::RealTimeOptions real_time;
-  bool arm = false;                     ///< links that go to a PLC write also where the PLC cannot be identified
-  std::optional<link::OnLoss> on_loss;  ///< for every link; nothing: as in its settings
-  std::vector<std::string> links;       ///< URL or CONTROLLER=URL; empty: the plant's own
+  bool arm = false;                        ///< links that go to a PLC write also where the PLC cannot be identified
+  std::optional<link::OnLoss> on_loss;     ///< for every link; nothing: as in its settings
+  std::vector<std::string> links;          ///< URL or CONTROLLER=URL; empty: the plant's own
   std::vector<std::string> programs;       ///< FILE or CONTROLLER=FILE; empty: the plant's own
   std::optional<tables::Time> scan;        ///< the period of programs that do not set it
   std::optional<tables::Time> scan_delay;  ///< from a scan until its outputs are sampled; nothing: the period

@@ -47,7 +47,8 @@ class Stage {
     programs->drive(driver);
     return &*programs;
   }
-  /// Runs every instant before `time`, then the one at `time`, with the steps of the scenario and the scans of programs.
+  /// Runs every instant before `time`, then the one at `time`, with the steps of the scenario and the scans of
+  /// programs.
   void advance_to(tables::Time time) noexcept {
     programs ? programs->advance_to(time) : advance_without_programs(time);
   }

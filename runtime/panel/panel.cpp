@@ -19,9 +19,10 @@ struct Panel::Parts {
         plant(std::move(of)),
         access(std::move(granted)),
         guard(plant.log),
-        desk({plant.names, plant.plant, plant.recorder, plant.history, plant.explainer, plant.behaviours, plant.carried,
-              plant.exercises, plant.scenario, plant.player, plant.scenario_name, options.files, plant.seed,
-              plant.cycle, plant.with_plc, plant.by_plc_clock, plant.paced, !options.view_only, plant.resumed}),
+        desk({plant.names,      plant.plant,         plant.recorder,  plant.history,      plant.explainer,
+              plant.behaviours, plant.carried,       plant.exercises, plant.scenario,     plant.player,
+              plant.programs,   plant.scenario_name, options.files,   plant.seed,         plant.cycle,
+              plant.with_plc,   plant.by_plc_clock,  plant.paced,     !options.view_only, plant.resumed}),
         source(desk, mutex, plant.names, description_of(plant)),
         routes(source, access) {}
 
@@ -33,7 +34,7 @@ struct Panel::Parts {
 
   void each_second() {
     const std::lock_guard lock(mutex);
-    desk.look_at_time(options.backtrack);
+    desk.look_at_time(plant.programs == nullptr ? options.backtrack : 0);  // no state of a program can be kept
     const auto now = std::chrono::steady_clock::now();
     const tables::Time time = desk.plant_operator().now();
     const std::chrono::duration<double> passed = now - last_look;

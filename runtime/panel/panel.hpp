@@ -41,6 +41,7 @@ struct PanelPlant {
   const std::vector<bool>& carried;    ///< as for read_scenario()
   const scenario::Scenario* scenario;  ///< played from the start; null: none
   scenario::Player* player;            ///< that plays it
+  scenario::ProgramControl* programs;  ///< the PLC programs of the run; null: none
   std::string scenario_name;
   std::vector<ExerciseFile> exercises;
   std::vector<LinkName> links;

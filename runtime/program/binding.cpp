@@ -29,7 +29,8 @@ class Symbols {
  public:
   Symbols(const trace::PlantNames& names, std::uint32_t controller) : names_(names) {
     const tables::PlantTables& tables = names.tables();
-    for (const tables::SharedAddress& shared : tables.shared_addresses) followers_.emplace(shared.symbol, shared.leader);
+    for (const tables::SharedAddress& shared : tables.shared_addresses)
+      followers_.emplace(shared.symbol, shared.leader);
     for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
       if (tables::controller_of(tables, i) != controller) continue;
       rows_.push_back(i);
@@ -137,8 +138,8 @@ class Binder {
       error("{} has {}, and `{}` is {}, which has {}", words, bits_words(variable.bits), names_.symbol(*symbol),
             condition::type_name(row.type()), bits_words(bits));
     } else if (variable.writes != 0 && !writers_.emplace(symbols_.leader(*symbol), index).second) {
-      error("{} and {} both write `{}`: remove one of them", variable_words(program_.variables[writers_[symbols_.leader(*symbol)]]),
-            words, names_.symbol(*symbol));
+      error("{} and {} both write `{}`: remove one of them",
+            variable_words(program_.variables[writers_[symbols_.leader(*symbol)]]), words, names_.symbol(*symbol));
     } else {
       return *symbol;
     }
@@ -191,14 +192,15 @@ std::vector<bool> written_symbols(const symplant_program& program, const Binding
     for (const tables::SharedAddress& shared : tables.shared_addresses) {
       const bool both = written[shared.symbol] || written[shared.leader];
       const auto direction = [&](std::uint32_t symbol) { return tables.symbols[symbol].direction(); };
-      if (both && direction(shared.symbol) == direction(shared.leader)) written[shared.symbol] = written[shared.leader] = true;
+      if (both && direction(shared.symbol) == direction(shared.leader))
+        written[shared.symbol] = written[shared.leader] = true;
     }
   }
   return written;
 }
 
 std::string variable_words(const symplant_variable& variable) {
-  return fmt::format("`{}`", variable.symbol != nullptr ? variable.symbol
+  return fmt::format("`{}`", variable.symbol != nullptr    ? variable.symbol
                              : variable.address != nullptr ? variable.address
                                                            : "");
 }

@@ -7,9 +7,9 @@
 
 namespace symplant::program {
 
-/// While one exists, a signal that ends the process (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) in a call of a program is
-/// reported: "program `cell` ended by SIGSEGV in scan 812 (8.12 s)" on standard error, then the process ends with exit
-/// code 3. At any other time the signal does what it did before. At most one may exist.
+/// While one exists, a signal that ends the process (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) in a call of a program
+/// is reported: "program `cell` ended by SIGSEGV in scan 812 (8.12 s)" on standard error, then the process ends with
+/// exit code 3. At any other time the signal does what it did before. At most one may exist.
 class CrashReport {
  public:
   CrashReport();

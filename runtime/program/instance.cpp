@@ -44,15 +44,16 @@ Times times_of(const symplant_program& program, const Options& options) {
   const tables::Time own = program.period_ns;
   times.period = own != 0 ? own : options.period.value_or(kDefaultPeriod);
   if (options.period && *options.period != times.period) {
-    times.error = fmt::format("program `{}` has a period of {}, not {}: remove the other one, or compile the program with it",
-                              program.name, seconds(own), seconds(*options.period));
+    times.error =
+        fmt::format("program `{}` has a period of {}, not {}: remove the other one, or compile the program with it",
+                    program.name, seconds(own), seconds(*options.period));
   } else if (times.period <= 0) {
     times.error = fmt::format("the period of program `{}` is 0: give one such as 10ms", program.name);
   }
   times.delay = options.delay.value_or(times.period);
   if (times.error.empty() && (times.delay < 1 || times.delay > times.period)) {
-    times.error = fmt::format("the delay of {} of program `{}` is not from 1 ns to its period of {}", seconds(times.delay),
-                              program.name, seconds(times.period));
+    times.error = fmt::format("the delay of {} of program `{}` is not from 1 ns to its period of {}",
+                              seconds(times.delay), program.name, seconds(times.period));
   }
   return times;
 }

@@ -15,9 +15,10 @@ namespace symplant::program {
 
 /// What the user chooses for a program.
 struct Options {
-  std::uint32_t controller = 0;         ///< whose symbols it has
+  std::uint32_t controller = 0;             ///< whose symbols it has
   std::optional<tables::Time> period = {};  ///< from scan to scan, above 0; nothing: the program's, else 10 ms
-  std::optional<tables::Time> delay = {};   ///< from a scan until its writes are sampled, 1 ns to the period; nothing: the period
+  std::optional<tables::Time> delay =
+      {};  ///< from a scan until its writes are sampled, 1 ns to the period; nothing: the period
   link::OnLoss on_loss = link::OnLoss::hold;  ///< what its operations do while its controller is lost
   std::vector<std::string> ignore = {};       ///< patterns of variables that need no symbol
 };
@@ -44,7 +45,8 @@ class Instance {
   bool begin() noexcept;
   /// Ends the program's instance, if there is one.
   void end() noexcept;
-  /// A cold start while the plant runs: operations go to zero until the writes of the next scan are sampled. O(symbols).
+  /// A cold start while the plant runs: operations go to zero until the writes of the next scan are sampled.
+  /// O(symbols).
   bool restart() noexcept;
 
   /// Writes changed events to the program's cells. O(changes).

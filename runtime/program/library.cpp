@@ -74,11 +74,12 @@ std::variant<std::unique_ptr<Library>, LoadError> Library::open(const std::strin
   if (copied) std::filesystem::remove(file, error);
   if (handle == nullptr) {
     const char* const why = ::dlerror();
-    return LoadError{fmt::format("cannot open the program `{}`: {}; compile it as a shared library (-shared -fPIC)", path,
-                                 why == nullptr ? "unknown" : why)};
+    return LoadError{fmt::format("cannot open the program `{}`: {}; compile it as a shared library (-shared -fPIC)",
+                                 path, why == nullptr ? "unknown" : why)};
   }
   const auto entry = std::bit_cast<Entry>(::dlsym(handle, "symplant_program_v1"));
-  std::string fault = "it does not export symplant_program_v1(); compile it with symplant/program.h (docs/testing-programs.md)";
+  std::string fault =
+      "it does not export symplant_program_v1(); compile it with symplant/program.h (docs/testing-programs.md)";
   const symplant_program* program = nullptr;
   if (entry != nullptr) {
     program = entry();

@@ -33,8 +33,8 @@ std::string failure_words(const Failure& failure);
 /// instant of that time. Programs that are due at one time all read before one writes, so that their order does not
 /// matter (the static schedule of Henzinger et al., Giotto).
 ///
-/// All calls of the programs are made by the thread that advances it, from the first advance_to() to end(). One thread at
-/// a time may use it.
+/// All calls of the programs are made by the thread that advances it, from the first advance_to() to end(). One thread
+/// at a time may use it.
 class LockStep final : public exec::Stepper, public scenario::ProgramControl {
  public:
   /// `observer` may be null. It and the plant must outlive this.

@@ -25,7 +25,10 @@ std::size_t changes_by_hand(const Step& step) noexcept {
   return step.put.size() + step.take.size() + step.stop.size() + step.start.size();
 }
 
-void write_symbols(const Step& step, plant::Plant& plant) noexcept {
+void write_symbols(const Step& step, plant::Plant& plant, ProgramControl* programs) noexcept {
+  if (programs != nullptr) {
+    for (const std::uint32_t controller : step.restart) programs->restart(controller);
+  }
   for (const SymbolValue& value : step.set) set(value, plant);
   for (const UnitState& unit : step.states) plant.set_state(unit.unit, unit.state);
 }

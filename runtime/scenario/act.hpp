@@ -2,6 +2,7 @@
 #pragma once
 
 #include "symplant/plant/plant.hpp"
+#include "symplant/scenario/program_control.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/recorder.hpp"
 
@@ -14,8 +15,9 @@ inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 /// instant. O(1).
 std::size_t changes_by_hand(const Step& step) noexcept;
 
-/// The first actions of a step: `set`, then `state`. For the thread that runs the plant; O(actions).
-void write_symbols(const Step& step, plant::Plant& plant) noexcept;
+/// The first actions of a step: `restart`, `set`, then `state`. `programs` may be null: nothing restarts. For the
+/// thread that runs the plant; O(actions).
+void write_symbols(const Step& step, plant::Plant& plant, ProgramControl* programs) noexcept;
 
 /// The last actions of a step: `force`, then `release`, with notes about them. For the same thread; O(actions).
 void force_symbols(const Step& step, plant::Plant& plant, trace::Recorder& recorder) noexcept;

@@ -73,7 +73,7 @@ bool Player::act_by_hand(const Step& step) noexcept {
 /// False if the step has failed already.
 bool Player::act(const Step& step) noexcept {
   turn_ = recorder_.turn();
-  write_symbols(step, plant_);
+  write_symbols(step, plant_, programs_);
   const bool well = act_by_hand(step);
   force_symbols(step, plant_, recorder_);
   return change_malfunctions(step) && well;

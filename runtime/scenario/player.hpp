@@ -8,6 +8,7 @@
 #include "symplant/exec/stepper.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/scenario/act.hpp"
+#include "symplant/scenario/program_control.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/recorder.hpp"
 
@@ -75,6 +76,8 @@ class Player final : public engine::Observer, public exec::Stepper {
     notes_steps_ = true;
     notes_failures_ = !only;
   }
+  /// What restarts programs; must outlive the player. Null: nothing does.
+  void control(ProgramControl* programs) noexcept { programs_ = programs; }
   /// Begins again with the first step at the plant's time, from which the first `plus` counts.
   void begin_again() noexcept;
 
@@ -123,6 +126,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   const Scenario& scenario_;
   plant::Plant& plant_;
   trace::Recorder& recorder_;
+  ProgramControl* programs_ = nullptr;
   std::vector<Outcome> outcomes_;
   std::vector<std::uint32_t> turns_;  ///< by repeat: turns that are over
   std::vector<std::uint32_t> ends_;   ///< by step and one more: the first repeat that ends at or after it

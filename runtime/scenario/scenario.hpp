@@ -48,6 +48,7 @@ struct Step {
   };
   When when = When::at;
   tables::Time time = 0;
+  std::vector<std::uint32_t> restart;  ///< controllers whose programs start cold
   std::vector<SymbolValue> set;
   std::vector<UnitState> states;
   std::vector<NewPart> put;                ///< it fails if there is no room

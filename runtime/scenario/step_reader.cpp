@@ -8,8 +8,11 @@
 
 #include "symplant/condition/resolve.hpp"
 #include "symplant/scenario/value.hpp"
+#include "symplant/tables/ascii.hpp"
 #include "symplant/tables/duration.hpp"
 #include "symplant/tables/length.hpp"
+#include "symplant/tables/names.hpp"
+#include "symplant/tables/nearest.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::scenario {
@@ -64,6 +67,7 @@ Step StepReader::read(const Json& step, const std::string& pointer) {
   const auto part = [&](const char* key, auto take) {
     if (const auto found = step.find(key); found != step.end()) take(*found, json::child(pointer, key));
   };
+  part("restart", [&](const Json& value, const std::string& at) { read_restart(value, at, result); });
   part("set", [&](const Json& value, const std::string& at) { result.set = read_values(value, at, true); });
   part("state", [&](const Json& value, const std::string& at) { result.states = read_states(value, at); });
   part("put", [&](const Json& value, const std::string& at) { read_puts(value, at, result); });
@@ -119,7 +123,8 @@ void StepReader::read_wait(const Json& step, const std::string& pointer, Step& r
   if (const auto within = step.find("within"); within != step.end()) {
     result.time = read_duration(*within, json::child(pointer, "within")).value_or(kDefaultWithin);
   }
-  for (const char* key : {"set", "state", "put", "take", "force", "release", "stop", "start", "expect", "instant"}) {
+  for (const char* key :
+       {"restart", "set", "state", "put", "take", "force", "release", "stop", "start", "expect", "instant"}) {
     if (!step.contains(key)) continue;
     add(json::child(pointer, key),
         ticked(key) + " is not allowed with `wait`; put it into a separate step after it, with `plus`: `0s`", true);
@@ -312,6 +317,26 @@ std::vector<UnitState> StepReader::read_states(const Json& object, const std::st
     add(here, std::move(why));
   }
   return states;
+}
+
+void StepReader::read_restart(const Json& value, const std::string& pointer, Step& result) {
+  const auto controllers = tables::split_names(names_.tables().controller_names);
+  std::uint32_t controller = 0;
+  if (value.is_string()) {
+    const auto& name = value.get_ref<const std::string&>();
+    while (controller < controllers.size() && !tables::equal_ignoring_case(controllers[controller], name)) ++controller;
+    if (controller == controllers.size()) {
+      tables::NearestName nearest(name);
+      for (const std::string_view known : controllers) nearest.offer(known);
+      return add(pointer, "controller " + ticked(name) + " not found" + nearest_text(std::string(nearest.name())));
+    }
+  } else if (controllers.size() > 1) {
+    return add(pointer, "the plant has several controllers; name one, such as " + ticked(controllers.front()));
+  }
+  for (const trace::PlantNames::Program& program : names_.programs()) {
+    if (program.controller == controller) return result.restart.push_back(controller);
+  }
+  add(pointer, "no program of this controller runs; give one with `--program`, or remove `restart`");
 }
 
 std::vector<std::uint32_t> StepReader::read_malfunctions(const Json& value, const std::string& pointer) {

@@ -42,6 +42,7 @@ class StepReader {
   void read_takes(const nlohmann::json& value, const std::string& pointer, Step& result);
   std::optional<tables::PartLocation> read_location(const nlohmann::json& value, const std::string& pointer);
   std::vector<UnitState> read_states(const nlohmann::json& object, const std::string& pointer);
+  void read_restart(const nlohmann::json& value, const std::string& pointer, Step& result);
   std::vector<std::uint32_t> read_malfunctions(const nlohmann::json& value, const std::string& pointer);
   std::vector<std::uint32_t> read_symbols(const nlohmann::json& array, const std::string& pointer);
   std::optional<std::uint32_t> symbol(const std::string& name, const std::string& pointer, bool at_key);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::scenario {
@@ -42,6 +43,11 @@ std::string actions_json(const Step& step, const trace::PlantNames& names) {
                        trace::json_value(names.tables().symbols[value.symbol].type(), value.value));
   };
   std::string json;
+  const auto controllers = tables::split_names(names.tables().controller_names);
+  for (const std::uint32_t controller : step.restart) {
+    const bool named = controller < controllers.size() && !controllers[controller].empty();
+    json += (json.empty() ? "\"restart\":" : ",\"restart\":") + (named ? json_string(controllers[controller]) : "true");
+  }
   put_member(json, "set", "{}", texts_of(step.set, value_text));
   put_member(json, "state", "{}", texts_of(step.states, [&](const UnitState& unit) {
                return fmt::format("{}:{}", json_string(names.unit(unit.unit)),

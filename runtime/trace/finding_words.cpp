@@ -57,10 +57,10 @@ std::string led(std::uint32_t unit, const PlantNames& names, const History& hist
     text += fmt::format("{}{} ({}{} of {}) {} ", text.empty() ? "" : ", ", address_or_name(symbol, names),
                         names.tables().symbols[symbol].inverted() ? "inverted, " : "", names.task(symbol),
                         names.unit(unit), level_words(symbol, true, names));
-    text += history.commands(symbol) ? "since " + seconds(history.rose(symbol)) +
-                                           names.written_words(symbol, history.rose(symbol))
-                                     : fmt::format("at {}, {} since {}", seconds(history.rose(symbol)),
-                                                   level_words(symbol, false, names), seconds(history.since(symbol)));
+    text += history.commands(symbol)
+                ? "since " + seconds(history.rose(symbol)) + names.written_words(symbol, history.rose(symbol))
+                : fmt::format("at {}, {} since {}", seconds(history.rose(symbol)), level_words(symbol, false, names),
+                              seconds(history.since(symbol)));
   }
   return text.empty() ? ", none of its operations has been on" : "; operations: " + text;
 }

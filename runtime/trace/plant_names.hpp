@@ -56,7 +56,8 @@ class PlantNames {
   /// A PLC program that runs in lock step.
   struct Program {
     std::string name;
-    std::string digest;  ///< of its file
+    std::uint32_t controller = 0;  ///< whose symbols it has
+    std::string digest;            ///< of its file
     tables::Time period = 0;
     tables::Time delay = 0;     ///< from a scan until its writes are sampled
     std::vector<bool> written;  ///< by symbol: whether it writes it

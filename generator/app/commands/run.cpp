@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/described_programs.hpp"
 #include "app/options.hpp"
 #include "app/panel_view.hpp"
 #include "base/large_memory.hpp"
@@ -81,11 +82,12 @@ std::vector<std::string> more(const model::PlantModel& plant) {
 /// What a running plant needs of a compiled one: the rest is freed before the start.
 class Prepared {
  public:
-  explicit Prepared(Compiled compiled)
+  Prepared(Compiled compiled, const std::string& plant_file)
       : tables_(std::move(compiled.tables)),
         rows_(tables_.tables()),
         description_(compiled.plant.description),
         view_(compiled.plant),
+        programs_(*description_, plant_file),
         controllers_(std::move(compiled.plant.links)),
         more_(more(compiled.plant)),
         inputs_(compiled.plant.input_files()),
@@ -104,6 +106,7 @@ class Prepared {
   host::PlantProgram program() const {
     return {.tables = rows_,
             .links = links_,
+            .programs = programs_.rows(),
             .link_settings = settings_,
             .more = more_views_,
             .ignored = ignored_,
@@ -116,6 +119,7 @@ class Prepared {
   const tables::PlantTables rows_;
   const std::shared_ptr<const description::Description> description_;  ///< its texts are in links and settings
   const PanelView view_;
+  const DescribedPrograms programs_;
   const std::vector<model::ControllerLink> controllers_;
   const std::vector<std::string> more_;
   const std::vector<std::string> inputs_;
@@ -155,6 +159,7 @@ void add_run(CLI::App& app, Context& context) {
       "  symplant run plant.json --cycle 1ms --priority 50 --cpu 1 --lock-memory --stay-awake --stats stats.json\n"
       "  symplant run plant.json --until 10s --trace trace.jsonl\n"
       "  symplant run plant.json --link PLC1=modbus-tcp-server://:1502 --link PLC2=modbus-tcp-server://:1503\n"
+      "  symplant run symbols.csv --program cell.so --scenario first_cycle.json\n"
       "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
       "  symplant run symbols.csv --scenario first_cycle.json --why LINE_P1_CLAMP1 --why LINE_P1_CLAMP1_I_CLOSED");
   command->callback([options, &context] {
@@ -169,7 +174,7 @@ void add_run(CLI::App& app, Context& context) {
           return context.exit_code;
         });
     if (!compiled) return;
-    const Prepared prepared(std::move(*compiled));
+    const Prepared prepared(std::move(*compiled), options->plant);
     compiled.reset();
     base::return_freed_memory();
     context.exit_code = host::run(prepared.program(), options->run, context.out, context.err);

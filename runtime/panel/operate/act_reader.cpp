@@ -50,7 +50,7 @@ constexpr NamedCommand kNamed[] = {
 };
 constexpr std::string_view kSpeed = "speed";
 /// Keys of steps that are acts; one act may have several of them.
-constexpr std::string_view kOfStep[] = {"set", "state", "put", "take", "force", "release", "start", "stop"};
+constexpr std::string_view kOfStep[] = {"restart", "set", "state", "put", "take", "force", "release", "start", "stop"};
 /// Keys of steps that are not acts.
 constexpr std::string_view kNotActs[] = {"at",      "plus",  "wait",    "within", "expect",
                                          "include", "steps", "instant", "text",   "repeat"};

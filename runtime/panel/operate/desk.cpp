@@ -21,7 +21,7 @@ bool is_note(tables::FindingKind kind) {
 
 Desk::Desk(Setup setup)
     : setup_(std::move(setup)),
-      operator_(setup_.plant, setup_.recorder, setup_.player, setup_.seed, setup_.cycle),
+      operator_(setup_.plant, setup_.recorder, setup_.player, setup_.programs, setup_.seed, setup_.cycle),
       picture_(setup_.names, setup_.history),
       chart_(setup_.names, setup_.history),
       reader_(setup_.names, setup_.carried, setup_.history),

@@ -56,6 +56,7 @@ class Desk {
     std::vector<ExerciseFile> exercises;
     const scenario::Scenario* scenario;  ///< that is played from the start; may be null
     scenario::Player* player;            ///< that plays it
+    scenario::ProgramControl* programs;  ///< the PLC programs; may be null
     std::string scenario_name;
     std::string folder;  ///< for files; empty: none
     std::uint64_t seed;

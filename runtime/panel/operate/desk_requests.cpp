@@ -81,6 +81,8 @@ const ExerciseFile* Desk::exercise_file(std::string_view name) const {
 
 /// Why an act is not possible now; empty if it is.
 std::string Desk::refusal(const Act& act) {
+  const bool saves = act.kind == Kind::snapshot || act.kind == Kind::save || act.kind == Kind::restore;
+  if (saves && setup_.programs != nullptr) return "the state of a PLC program cannot be saved; use `reset`";
   switch (act.kind) {
     case Kind::speed:
       if (setup_.paced) return "";

@@ -25,9 +25,15 @@ std::size_t changes_by_hand(const Order& order) noexcept {
 
 }  // namespace
 
-Operator::Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Player* player, std::uint64_t seed,
-                   tables::Time cycle)
-    : plant_(plant), recorder_(recorder), player_(player), seed_(seed), cycle_(cycle), now_(plant.now()) {}
+Operator::Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Player* player,
+                   scenario::ProgramControl* programs, std::uint64_t seed, tables::Time cycle)
+    : plant_(plant),
+      recorder_(recorder),
+      player_(player),
+      programs_(programs),
+      seed_(seed),
+      cycle_(cycle),
+      now_(plant.now()) {}
 
 void Operator::go(Stepping stepping) noexcept {
   stepping_ = stepping;
@@ -45,7 +51,7 @@ void Operator::act(const scenario::Step& step, std::uint64_t index) noexcept {
   const auto check = [&](bool done, std::uint64_t which) {
     if (!done) recorder_.note(plant_.now(), scenario::kRefusedNote, which + (index << scenario::kRefusedBits));
   };
-  scenario::write_symbols(step, plant_);
+  scenario::write_symbols(step, plant_, programs_);
   for (std::size_t i = 0; i < step.put.size(); ++i) check(plant_.put(step.put[i].at, step.put[i].kind), i);
   for (std::size_t i = 0; i < step.take.size(); ++i) check(plant_.take(step.take[i]), scenario::kTakeNote + i);
   scenario::force_symbols(step, plant_, recorder_);
@@ -77,6 +83,7 @@ std::uint64_t Operator::carry_out(const Order& order) noexcept {
       return 0;
     case Order::Kind::reset:
       plant_.reset(seed_, cycle_);
+      if (programs_ != nullptr) programs_->reset();
       if (player_ != nullptr) player_->begin_again();
       over_noted_ = false;
       break;
@@ -94,6 +101,7 @@ std::uint64_t Operator::carry_out(const Order& order) noexcept {
       break;
     case Order::Kind::play:
       player_ = order.player;
+      if (player_ != nullptr) player_->control(programs_);
       if (player_ != nullptr) player_->begin_again();
       over_noted_ = false;
       return 0;

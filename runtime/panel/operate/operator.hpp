@@ -20,9 +20,9 @@ class Operator final : public exec::Stepper {
  public:
   static constexpr std::size_t kMostOrders = 256;  ///< that wait
 
-  /// `player` may be null. `seed` and `cycle` are those of Plant::reset(). All must outlive it.
-  Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Player* player, std::uint64_t seed,
-           tables::Time cycle);
+  /// `player` and `programs` may be null. `seed` and `cycle` are those of Plant::reset(). All must outlive it.
+  Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Player* player, scenario::ProgramControl* programs,
+           std::uint64_t seed, tables::Time cycle);
 
   /// Adds an order. Only one thread may call it, which is not that of the plant. False if kMostOrders wait.
   bool offer(const Order& order) noexcept { return orders_.push(order); }
@@ -55,6 +55,7 @@ class Operator final : public exec::Stepper {
   plant::Plant& plant_;
   trace::Recorder& recorder_;
   scenario::Player* player_;
+  scenario::ProgramControl* programs_;
   std::uint64_t seed_;
   tables::Time cycle_;
   Stepping stepping_ = Stepping::none;
