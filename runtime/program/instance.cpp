@@ -5,7 +5,6 @@
 
 #include <bit>
 #include <cstring>
-#include <unordered_map>
 
 #include "symplant/link/image/numbers.hpp"
 #include "symplant/program/crash.hpp"
@@ -20,22 +19,6 @@ using trace::seconds;
 
 constexpr tables::Time kDefaultPeriod = 10 * tables::kMillisecond;
 constexpr std::size_t kBlock = 8;  // cells that are compared at once
-
-/// The symbols on the address of each operation, its own first.
-std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> shared_operations(const tables::PlantTables& tables) {
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> groups;  // by leader
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> result;
-  for (const tables::SharedAddress& shared : tables.shared_addresses) {
-    if (tables.symbols[shared.symbol].direction() != tables::Direction::operation) continue;
-    auto& group = groups[shared.leader];
-    if (group.empty()) group.push_back(shared.leader);
-    group.push_back(shared.symbol);
-  }
-  for (const auto& [leader, group] : groups) {
-    for (const std::uint32_t symbol : group) result[symbol] = group;
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -66,22 +49,14 @@ Instance::Instance(const symplant_program& program, const Binding& binding, cons
   cell_of_bit_.assign(tables.event_bits, kNone);
   cell_of_slot_.assign(tables.event_slots, kNone);
   symbol_of_slot_.assign(tables.event_slots, kNone);
-  const auto shared = shared_operations(tables);
   std::vector<std::uint32_t> cell_of(program.count);
   std::uint32_t cells = 0;
   for (std::uint32_t i = 0; i < program.count; ++i) {
     const std::uint32_t symbol = binding.symbols[i];
     if (program.variables[i].writes == 0 || symbol == kNone) continue;
     cell_of[i] = cells++;
-    writes_.push_back({symbol, static_cast<std::uint32_t>(targets_.size()), number(symbol)});
-    const auto group = shared.find(symbol);
-    if (group == shared.end()) {
-      targets_.push_back(symbol);
-    } else {
-      targets_.insert(targets_.end(), group->second.begin(), group->second.end());
-    }
+    writes_.push_back({symbol, number(symbol)});
   }
-  writes_.push_back({kNone, static_cast<std::uint32_t>(targets_.size()), 0});  // the end of the last one's targets
   cells = (cells + kBlock - 1) / kBlock * kBlock;
   written_.assign(cells, 0);
   for (std::uint32_t i = 0; i < program.count; ++i) {
@@ -118,8 +93,14 @@ std::uint64_t Instance::number(std::uint32_t symbol) const noexcept {
 }
 
 bool Instance::begin() noexcept {
+  for (std::size_t i = 0; i < writes_.size(); ++i) written_[i] = writes_[i].at_start;
+  return start();
+}
+
+/// Makes the program's instance, with cells as at a cold start.
+bool Instance::start() noexcept {
   std::fill(cells_.begin(), cells_.end(), 0);
-  for (std::size_t i = 0; i + 1 < writes_.size(); ++i) cells_[i] = writes_[i].at_start;
+  for (std::size_t i = 0; i < writes_.size(); ++i) cells_[i] = writes_[i].at_start;
   for (std::uint32_t word = 0; word < read_bits_.size(); ++word) take_event_word(word);
   for (std::uint32_t slot = 0; slot < cell_of_slot_.size(); ++slot) {
     if (cell_of_slot_[slot] != kNone) cells_[cell_of_slot_[slot]] = number(symbol_of_slot_[slot]);
@@ -140,7 +121,7 @@ void Instance::end() noexcept {
 bool Instance::restart() noexcept {
   end();
   zero();
-  return begin();
+  return start();
 }
 
 void Instance::take_event_word(std::uint32_t word) noexcept {
@@ -177,15 +158,13 @@ int Instance::scan(tables::Time now) noexcept {
   return 0;
 }
 
-/// Writes an operation to the plant as written_ has it, at all symbols on its address.
+/// Writes an operation to the plant as written_ has it.
 void Instance::put(std::uint32_t write) noexcept {
-  for (std::uint32_t i = writes_[write].first; i < writes_[write + 1].first; ++i) {
-    const tables::SymbolRow& row = plant_.tables().symbols[targets_[i]];
-    if (row.type() == DataType::boolean) {
-      plant_.set_operation(row.index, (written_[write] & 0xFF) != 0);
-    } else {
-      plant_.set_operation_value(row.index, link::image::value_of(written_[write], row.type()));
-    }
+  const tables::SymbolRow& row = plant_.tables().symbols[writes_[write].symbol];
+  if (row.type() == DataType::boolean) {
+    plant_.set_operation(row.index, (written_[write] & 0xFF) != 0);
+  } else {
+    plant_.set_operation_value(row.index, link::image::value_of(written_[write], row.type()));
   }
 }
 
@@ -203,7 +182,7 @@ void Instance::drop() noexcept {
 /// Sets all operations to zero; true if that changes one.
 bool Instance::zero() noexcept {
   bool changes = false;
-  for (std::uint32_t i = 0; i + 1 < writes_.size(); ++i) {
+  for (std::uint32_t i = 0; i < writes_.size(); ++i) {
     changes = changes || written_[i] != 0;
     written_[i] = 0;
     put(i);

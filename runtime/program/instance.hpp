@@ -41,7 +41,8 @@ class Instance {
   Instance& operator=(const Instance&) = delete;
   ~Instance() { end(); }
 
-  /// A cold start: makes the program's instance, with the events as they are. False if the program failed. O(symbols).
+  /// A cold start of a plant at time 0: makes the program's instance, with the events as they are. False if the program
+  /// failed. O(symbols).
   bool begin() noexcept;
   /// Ends the program's instance, if there is one.
   void end() noexcept;
@@ -70,8 +71,7 @@ class Instance {
   /// An operation that the program writes.
   struct Write {
     std::uint32_t symbol;
-    std::uint32_t first;  ///< in targets_: the symbols on its address, up to the next row's
-    std::uint64_t at_start;
+    std::uint64_t at_start;  ///< its cell at time 0
   };
   struct Change {
     std::uint32_t write;
@@ -80,6 +80,7 @@ class Instance {
 
   std::uint64_t number(std::uint32_t symbol) const noexcept;
   void take_event_word(std::uint32_t word) noexcept;
+  bool start() noexcept;
   void put(std::uint32_t write) noexcept;
   bool zero() noexcept;
   void drop() noexcept;
@@ -92,7 +93,6 @@ class Instance {
   std::vector<std::uint64_t> cells_;  ///< first those of writes_, then events, then what is ignored
   std::vector<void*> addresses_;      ///< by variable
   std::vector<Write> writes_;
-  std::vector<std::uint32_t> targets_;
   std::vector<std::uint64_t> written_;  ///< the cells of writes_, as written to the plant or in changed_
   std::vector<Change> changed_;         ///< by the latest scan, not yet written
   tables::Time sample_ = 0;

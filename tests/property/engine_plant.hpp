@@ -30,6 +30,7 @@ class EnginePlant final : private engine::Observer {
   const plant::Plant& plant() const { return *plant_; }
 
   void write(std::uint32_t symbol, std::uint64_t value);
+  engine::Observer& observer() { return *this; }
   /// Without an observer the engine reports no instants, and may take other paths.
   void advance_to(tables::Time time, bool observed) { plant_->advance_to(time, observed ? this : nullptr); }
   void advance_before(tables::Time time, bool observed) { plant_->advance_before(time, observed ? this : nullptr); }
