@@ -33,4 +33,4 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/generator/cmake/symplantConf
                               ${PROJECT_BINARY_DIR}/symplantConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/symplantConfig.cmake ${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake
-              generator/cmake/SymplantAddPlant.cmake DESTINATION ${package_dir})
+              generator/cmake/SymplantAddPlant.cmake generator/cmake/SymplantAddProgram.cmake DESTINATION ${package_dir})

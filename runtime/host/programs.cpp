@@ -98,6 +98,10 @@ std::variant<ProgramChoices, std::string> programs_of(const PlantProgram& progra
     if (options.scan) choice.options.period = options.scan;
     if (options.scan_delay) choice.options.delay = options.scan_delay;
   }
+  // So that the order of the command line does not show.
+  std::sort(choices.begin(), choices.end(), [](const ProgramChoice& a, const ProgramChoice& b) {
+    return a.options.controller < b.options.controller;
+  });
   return choices;
 }
 
