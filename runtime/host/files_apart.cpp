@@ -59,6 +59,7 @@ bool uses_standard_output(const RunOptions& options) {
 bool files_are_apart(const RunOptions& options, std::span<const std::string_view> inputs, std::ostream& err) {
   std::vector<std::string> read(inputs.begin(), inputs.end());
   if (!options.scenario.empty()) read.push_back(options.scenario);
+  if (!options.replay.empty()) read.push_back(options.replay);
   if (!options.resume.empty()) read.push_back(options.resume);
   const std::vector<Output> outputs = outputs_of(options);
   bool apart = true;

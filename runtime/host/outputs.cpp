@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 #include <stop_token>
 #include <utility>
 
 #include "symplant/host/files_apart.hpp"
+#include "symplant/scenario/step_text.hpp"
 
 namespace symplant::host {
 namespace {
@@ -23,6 +25,10 @@ bool is_well(const std::optional<File>& file, const char* severity, std::ostream
 
 }  // namespace
 
+ActText act_of(const scenario::Scenario& scenario, std::uint64_t step, const trace::PlantNames& names) {
+  return {"{" + scenario::actions_json(scenario.steps[step], names) + "}", "scenario"};
+}
+
 bool records_changes(const RunOptions& options) { return !options.trace.empty() || !options.vcd.empty(); }
 
 Outputs::Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder,
@@ -33,10 +39,10 @@ trace::OutputFile Outputs::file(const char* what, const std::string& path, std::
   return is_standard_output(path) ? trace::OutputFile(what, out_) : trace::OutputFile(what, path, limit);
 }
 
-bool Outputs::open(std::uint64_t model_hash, std::ostream& err) {
+bool Outputs::open(std::uint64_t model_hash, tables::Time cycle, std::ostream& err) {
   if (!options_.trace.empty()) {
     trace_.emplace(file("trace", options_.trace, options_.trace_limit), names_.tables(), model_hash, options_.seed,
-                   names_.programs());
+                   cycle, names_.programs());
   }
   if (!options_.vcd.empty()) vcd_.emplace(file("VCD file", options_.vcd, options_.trace_limit), names_);
   if (!options_.findings.empty()) findings_.emplace(file("findings", options_.findings, trace::kNoLimit), names_);
@@ -91,10 +97,25 @@ void Outputs::take_note(const trace::Record& record) {
     report_.failed(record.of, std::exchange(turn_, 0), static_cast<tables::Time>(record.value), hands_);
     hands_.clear();
   }
+  if (trace_) trace_note(record);
   if (panel_ == nullptr) return;
   if (const auto jump = panel_->note(record)) set_back(jump->what, jump->name, jump->time);
   if (trace_) {
-    for (const std::string& act : panel_->take_acts()) trace_->act(record.time, act);
+    for (const std::string& act : panel_->take_acts()) trace_->act(record.time, act, "hand");
+  }
+}
+
+/// What a replay of the trace needs.
+void Outputs::trace_note(const trace::Record& record) {
+  if (record.of == trace::kInstantNote) {
+    trace_->instant(record.time, record.value);
+  } else if (record.of == trace::kActNote) {
+    const scenario::Scenario* const playing = panel_ != nullptr ? panel_->playing() : nullptr;
+    const ActText act = playing != nullptr ? act_of(*playing, record.value, names_) : act_text_(record.value);
+    trace_->act(record.time, act.json, act.by);
+  } else if (record.of == trace::kQualityNote) {
+    const std::uint32_t unit = names_.tables().behaviour_units[record.value / 2].unit;
+    trace_->quality(record.time, names_.unit(unit), record.value % 2 != 0);
   }
 }
 
@@ -160,6 +181,7 @@ void Outputs::finish(tables::Time end, std::ostream& err) {
     err << fmt::format("warning: the VCD file ends at {}, when the plant was set back: its time cannot go back\n",
                        trace::seconds(vcd_end_));
   }
+  if (trace_ && recorder_.lost_changes() != 0) trace_->lost(std::max(end, last_time_), recorder_.lost_changes());
   flush();
   is_well(trace_, "warning", err);
   is_well(vcd_, "warning", err);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -23,6 +24,15 @@ namespace symplant::host {
 /// Whether a file gets every change of the plant.
 bool records_changes(const RunOptions& options);
 
+/// An act for a trace: as JSON, and who did it.
+struct ActText {
+  std::string json;
+  std::string_view by;
+};
+
+/// That of a step.
+ActText act_of(const scenario::Scenario& scenario, std::uint64_t step, const trace::PlantNames& names);
+
 /// Drains a recorder: in virtual time after each step of the run, in real time on a separate thread, so that the cycle
 /// never waits for a disk. All arguments of the constructor must outlive it.
 class Outputs {
@@ -36,8 +46,11 @@ class Outputs {
   /// A panel that gets every record, too. It must outlive the last drain().
   void show_on(panel::Panel& panel) { panel_ = &panel; }
   void hide() { panel_ = nullptr; }
-  /// Opens the files; they also get earlier records. False, with a message on `err`, if one cannot be opened.
-  bool open(std::uint64_t model_hash, std::ostream& err);
+  /// What gives the text of an act by its index, as JSON, for traces: the steps of a scenario.
+  void write_acts(std::function<ActText(std::uint64_t)> text_of) { act_text_ = std::move(text_of); }
+  /// Opens the files; they also get earlier records. `cycle`: in real time; 0: virtual time. False, with a message on
+  /// `err`, if one cannot be opened.
+  bool open(std::uint64_t model_hash, tables::Time cycle, std::ostream& err);
 
   /// The plant was set to another state, which the history has: a line of the trace; the VCD file, whose time cannot go
   /// back, ends. `what` and `name` as for TraceFile::set_back().
@@ -55,6 +68,7 @@ class Outputs {
   trace::OutputFile file(const char* what, const std::string& path, std::uint64_t limit) const;
   void take(const trace::Record& record);
   void take_note(const trace::Record& record);
+  void trace_note(const trace::Record& record);
   void write(const trace::Record& record);
   void end_instant(tables::Time time);
   void flush();
@@ -66,6 +80,7 @@ class Outputs {
   Report& report_;
   std::ostream& out_;
   panel::Panel* panel_ = nullptr;
+  std::function<ActText(std::uint64_t)> act_text_;
   std::optional<trace::TraceFile> trace_;
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;

@@ -1,6 +1,8 @@
 // Runs a plant from start to end.
 #include "symplant/host/run.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <filesystem>
 #include <ostream>
@@ -19,10 +21,12 @@
 #include "symplant/host/plc_clock.hpp"
 #include "symplant/host/plc_verdict.hpp"
 #include "symplant/host/programs.hpp"
+#include "symplant/host/read_replay.hpp"
 #include "symplant/host/result_files.hpp"
 #include "symplant/host/rt_check.hpp"
 #include "symplant/host/run_paced.hpp"
 #include "symplant/host/run_real.hpp"
+#include "symplant/host/run_replay.hpp"
 #include "symplant/host/run_virtual.hpp"
 #include "symplant/host/signals.hpp"
 #include "symplant/host/stage.hpp"
@@ -111,6 +115,40 @@ bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostr
   return true;
 }
 
+/// False, with a message on `err`, if an option contradicts `--replay`.
+bool replay_fits(const RunOptions& options, std::ostream& err) {
+  using enum RunOptions::Clock;
+  const std::pair<const char*, bool> contrary[] = {
+      {"--scenario", !options.scenario.empty()},    {"--link", !options.links.empty()},
+      {"--program", !options.programs.empty()},     {"--panel", options.panel.has_value()},
+      {"--exercise", !options.exercises.empty()},   {"--resume", !options.resume.empty()},
+      {"--rt-check", options.rt_check.has_value()}, {"--clock", options.clock == real_time || options.clock == plc}};
+  for (const auto& [name, given] : contrary) {
+    if (options.replay.empty() || !given) continue;
+    err << "error: `--replay` repeats what a trace has, in virtual time: remove `" << name << "`\n";
+    return false;
+  }
+  return true;
+}
+
+/// The options of a run that repeats a trace: in virtual time, with the seed of the trace unless another one is given.
+RunOptions options_of_replay(RunOptions options, const Replay& replay) {
+  options.clock = RunOptions::Clock::virtual_time;
+  if (!options.seed_given) options.seed = replay.seed;
+  return options;
+}
+
+/// Warns if a replay need not be the recorded run.
+void report_other_run(const Stage& stage, const RunOptions& options, const Replay& replay, std::ostream& err) {
+  if (fmt::format("{:016x}", stage.plant.model_hash()) != replay.model_hash) {
+    err << "warning: `" << options.replay << "` is of another model: the replay goes as far as this one fits\n";
+  }
+  if (options.seed != replay.seed) {
+    err << "warning: `" << options.replay << "` was recorded with `--seed " << replay.seed
+        << "`: with another one random times differ\n";
+  }
+}
+
 /// The state from which a run starts.
 struct Resumed {
   std::string name;
@@ -167,6 +205,7 @@ struct Played {
   const RunOptions& options;
   trace::PlantNames& names;
   const scenario::Scenario* scenario;  ///< null: none
+  const Replay* replay;                ///< null: none
   const LinkChoices& links;
   const Programs& programs;
   const std::vector<bool>& carried;  ///< by symbol: whether one of the links carries it
@@ -182,9 +221,10 @@ void report_plant(const Played& played, const Links& links, const Stage& stage, 
   const PlantProgram& program = played.program;
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << behaviour_lines(program.tables, program.behaviours);
-  if (!played.real) streams.report << cut_link_lines(program.tables);
+  if (!played.real && played.replay == nullptr) streams.report << cut_link_lines(program.tables);
   streams.report << program_lines(played.programs, program.tables);
   if (played.scenario != nullptr) streams.report << scenario_summary(played.options.scenario, *played.scenario);
+  if (played.replay != nullptr) streams.report << replay_summary(played.options.replay, *played.replay);
   if (played.options.links.empty() && keeps_plants_links_closed(played.options, !played.programs.empty()) &&
       !(program.links.empty() && program.default_link.empty())) {
     streams.report << "links of the plant are not opened in virtual time; to open them, use --clock real\n";
@@ -200,7 +240,8 @@ int open_all(Stage& stage, const Played& played, Links& links, const RunStreams&
   const int opened = open_links(played.links, played.program.tables, stage.plant, links, streams.err);
   if (opened != kGood) return opened;
   played.names.name_links(named_links(links));
-  const bool outputs = stage.outputs.open(stage.plant.model_hash(), streams.err);
+  const bool outputs =
+      stage.outputs.open(stage.plant.model_hash(), played.real ? played.options.cycle : 0, streams.err);
   if (!played.files.open(played.program.tables.name, streams.err) || !outputs) return kEnvironment;
   if (played.resumed != nullptr) stage.outputs.set_back("restored", played.resumed->name, stage.plant.now());
   return kGood;
@@ -219,7 +260,9 @@ Shown run_to_end(Stage& stage, const Played& played, const Links& links, panel::
   const RunOptions& options = played.options;
   Shown shown;
   const auto begin = std::chrono::steady_clock::now();
-  if (played.real) {
+  if (played.replay != nullptr) {
+    run_replay(stage, *played.replay, options, streams.report);
+  } else if (played.real) {
     shown.real = run_real(stage, options, links, played.clock, panel, streams);
     if (options.rt_check) {
       shown.clean = !report_missing_cycles(shown.real->cycles.cycles, options, streams.report) && shown.real->clean;
@@ -270,7 +313,7 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
 /// Runs the plant from time 0 to the end. Returns the exit code.
 int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
   // So that links answer from the plant's initial state, or what was written to a saved one takes effect.
-  stage.advance_without_programs(stage.plant.now());
+  if (played.replay == nullptr) stage.advance_without_programs(stage.plant.now());
   Links links;
   const int opened = open_all(stage, played, links, streams);
   if (opened != kGood) return opened;
@@ -295,11 +338,19 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
 }
 
 /// run(), with its result files.
-int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& options, std::ostream& out,
+int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& given, std::ostream& out,
              std::ostream& err) {
-  if (!files_are_apart(options, program.inputs, err)) return kBadInput;
+  if (!files_are_apart(given, program.inputs, err)) return kBadInput;
   files.replace_unless_among(program.inputs);
-  const auto chosen_programs = programs_of(program, options);
+  if (!replay_fits(given, err)) return kBadInput;
+  trace::PlantNames names(program.tables);
+  std::optional<Replay> replay;
+  if (!given.replay.empty()) {
+    replay = load_replay(given.replay, names, err);
+    if (!replay) return kBadInput;
+  }
+  const RunOptions options = replay ? options_of_replay(given, *replay) : given;
+  const auto chosen_programs = replay ? std::variant<ProgramChoices, std::string>() : programs_of(program, options);
   if (const auto* error = std::get_if<std::string>(&chosen_programs)) {
     err << "error: " << *error << "\n";
     return kBadInput;
@@ -327,7 +378,6 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   }
   if (!chosen_clock.warning.empty()) err << "warning: " << chosen_clock.warning << "\n";
   const PlcClockChoice* const clock = chosen_clock.clock ? &*chosen_clock.clock : nullptr;
-  trace::PlantNames names(program.tables);
   std::vector<bool> carried = carried_symbols(chosen, program.tables);
   Programs programs;
   const int programs_opened = open_programs(program_choices, names, programs, err);
@@ -367,6 +417,7 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
   if (!programs.empty()) add_programs(programs, stage);
+  if (replay) report_other_run(stage, options, *replay, err);
   if (linked) stage.outputs.report_short_events_of(carried);
   std::optional<Resumed> resumed;
   if (!read_resumed(stage, options, played, resumed, err)) return kBadInput;
@@ -375,9 +426,10 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
     return kBadInput;
   }
   const Resumed* const from = resumed ? &*resumed : nullptr;
-  const int code =
-      play(stage, {program, options, names, played, chosen, programs, carried, *questions, real, clock, from, files},
-           resort, streams);
+  const int code = play(stage,
+                        {program, options, names, played, replay ? &*replay : nullptr, chosen, programs, carried,
+                         *questions, real, clock, from, files},
+                        resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

@@ -87,6 +87,7 @@ void add_programs(CLI::App& app, RunOptions& options) {
 
 void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--scenario", options.scenario, "play this scenario and check its expectations")->type_name("FILE");
+  app.add_option("--replay", options.replay, "repeat the run that this trace has, in virtual time")->type_name("FILE");
   app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
       ->type_name("FILE");
   app.add_option("--vcd", options.vcd, "write symbols and states to this file, for GTKWave and other wave viewers")
@@ -265,8 +266,12 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   add_files(app, options);
   add_panel(app, options);
   app.add_option_function<std::string>(
-         "--seed", [&options](const std::string& text) { options.seed = whole_number(text, 0, "--seed"); },
-         "seed of random times (default: 0)")
+         "--seed",
+         [&options](const std::string& text) {
+           options.seed = whole_number(text, 0, "--seed");
+           options.seed_given = true;
+         },
+         "seed of random times (default: 0, with `--replay` that of the trace)")
       ->type_name("N");
   app.add_option_function<std::string>(
          "--rt-check", [&options](const std::string& text) { options.rt_check = whole_number(text, 1, "--rt-check"); },

@@ -39,6 +39,7 @@ struct RunOptions {
   std::optional<tables::Time> scan;        ///< the period of programs that do not set it
   std::optional<tables::Time> scan_delay;  ///< from a scan until its outputs are sampled; nothing: the period
   std::string scenario;
+  std::string replay;  ///< a trace
   std::string trace;
   std::string vcd;
   std::string findings;
@@ -51,6 +52,7 @@ struct RunOptions {
   std::vector<std::string> why;                 ///< names to explain at the end
   std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
+  bool seed_given = false;  ///< whether the user gave it
   bool fail_on_findings = false;
   std::optional<std::uint64_t> rt_check;  ///< number of cycles to run under the real-time guard, above 0
 };

@@ -35,7 +35,9 @@ Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace
       outputs(names, options, recorder, history, report, streams.out) {
   plant.reset(options.seed, real_time ? options.cycle : 0);
   recorder.attach(plant);
-  if (scenario != nullptr) player.emplace(*scenario, plant, recorder);
+  if (scenario == nullptr) return;
+  player.emplace(*scenario, plant, recorder);
+  outputs.write_acts([scenario, &names](std::uint64_t step) { return act_of(*scenario, step, names); });
 }
 
 bool Stage::resume(const trace::Snapshot& snapshot) {

@@ -51,7 +51,12 @@ WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, plant::Plant
 }
 
 void WatchedLink::report(plant::Plant& plant) const noexcept {
-  for (const std::uint32_t behaviour : behaviours_) plant.set_quality(behaviour, before_ == LinkState::live);
+  const bool well = before_ == LinkState::live;
+  if (!behaviours_.empty()) recorder_.begin_act(plant.now());
+  for (const std::uint32_t behaviour : behaviours_) {
+    recorder_.act(plant.now(), trace::kQualityNote, std::uint64_t{behaviour} * 2 + (well ? 1 : 0));
+    plant.set_quality(behaviour, well);
+  }
 }
 
 void WatchedLink::read_operations(plant::Plant& plant, tables::Time now) noexcept {

@@ -21,6 +21,11 @@ void note_force(std::uint32_t symbol, bool forced, const plant::Plant& plant, tr
 
 }  // namespace
 
+bool acts(const Step& step) noexcept {
+  return !(step.set.empty() && step.states.empty() && step.put.empty() && step.take.empty() && step.force.empty() &&
+           step.release.empty() && step.stop.empty() && step.start.empty() && step.restart.empty());
+}
+
 std::size_t changes_by_hand(const Step& step) noexcept {
   return step.put.size() + step.take.size() + step.stop.size() + step.start.size();
 }

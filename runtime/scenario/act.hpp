@@ -11,6 +11,9 @@ namespace symplant::scenario {
 /// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
 inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 
+/// Whether a step does anything to the plant.
+bool acts(const Step& step) noexcept;
+
 /// The changes of parts and malfunctions that a step makes at most: the engine reports engine::kMostByHand of an
 /// instant. O(1).
 std::size_t changes_by_hand(const Step& step) noexcept;

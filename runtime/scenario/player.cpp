@@ -50,12 +50,15 @@ void Player::refuse(std::uint64_t which) noexcept {
   if (notes_failures_) late_notes_.push_back({kHandNote, which});
 }
 
-/// False if a part had no room, or there was none to take. Begins the step: if it may change more than the plant can
-/// report of one instant, an instant runs before.
-bool Player::act_by_hand(const Step& step) noexcept {
+/// Begins a step: if it may change more than the plant can report of one instant, an instant runs before.
+void Player::make_room(const Step& step) noexcept {
   const std::size_t hands = changes_by_hand(step);
   if (late_notes_.size() > kMostLate || hands_ + hands > engine::kMostByHand) advance_plant(plant_.now());
   hands_ += hands;
+}
+
+/// False if a part had no room, or there was none to take.
+bool Player::act_by_hand(const Step& step) noexcept {
   bool all = true;
   const auto failed = [&](std::uint64_t which) {
     refuse(which);
@@ -72,7 +75,12 @@ bool Player::act_by_hand(const Step& step) noexcept {
 
 /// False if the step has failed already.
 bool Player::act(const Step& step) noexcept {
+  make_room(step);
   turn_ = recorder_.turn();
+  if (acts(step)) {
+    recorder_.begin_act(plant_.now());
+    recorder_.act(plant_.now(), trace::kActNote, position_.at);
+  }
   write_symbols(step, plant_, programs_);
   const bool well = act_by_hand(step);
   force_symbols(step, plant_, recorder_);

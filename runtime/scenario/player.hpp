@@ -113,6 +113,7 @@ class Player final : public engine::Observer, public exec::Stepper {
  private:
   tables::Time time_of(const Step& step) const noexcept;
   bool act(const Step& step) noexcept;
+  void make_room(const Step& step) noexcept;
   bool act_by_hand(const Step& step) noexcept;
   bool change_malfunctions(const Step& step) noexcept;
   void refuse(std::uint64_t which) noexcept;

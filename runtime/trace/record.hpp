@@ -32,6 +32,16 @@ struct Record {
   bool last = false;  ///< the last record of its instant
 };
 
+/// The `of` of a note before the first record of a further instant of one time: its value is the number of the instant,
+/// from 2.
+inline constexpr std::uint32_t kInstantNote = 0xFFFF'FFF8;
+/// The `of` of a note about what is done to the plant before its next instant: its value is the index of a step of what
+/// is played.
+inline constexpr std::uint32_t kActNote = 0xFFFF'FFF7;
+/// The `of` of a note about the link of a device with a behavior: its value is twice the index in
+/// PlantTables::behaviour_units, and 1 more if the link is now connected.
+inline constexpr std::uint32_t kQualityNote = 0xFFFF'FFF6;
+
 /// Locations in one word; kNone: it was made, or changed its kind.
 constexpr std::uint64_t pack_move(std::uint32_t from, std::uint32_t to) noexcept {
   return std::uint64_t{from} << 32 | to;

@@ -165,18 +165,47 @@ void Recorder::record_tracks(const engine::Instant& instant) noexcept {
   }
 }
 
+/// Counts the instants of one time; a further one begins with its number.
+void Recorder::begin_instant(tables::Time time) noexcept {
+  if (time != instant_time_) {
+    instant_time_ = time;
+    ordinal_ = 1;
+  } else {
+    ++ordinal_;
+    if (!announced_) put({time, ordinal_, kInstantNote, Record::Kind::note});
+  }
+  announced_ = false;
+}
+
+void Recorder::begin_act(tables::Time time) noexcept {
+  if (time != instant_time_ || announced_) return;
+  announced_ = true;
+  act(time, kInstantNote, ordinal_ + 1);
+}
+
+void Recorder::act(tables::Time time, std::uint32_t of, std::uint64_t value) noexcept {
+  if (!note(time, of, value)) lost_changes_.fetch_add(1, std::memory_order_relaxed);
+}
+
 void Recorder::take_over() noexcept {
+  instant_time_ = -1;
+  announced_ = false;
   for (std::uint32_t unit = 0; unit < units_.size(); ++unit) {
     units_[unit] = static_cast<std::uint32_t>(pack_unit(plant_->unit(unit)));
   }
 }
 
 void Recorder::instant(const engine::Instant& instant) noexcept {
+  const std::size_t before = at_;
+  begin_instant(instant.time);
+  const bool numbered = at_ != before;
+  const std::size_t first = at_;
   record_symbols(instant);
   record_units(instant);
   record_parts(instant.time, instant.parts);
   if (detail_ == Detail::motions) record_tracks(instant);
   record_malfunctions(instant);
+  if (numbered && at_ == first) --at_;  // nothing to number
   if (publish()) ++instants_;
 }
 

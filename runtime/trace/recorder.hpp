@@ -42,6 +42,14 @@ class Recorder final : public engine::Observer {
   /// Adds a finding of the host; `value` as in Record, for the kinds that have one. Only between instants, by the
   /// thread that runs the plant.
   void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of, std::uint64_t value = 0) noexcept;
+  /// To be called before a note about what takes effect in the next instant at `time`: if that is a further instant, a
+  /// note (kInstantNote) begins it. Only between instants, by the thread that runs the plant.
+  void begin_act(tables::Time time) noexcept;
+  /// Adds a note about what is done to the plant (kActNote, kQualityNote), which counts as a change if it is lost.
+  void act(tables::Time time, std::uint32_t of, std::uint64_t value) noexcept;
+  /// How many instants with records, or reported ones without, there were at `time` so far; 0 if it is not the time of
+  /// the last one. Only for the thread that runs the plant.
+  std::uint32_t instants_at(tables::Time time) const noexcept { return time == instant_time_ ? ordinal_ : 0; }
   /// Whether as many notes would be recorded now. Only for the thread that runs the plant.
   bool has_room(std::size_t notes) noexcept { return end_ - at_ >= notes || has_room_for(notes); }
   /// Takes the states of units as they are now for the last recorded ones: after a reset or a restore of the plant, of
@@ -82,6 +90,7 @@ class Recorder final : public engine::Observer {
   bool has_room_for(std::size_t records) noexcept;
   void start_again() noexcept;
   bool publish() noexcept;
+  void begin_instant(tables::Time time) noexcept;
 
   const tables::PlantTables& tables_;
   const plant::Plant* plant_ = nullptr;
@@ -94,6 +103,9 @@ class Recorder final : public engine::Observer {
   std::vector<std::uint32_t> units_;  ///< as last recorded: pack_unit
   Detail detail_;
   std::uint64_t instants_ = 0;
+  tables::Time instant_time_ = -1;  ///< of the last instant
+  std::uint32_t ordinal_ = 0;       ///< of it, among those of its time, from 1
+  bool announced_ = false;          ///< the next instant at its time has its note
   std::uint32_t turn_ = 0;
   ZeroedArray<Record> ring_;
   std::size_t mask_;

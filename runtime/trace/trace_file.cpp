@@ -12,12 +12,13 @@
 namespace symplant::trace {
 
 TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed,
-                     std::span<const PlantNames::Program> programs)
+                     tables::Time cycle, std::span<const PlantNames::Program> programs)
     : tables_(tables),
       plant_names_(tables),
       file_(std::move(file)),
-      head_(fmt::format(R"({{"symplant-trace":1,"plant":{},"model_hash":"{:016x}","seed":{})", json_string(tables.name),
-                        model_hash, seed)) {
+      head_(fmt::format(R"({{"symplant-trace":1,"plant":{},"model_hash":"{:016x}","seed":{},"clock":"{}")",
+                        json_string(tables.name), model_hash, seed, cycle == 0 ? "virtual" : "real")) {
+  if (cycle != 0) head_ += fmt::format(R"(,"cycle":{})", cycle);
   const auto texts = tables::split_names(tables.symbol_names);
   names_.reserve(tables.symbols.size());
   for (std::size_t i = 0; i + 1 < texts.size(); i += 2) {
@@ -58,7 +59,16 @@ void TraceFile::put_time(tables::Time time) {
     last_time_ = time;
     time_ = "{\"t\":" + std::to_string(time);
   }
+  if (instant_ != 0) {
+    const std::uint64_t number = std::exchange(instant_, 0);
+    if (time == instant_time_) file_.put(fmt::format("{},\"instant\":{}}}\n", time_, number));
+  }
   file_.put(time_);
+}
+
+void TraceFile::instant(tables::Time time, std::uint64_t number) {
+  instant_ = number;
+  instant_time_ = time;
 }
 
 void TraceFile::put_part(const PartRecord& part) {
@@ -112,17 +122,30 @@ void TraceFile::part(tables::Time time, const History& history) {
 
 void TraceFile::set_back(std::string_view what, std::string_view name, tables::Time time, const History& history) {
   if (!file_.is_open()) return;
+  instant_ = 0;
   put_time(time);
   file_.put(fmt::format(R"(,"{}":{})", what, json_string(name)));
   put_values(history);
 }
 
-void TraceFile::act(tables::Time time, std::string_view json) {
+void TraceFile::act(tables::Time time, std::string_view json, std::string_view by) {
   if (!file_.is_open()) return;
   put_time(time);
-  file_.put(fmt::format(R"(,"act":{},"by":"hand"}})"
+  file_.put(fmt::format(R"(,"act":{},"by":"{}"}})"
                         "\n",
-                        json));
+                        json, by));
+}
+
+void TraceFile::quality(tables::Time time, std::string_view device, bool well) {
+  if (!file_.is_open()) return;
+  put_time(time);
+  file_.put(fmt::format(",\"quality\":{{{}:{}}}}}\n", json_string(device), well));
+}
+
+void TraceFile::lost(tables::Time time, std::uint64_t changes) {
+  if (!file_.is_open()) return;
+  put_time(time);
+  file_.put(fmt::format(",\"lost\":{}}}\n", changes));
 }
 
 /// The last keys of a line: all values that are not off or 0, and the active malfunctions.

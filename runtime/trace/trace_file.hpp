@@ -18,17 +18,25 @@ namespace symplant::trace {
 /// One writer; not thread-safe.
 class TraceFile {
  public:
-  /// Writes the header, which names the programs. Errors are in error().
+  /// Writes the header, which names the programs. `cycle`: in real time, in ns; 0: virtual time. Errors are in error().
   TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed,
-            std::span<const PlantNames::Program> programs = {});
+            tables::Time cycle = 0, std::span<const PlantNames::Program> programs = {});
 
   /// Writes a record of a change, of a part or of a malfunction; ignores others. O(line).
   void write(const Record& record);
   /// A line about a plant that was set to another state at `time`: `{"t":0,"reset":"","values":{...}}`, with all values
   /// that are not off or 0. `what` is the key, `name` the snapshot. O(symbols).
   void set_back(std::string_view what, std::string_view name, tables::Time time, const History& history);
-  /// A line about what an operator did, as JSON: `{"t":5000000,"act":{"force":{"X":true}},"by":"hand"}`.
-  void act(tables::Time time, std::string_view json);
+  /// A line about what was done to the plant, as JSON: `{"t":5000000,"act":{"force":{"X":true}},"by":"hand"}`. `by` is
+  /// `hand` or `scenario`.
+  void act(tables::Time time, std::string_view json, std::string_view by);
+  /// What follows at this time belongs to a further instant: if there are lines of it, the first one is
+  /// `{"t":0,"instant":2}`.
+  void instant(tables::Time time, std::uint64_t number);
+  /// A line about the link of a device with a behavior: `{"t":0,"quality":{"ARM":false}}`.
+  void quality(tables::Time time, std::string_view device, bool well);
+  /// A line about changes that are missing: `{"t":0,"lost":3}`.
+  void lost(tables::Time time, std::uint64_t changes);
   /// To be called between two instants: starts a new part if the file is full. Its header has `part`, counted from 1,
   /// the time `t`, and all `values` that are not off or 0, so that each part can be read alone. O(1); O(symbols) for a
   /// new part.
@@ -52,8 +60,10 @@ class TraceFile {
   std::vector<std::string> names_;      ///< by symbol: the text between time and value
   std::vector<std::string> locations_;  ///< as JSON; so are the kinds
   std::vector<std::string> kinds_;
-  Record part_;       ///< the last record of a part, whose part_move is next
-  std::string time_;  ///< the text of last_time_
+  std::uint64_t instant_ = 0;      ///< the number of the instant of the next line, if that is its first line; else 0
+  tables::Time instant_time_ = 0;  ///< of that instant
+  Record part_;                    ///< the last record of a part, whose part_move is next
+  std::string time_;               ///< the text of last_time_
   tables::Time last_time_ = -1;
   std::uint64_t parts_ = 1;
   bool has_lines_ = false;  ///< whether this part has lines, so that no part is only a header

@@ -8,9 +8,9 @@
 namespace symplant::panel {
 namespace {
 
-/// The most notes of an order: about itself, each force and release, and what is refused.
+/// The most notes of an order: about itself, the instant that it begins, each force and release, and what is refused.
 std::size_t notes_of(const Order& order) noexcept {
-  std::size_t notes = 1;
+  std::size_t notes = 2;
   for (const scenario::Step& step : order.steps) {
     notes += step.force.size() + step.release.size() + step.put.size() + step.take.size() + step.start.size();
   }
@@ -66,6 +66,7 @@ std::uint64_t Operator::carry_out(const Order& order) noexcept {
   if (order.until != kNoLimit && order.until < act_clock()) return kTooLate;
   switch (order.kind) {
     case Order::Kind::act:
+      recorder_.begin_act(plant_.now());
       for (std::size_t i = 0; i < order.steps.size(); ++i) act(order.steps[i], i);
       acted_ = true;
       return 0;

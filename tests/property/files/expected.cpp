@@ -27,7 +27,7 @@ std::string header_of(const model::PlantModel& plant, std::uint64_t seed) {
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(tables::model_hash(tables.tables())));
   return "{\"symplant-trace\":1,\"plant\":\"" + plant.name + "\",\"model_hash\":\"" + hash +
-         "\",\"seed\":" + std::to_string(seed) + "}";
+         "\",\"seed\":" + std::to_string(seed) + ",\"clock\":\"virtual\"}";
 }
 
 void count_actions(const Step& step, const model::PlantModel& plant, Counts& counts) {
