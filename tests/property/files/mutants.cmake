@@ -111,8 +111,17 @@ symplant_planted_bug(model pattern_of_a_malfunction_names_one_device
   "          units.push_back(u);"
   "          if (!BUG || units.empty()) units.push_back(u);")
 
+# Of replays.
+symplant_planted_bug(host replayed_acts_come_an_instant_late
+  "      if (replay_.deeds[i].kind != Deed::Kind::operation) act(replay_.deeds[i]);"
+  "      if (replay_.deeds[i].kind != Deed::Kind::operation) { if (BUG) run(first.time); act(replay_.deeds[i]); }")
+
+symplant_planted_bug(host instants_of_one_time_are_one_in_a_replay
+  "      instant_ = instant->get<std::uint64_t>();"
+  "      if (!BUG) instant_ = instant->get<std::uint64_t>();")
+
 set(objects "")
-foreach(layer generator/description generator/model generator/text runtime/scenario)
+foreach(layer generator/description generator/model generator/text runtime/scenario runtime/host)
   get_filename_component(name ${layer} NAME)
   symplant_planted_layer(${name} ${PROJECT_SOURCE_DIR}/${layer})
   list(APPEND objects $<TARGET_OBJECTS:symplant_${name}_planted>)

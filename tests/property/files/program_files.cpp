@@ -17,6 +17,8 @@ namespace {
 
 /// One plant in this many runs in the program itself.
 constexpr std::uint64_t kByProgram = 25;
+/// One in this many is also repeated from its trace.
+constexpr std::uint64_t kReplayed = 4;
 
 FileCase random_case(std::uint64_t draw) {
   DrawOptions options;
@@ -96,7 +98,13 @@ class Program {
     tally_.counts += counts;
     const bool by_program = !options_.tool.empty() && draw % kByProgram == 0;
     if (by_program) ++tally_.by_program;
-    return files::difference(*wanted, workshop_.run(files, by_program ? options_.tool : ""));
+    return difference(*wanted, files, by_program ? options_.tool : "", draw % kReplayed == 0);
+  }
+
+  /// Of the run of some files from the wanted one, and of its replay from it.
+  std::string difference(const Outcome& wanted, const Files& files, const std::string& tool, bool replays) {
+    std::string text = files::difference(wanted, workshop_.run(files, tool));
+    return text.empty() && replays ? workshop_.replay() : text;
   }
 
   std::string difference(const FileCase& it, Outcome& wanted, Files& files) {
@@ -105,7 +113,7 @@ class Program {
     if (!outcome) return {};
     wanted = *outcome;
     files = files_of(it, counts);
-    return files::difference(wanted, workshop_.run(files, ""));
+    return difference(wanted, files, "", true);
   }
 
   void report(const FileCase& found, std::uint64_t draw, const std::string& text) {

@@ -37,6 +37,12 @@ int run_apart(const std::string& tool, const std::vector<std::string>& arguments
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// Of acts and of further instants: Workshop::replay() judges them.
+bool is_of_replay(const std::string& line) {
+  const std::size_t key = line.find(',');
+  return key != line.npos && (line.compare(key, 7, ",\"act\":") == 0 || line.compare(key, 11, ",\"instant\":") == 0);
+}
+
 /// "step 3 held", "requirement: r1 failed": for a step, without its expectation.
 std::vector<std::string> verdicts_of(const std::string& junit) {
   std::vector<std::string> verdicts;
@@ -86,6 +92,14 @@ std::vector<std::string> Workshop::arguments(const Files& files) const {
   return arguments;
 }
 
+std::string Workshop::replay() {
+  const std::string again = path("again.jsonl");
+  fs::remove(again);
+  const int code = run_here({"run", path("plant.json"), "--replay", path(kOutputs[0]), "--trace", again}, said_);
+  if (code > 1) return "replay refused: exit code " + std::to_string(code);
+  return line_difference("replay", lines_of(read_file(path(kOutputs[0]))), lines_of(read_file(again)), true);
+}
+
 Outcome Workshop::run(const Files& files, const std::string& tool) {
   for (const char* output : kOutputs) fs::remove(path(output));
   for (std::size_t i = 0; i < files.lists.size(); ++i) write_file(path(kListNames[i]), files.lists[i]);
@@ -98,6 +112,7 @@ Outcome Workshop::run(const Files& files, const std::string& tool) {
   if (!got.trace.empty()) {
     got.header = got.trace.front();
     got.trace.erase(got.trace.begin());
+    std::erase_if(got.trace, is_of_replay);
   }
   got.findings = lines_of(read_file(path(kOutputs[1])));
   got.verdicts = verdicts_of(read_file(path(kOutputs[2])));

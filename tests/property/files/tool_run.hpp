@@ -18,6 +18,8 @@ class Workshop {
 
   /// `symplant run` in this process, or the program `tool` if not empty. Its output is in said().
   Outcome run(const Files& files, const std::string& tool);
+  /// Repeats the last run from its trace, in this process; the first difference from it, empty without a difference.
+  std::string replay();
   const std::string& said() const { return said_; }
 
  private:
