@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "base/frame.hpp"
 #include "diag/encode.hpp"
 #include "view/html_data.hpp"
 
@@ -13,30 +14,14 @@ std::string_view page_frame();
 std::string_view page_style();
 std::string_view page_script();
 
-namespace {
-
-/// Removes the text up to a mark, and the mark, from `text`. Returns the text before the mark.
-std::string_view up_to(std::string_view& text, std::string_view mark) {
-  const std::size_t at = text.find(mark);
-  const std::string_view before = text.substr(0, at);
-  text.remove_prefix(at + mark.size());
-  return before;
-}
-
-}  // namespace
-
 View html_view(const Scene& scene) {
   return {[scene](base::TextSink& sink) {
-    std::string_view frame = page_frame();
-    sink.put(up_to(frame, "@title@"));
-    sink.put(diag::markup_text(scene.plant.name));
-    sink.put(up_to(frame, "@style@"));
-    sink.put(page_style());
-    sink.put(up_to(frame, "@data@"));
-    html_data(scene, sink);
-    sink.put(up_to(frame, "@script@"));
-    sink.put(page_script());
-    sink.put(frame);
+    base::put_framed(page_frame(),
+                     {{"@title@", base::whole(diag::markup_text(scene.plant.name))},
+                      {"@style@", [](base::TextSink& out) { out.put(page_style()); }},
+                      {"@data@", [&](base::TextSink& out) { html_data(scene, out); }},
+                      {"@script@", [](base::TextSink& out) { out.put(page_script()); }}},
+                     sink);
   }};
 }
 

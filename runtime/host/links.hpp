@@ -26,7 +26,7 @@ using LinkChoices = std::vector<link::LinkChoice>;
 /// stay closed. `with_program`: by controller, whether it has a program, so that the plant's own link of it stays
 /// closed.
 std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options,
-                                                    const std::vector<bool>& with_program);
+                                                    const std::vector<bool>& with_program = {});
 
 /// Whether one of them is a link to a PLC, which needs real time.
 bool has_real_link(const LinkChoices& links);

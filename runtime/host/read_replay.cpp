@@ -20,6 +20,7 @@
 #include "symplant/scenario/read_scenario.hpp"
 #include "symplant/scenario/table_names.hpp"
 #include "symplant/scenario/value.hpp"
+#include "symplant/trace/trace_lines.hpp"
 
 namespace symplant::host {
 namespace {
@@ -58,26 +59,18 @@ class ReplayReader {
   }
 
   std::optional<Replay> run(std::istream& file) {
-    std::string line;
-    while (errors_ < kMostFaults && std::getline(file, line)) {
-      ++number_;
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.empty()) continue;
-      const Json json = Json::parse(line, nullptr, false);
-      if (json.is_object()) {
-        if (!take(json, line)) return std::nullopt;
-      } else if (file.eof() && number_ > 1) {
-        err_ << fmt::format("{}:{}: warning: the last line is cut off, and is left out\n", shown(path_), number_);
-      } else {
-        fail("this is not a line of a trace");
-        return std::nullopt;
-      }
+    trace::TraceLines lines(file);
+    std::string wrong;
+    while (const Json* const json = wrong.empty() && errors_ < kMostFaults ? lines.next() : nullptr) {
+      number_ = lines.number();
+      wrong = lines.is_header() ? header(*json) : body(*json, lines);
     }
-    if (number_ == 0) {
-      number_ = 1;
-      fail("the file is empty");
+    if (wrong.empty()) wrong = lines.error();
+    if (!wrong.empty()) fail(lines.number(), wrong);
+    if (lines.cut_off()) {
+      err_ << fmt::format("{}:{}: warning: the last line is cut off, and is left out\n", shown(path_), lines.number());
     }
-    read_acts();
+    if (wrong.empty()) read_acts();
     if (errors_ != 0) return std::nullopt;
     return std::move(replay_);
   }
@@ -89,16 +82,7 @@ class ReplayReader {
     err_ << fmt::format("{}:{}: error: {}\n", shown(path_), line, shown(message));
   }
 
-  /// False if the rest of the file is not to be read.
-  bool take(const Json& json, const std::string& line) {
-    const std::string wrong = number_ == 1 ? header(json) : body(json, line);
-    if (!wrong.empty()) fail(wrong);
-    return wrong.empty();
-  }
-
   std::string header(const Json& json) {
-    if (!json.contains("symplant-trace")) return "a trace begins with a line with `symplant-trace`";
-    if (json["symplant-trace"] != 1) return "this symplant reads version 1 of traces";
     if (json.contains("part")) {
       return "this is a later part of a trace, and a replay needs its beginning: record it without `--trace-limit`";
     }
@@ -115,18 +99,12 @@ class ReplayReader {
     return "";
   }
 
-  std::string body(const Json& json, const std::string& line) {
-    if (json.contains("symplant-trace")) return "another trace begins here; replay one at a time";
-    const auto time = json.find("t");
-    if (time == json.end() || !time->is_number_unsigned()) return "the key `t` is not a time in ns";
-    const auto at = time->get<std::uint64_t>();
-    if (at >= static_cast<std::uint64_t>(tables::kNever)) return "the key `t` is not a time in ns";
+  std::string body(const Json& json, const trace::TraceLines& lines) {
     if (json.contains("reset")) return "the plant was reset by hand here: such a trace cannot be replayed";
     if (json.contains("restored")) return "the plant was set to a saved state here: such a trace cannot be replayed";
     if (json.contains("lost")) return "changes are missing in this trace: it cannot be replayed";
-    if (static_cast<tables::Time>(at) < replay_.end) return "this time is before that of the line above";
-    if (static_cast<tables::Time>(at) > replay_.end) instant_ = 1;
-    replay_.end = static_cast<tables::Time>(at);
+    if (lines.time() > replay_.end) instant_ = 1;
+    replay_.end = lines.time();
     if (const auto instant = json.find("instant"); instant != json.end()) {
       if (!instant->is_number_unsigned() || instant->get<std::uint64_t>() <= instant_) {
         return "the key `instant` is not a number above that of the lines before";
@@ -134,7 +112,7 @@ class ReplayReader {
       instant_ = instant->get<std::uint64_t>();
     }
     if (json.contains("symbol")) return change(json);
-    if (json.contains("act")) return act(json, line);
+    if (json.contains("act")) return act(json, lines.text());
     return json.contains("quality") ? quality(json["quality"]) : "";
   }
 

@@ -89,7 +89,7 @@ class Replayer {
     const By by = replay_.by_hand[deed.of] ? By::hand : By::scenario;
     const scenario::Step& step = replay_.acts.steps[deed.of];
     stage_.recorder.act(now, trace::kActNote, deed.of);
-    scenario::write_symbols(step, plant_);
+    scenario::write_symbols(step, plant_, nullptr);
     for (const scenario::NewPart& part : step.put) plant_.put(part.at, part.kind);
     for (const tables::PartLocation& from : step.take) plant_.take(from);
     scenario::force_symbols(step, plant_, stage_.recorder);

@@ -15,6 +15,7 @@
 
 #include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/trace/malfunction_text.hpp"
+#include "symplant/trace/trace_lines.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
@@ -35,46 +36,35 @@ class TraceReader {
   }
 
   ReadTrace run(std::istream& file) {
-    std::string line;
-    for (std::size_t number = 1; std::getline(file, line) && read_.error.empty(); ++number) {
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.empty()) continue;
-      const Json json = Json::parse(line, nullptr, false);
-      std::string wrong = json.is_object() ? take(json, number == 1) : std::string("this is not a line of a trace");
-      if (!wrong.empty()) read_.error = fmt::format("line {}: {}", number, wrong);
-    }
-    if (!begun_ && read_.error.empty()) read_.error = "line 1: the file is empty";
+    TraceLines lines(file);
+    std::string wrong;
+    while (const Json* const json = wrong.empty() ? lines.next() : nullptr) wrong = take(*json, lines);
+    if (wrong.empty()) wrong = lines.error();
+    if (!wrong.empty()) read_.error = fmt::format("line {}: {}", lines.number(), wrong);
+    read_.cut_off = lines.cut_off();
     if (!read_.records.empty()) read_.records.back().last = true;
     return std::move(read_);
   }
 
  private:
   /// What is wrong with a line; empty: nothing.
-  std::string take(const Json& json, bool first) {
-    if (json.contains("symplant-trace")) return take_header(json);
-    if (first || !begun_) return "a trace begins with a line with `symplant-trace`";
-    const auto time = json.find("t");
-    if (time == json.end() || !time->is_number_unsigned()) return "the key `t` is not a time in ns";
-    const auto at = time->get<tables::Time>();
-    const bool back = json.contains("reset") || json.contains("restored");
-    if (at < read_.end && !back) return "this time is before that of the line above";
+  std::string take(const Json& json, const TraceLines& lines) {
+    if (lines.is_header()) return take_header(json, lines.time());
+    const tables::Time at = lines.time();
     if (at > read_.end && !read_.records.empty()) read_.records.back().last = true;
     read_.end = at;
-    if (back) return set_back(json, at);
+    if (lines.is_set_back()) return set_back(json, at);
     if (json.contains("symbol")) return take_change(json, at);
     if (json.contains("malfunction")) return take_malfunction(json, at);
     return json.contains("part") ? take_part(json, at) : std::string();  // other lines say nothing about the state
   }
 
-  std::string take_header(const Json& json) {
-    if (json["symplant-trace"] != 1) return "this symplant reads version 1 of traces";
+  std::string take_header(const Json& json, tables::Time at) {
     if (const auto hash = json.find("model_hash"); hash != json.end() && hash->is_string()) {
       read_.model_hash = hash->get<std::string>();
     }
-    begun_ = true;
-    const auto time = json.find("t");
-    read_.begin = read_.end = time != json.end() && time->is_number_unsigned() ? time->get<tables::Time>() : 0;
-    return take_state(json, read_.begin);
+    read_.begin = read_.end = at;
+    return take_state(json, at);
   }
 
   std::string set_back(const Json& json, tables::Time at) {
@@ -221,7 +211,6 @@ class TraceReader {
   Index units_;
   std::unordered_map<std::string, std::uint32_t> malfunctions_;  ///< those of the description
   ReadTrace read_;
-  bool begun_ = false;
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ struct ReadTrace {
   std::size_t set_back = 0;     ///< how often the plant was reset or restored
   std::size_t unknown = 0;      ///< lines about names that the plant does not have
   std::string first_unknown;    ///< one of these names
+  bool cut_off = false;         ///< the last line was cut off, and is left out
   std::string error;            ///< `line 4: ...`; empty: the whole file could be read
 };
 

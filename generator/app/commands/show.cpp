@@ -49,6 +49,9 @@ bool is_of_plant(Context& context, const ShowOptions& options, const trace::Read
     context.err << fmt::format("warning: `{}` is of another model: its model_hash is {}, that of this plant {:016x}\n",
                                options.trace, trace.model_hash, model_hash);
   }
+  if (trace.cut_off) {
+    context.err << fmt::format("warning: {}: the last line is cut off, and is left out\n", options.trace);
+  }
   if (trace.unknown != 0) {
     context.err << fmt::format("warning: {} lines are left out: the plant has no `{}`\n", trace.unknown,
                                trace.first_unknown);

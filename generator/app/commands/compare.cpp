@@ -1,0 +1,174 @@
+// symplant compare: how one recorded run differs from another.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "compare/difference.hpp"
+#include "compare/formats.hpp"
+#include "compare/recorded.hpp"
+#include "compare/words.hpp"
+#include "diag/visible_text.hpp"
+#include "symplant/host/exit_codes.hpp"
+#include "symplant/tables/duration.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct CompareOptions {
+  std::string expected;
+  std::string actual;
+  compare::Options how;
+  std::string format = "text";
+  std::string output;
+};
+
+/// What is compared, kept until the program ends.
+struct ComparedTraces {
+  compare::Recorded expected;
+  compare::Recorded actual;
+  compare::Comparison comparison;
+};
+
+struct CompareFormat {
+  const char* name;
+  void (*write)(const compare::Comparison&, base::TextSink&);
+};
+constexpr std::array<CompareFormat, 4> kCompareFormats{{{"text", compare::write_text},
+                                                        {"json", compare::write_json},
+                                                        {"junit", compare::write_junit},
+                                                        {"html", compare::write_html}}};
+
+/// Nothing, with a message and the exit code, if the trace cannot be read.
+std::optional<compare::Recorded> read_compared(const std::string& path, Context& context) {
+  const auto fail = [&](const std::string& message) {
+    context.err << "error: " << diag::visible(message) << "\n";
+    context.exit_code = host::kBadInput;
+    return std::nullopt;
+  };
+  std::error_code unknown;
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, unknown)) {
+    return fail(fmt::format("cannot read the trace `{}`: {}", path, file ? "it is a directory" : std::strerror(errno)));
+  }
+  compare::ReadRecorded read = compare::read_recorded(file, path);
+  if (!read.error.empty()) return fail(read.error);
+  if (!read.warning.empty()) context.err << "warning: " << diag::visible(read.warning) << "\n";
+  return std::move(read.recorded);
+}
+
+void compare_traces(const CompareOptions& options, Context& context) {
+  auto expected = read_compared(options.expected, context);
+  if (!expected) return;
+  auto actual = read_compared(options.actual, context);
+  if (!actual) return;
+  const auto compared = std::make_shared<ComparedTraces>(ComparedTraces{std::move(*expected), std::move(*actual), {}});
+  context.kept = compared;
+  compared->comparison = compare::compare(compared->expected, compared->actual, options.how);
+  const compare::Comparison& comparison = compared->comparison;
+  if (!comparison.error.empty()) {
+    context.err << "error: " << diag::visible(comparison.error) << "\n";
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  const auto format = std::find_if(kCompareFormats.begin(), kCompareFormats.end(),
+                                   [&](const CompareFormat& one) { return options.format == one.name; });
+  const base::TextSource text = [&](base::TextSink& sink) { format->write(comparison, sink); };
+  if (!write_result(context, options.output, text, {options.expected, options.actual})) return;
+  if (!options.output.empty()) context.out << diag::visible(compare::summary(comparison)) << "\n";
+  if (!comparison.differences.empty()) context.exit_code = host::kFindings;
+}
+
+void read_window(const std::string& text, CompareOptions& options) {
+  options.how.window = tables::parse_duration(text);
+  if (!options.how.window) {
+    throw CLI::ValidationError(
+        "--window", "`" + text + "` is not a duration: write a number and ns, us, ms, s, min or h, such as 30ms");
+  }
+}
+
+void read_tolerance(const std::string& text, CompareOptions& options) {
+  std::string_view number = text;
+  const bool percent = number.ends_with('%');
+  if (percent) number.remove_suffix(1);
+  const char* const end = number.data() + number.size();
+  const auto [at, error] = std::from_chars(number.data(), end, options.how.tolerance);
+  if (error != std::errc() || at != end || !std::isfinite(options.how.tolerance) || options.how.tolerance < 0 ||
+      (!percent && options.how.tolerance != 0)) {
+    throw CLI::ValidationError("--tolerance", "`" + text + "` is not a share: write a number and %, such as 2.5%");
+  }
+  options.how.tolerance /= 100;
+}
+
+void read_align(const std::string& text, CompareOptions& options) {
+  options.how.align_symbol.clear();
+  options.how.align = text == "none"     ? compare::Align::none
+                      : text == "follow" ? compare::Align::follow
+                                         : compare::Align::symbol;
+  if (options.how.align == compare::Align::symbol) options.how.align_symbol = text;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Context& context) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare", "Compare two traces: what is missing, unexpected, late or early");
+  command->add_option("EXPECTED", options->expected, "the trace of a run that is right")->required();
+  command->add_option("ACTUAL", options->actual, "the trace of another run")->required();
+  command
+      ->add_option_function<std::string>(
+          "--window", [options](const std::string& text) { read_window(text, *options); },
+          "how far two changes may be apart (default: 0 in virtual time, else twice the coarser resolution)")
+      ->type_name("T");
+  command
+      ->add_option_function<std::string>(
+          "--tolerance", [options](const std::string& text) { read_tolerance(text, *options); },
+          "how far numbers may be apart, of the span of the expected ones (default: 1%)")
+      ->type_name("P%");
+  command
+      ->add_option_function<std::string>(
+          "--align", [options](const std::string& text) { read_align(text, *options); },
+          "none: times as they are (default); follow: each from the change before, for runs in which delays add up; "
+          "SYMBOL: from its first change to on")
+      ->type_name("none|follow|SYMBOL");
+  command->add_option("--only", options->how.only, "compare only these symbols and locations; may be repeated")
+      ->type_name("PATTERN")
+      ->allow_extra_args(false);
+  command->add_option("--ignore", options->how.ignore, "do not compare these; may be repeated")
+      ->type_name("PATTERN")
+      ->allow_extra_args(false);
+  std::vector<std::string> names;
+  for (const CompareFormat& format : kCompareFormats) names.emplace_back(format.name);
+  command
+      ->add_option(
+          "--format", options->format,
+          "text: the first differences and counts; json: every difference; junit: a test case for each symbol; "
+          "html: both as one chart")
+      ->check(CLI::IsMember(names));
+  command->add_option("-o,--output", options->output, "write the result to this file")->type_name("FILE");
+  command->footer(
+      "Exit codes: 0 no difference; 1 differences; 2 bad input or usage.\n"
+      "Examples:\n  symplant compare good.jsonl run.jsonl --only '*_O_*'\n"
+      "  symplant compare good.jsonl beside-the-plc.jsonl --align follow --window 30ms --format html -o run.html");
+  command->callback([options, &context] { compare_traces(*options, context); });
+}
+
+}  // namespace symplant::app

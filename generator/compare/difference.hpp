@@ -1,0 +1,65 @@
+// How one recorded run differs from another.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/recorded.hpp"
+#include "symplant/tables/time.hpp"
+
+namespace symplant::compare {
+
+struct Difference {
+  enum class Kind : std::uint8_t {
+    missing,        ///< EXPECTED has a change that ACTUAL does not have
+    unexpected,     ///< ACTUAL has a change that EXPECTED does not have
+    late,           ///< ACTUAL has it after its time
+    early,          ///< ACTUAL has it before its time
+    deviates,       ///< a number differs by more than the tolerance, for longer than the window
+    expected_ends,  ///< ACTUAL has changes after the end of EXPECTED
+    actual_ends,    ///< EXPECTED has changes after the end of ACTUAL
+  };
+  Kind kind;
+  const Series* of = nullptr;  ///< whose; null: of the whole trace
+  tables::Time time = 0;       ///< of EXPECTED's change; unexpected: of ACTUAL's; ends: of the last line
+  tables::Time by = 0;         ///< late, early: the difference; deviates, a pulse: how long
+  double expected = 0;         ///< the value; deviates: where the difference is greatest
+  double actual = 0;
+  bool is_pulse = false;    ///< missing, unexpected: the change and the one back
+  std::size_t changes = 0;  ///< ends: how many changes of the other follow
+};
+
+enum class Align : std::uint8_t {
+  none,    ///< times are compared as they are
+  symbol,  ///< from the first time that a symbol comes on
+  follow,  ///< from the last change that both have
+};
+
+struct Options {
+  std::optional<tables::Time> window;  ///< nothing: 0 in virtual time, else twice the coarser resolution
+  double tolerance = 0.01;             ///< of numbers, as a share of EXPECTED's span
+  Align align = Align::none;
+  std::string align_symbol;         ///< for Align::symbol
+  std::vector<std::string> only;    ///< patterns of names; empty: all
+  std::vector<std::string> ignore;  ///< patterns of names
+};
+
+/// Both traces must outlive it.
+struct Comparison {
+  const Recorded* expected;
+  const Recorded* actual;
+  tables::Time window = 0;
+  std::vector<const Series*> compared;      ///< EXPECTED's, then those that only ACTUAL has
+  std::vector<const Series*> not_recorded;  ///< elements that one trace, a recording, does not have
+  std::size_t changes = 0;                  ///< of EXPECTED, up to the end of the comparison
+  std::vector<Difference> differences;      ///< by time
+  std::string error;                        ///< why nothing could be compared; empty: it was
+};
+
+/// Compares two traces. O(changes * log(differences)).
+Comparison compare(const Recorded& expected, const Recorded& actual, const Options& options);
+
+}  // namespace symplant::compare

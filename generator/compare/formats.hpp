@@ -1,0 +1,22 @@
+// The forms in which a comparison is shown.
+#pragma once
+
+#include <string>
+
+#include "base/text_source.hpp"
+#include "compare/difference.hpp"
+
+namespace symplant::compare {
+
+inline constexpr int kJsonVersion = 1;
+
+/// The first differences, then counts.
+void write_text(const Comparison& comparison, base::TextSink& sink);
+/// Every difference, for programs.
+void write_json(const Comparison& comparison, base::TextSink& sink);
+/// A test case for each symbol, for build servers.
+void write_junit(const Comparison& comparison, base::TextSink& sink);
+/// Both traces as one chart with the differences marked: one page that needs no network.
+void write_html(const Comparison& comparison, base::TextSink& sink);
+
+}  // namespace symplant::compare

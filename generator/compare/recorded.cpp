@@ -1,0 +1,169 @@
+// What a trace holds for a comparison: the changes of each symbol, and where parts arrive.
+#include "compare/recorded.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+#include "symplant/trace/trace_lines.hpp"
+
+namespace symplant::compare {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A number, or one as text: `nan`, and whole numbers that JSON readers would round.
+std::optional<double> number_of(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? 1 : 0;
+  if (value.is_number()) return value.get<double>();
+  if (!value.is_string()) return std::nullopt;
+  const auto& text = value.get_ref<const std::string&>();
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && at == end ? std::optional(number) : std::nullopt;
+}
+
+class Reader {
+ public:
+  Reader(std::istream& file, const std::string& name) : lines_(file) { read_.recorded.name = name; }
+
+  ReadRecorded run() {
+    std::string wrong;
+    while (const Json* const json = wrong.empty() ? lines_.next() : nullptr) wrong = take(*json);
+    if (wrong.empty()) wrong = lines_.error();
+    if (!wrong.empty()) read_.error = at_line(wrong);
+    put_operations_first();
+    if (lines_.cut_off()) read_.warning = at_line("the last line is cut off, and is left out");
+    return std::move(read_);
+  }
+
+ private:
+  std::string at_line(std::string_view text) const {
+    return fmt::format("{}:{}: {}", read_.recorded.name, lines_.number(), text);
+  }
+
+  std::string take(const Json& json) {
+    if (lines_.is_header()) return header(json);
+    if (lines_.is_set_back()) set_back();
+    read_.recorded.end = lines_.time();
+    if (lines_.is_set_back()) return values(json);
+    if (json.contains("symbol")) return symbol(json);
+    return json.contains("part") ? part(json) : std::string();
+  }
+
+  std::string header(const Json& json) {
+    if (json.contains("part")) {
+      return "this is a later part of a trace: record it without `--trace-limit`, so that it has its beginning";
+    }
+    Recorded& recorded = read_.recorded;
+    recorded.of_plant = json.value("recorded", Json()) != true;
+    for (const char* const key : {"every", "cycle"}) {
+      const auto found = json.find(key);
+      if (found != json.end() && found->is_number_unsigned()) recorded.resolution = found->get<tables::Time>();
+    }
+    for (const Json& program : json.value("programs", Json::array())) {
+      for (const Json& symbol : program.value("writes", Json::array())) {
+        if (symbol.is_string()) written_.insert(symbol.get<std::string>());
+      }
+    }
+    return "";
+  }
+
+  /// What was before the plant was reset or restored does not count.
+  void set_back() {
+    Recorded& recorded = read_.recorded;
+    if (!recorded.order.empty()) {
+      read_.warning = at_line("the plant was set back here: what follows is compared");
+    }
+    recorded.series.clear();
+    recorded.index.clear();
+    recorded.order.clear();
+    recorded.has_parts = false;
+    times_.clear();
+  }
+
+  std::string values(const Json& json) {
+    const auto found = json.find("values");
+    if (found == json.end() || !found->is_object()) return "";
+    for (const auto& [name, value] : found->items()) {
+      if (std::string wrong = change(name, value); !wrong.empty()) return wrong;
+    }
+    return "";
+  }
+
+  std::string symbol(const Json& json) {
+    if (!json["symbol"].is_string() || !json.contains("value")) return "a change has `symbol` and `value`";
+    return change(json["symbol"].get_ref<const std::string&>(), json["value"]);
+  }
+
+  std::string change(const std::string& name, const Json& value) {
+    const auto number = number_of(value);
+    if (!number) return fmt::format("`{}` cannot have the value {}", name, value.dump());
+    const auto kind = value.is_boolean() ? Series::Kind::boolean : Series::Kind::number;
+    Series& series = series_of({name, kind, {}, {}, {}});
+    if (series.kind != kind) return fmt::format("`{}` is a BOOL and a number", name);
+    add(series, *number);
+    return "";
+  }
+
+  std::string part(const Json& json) {
+    read_.recorded.has_parts = true;
+    const auto kind = json.find("kind");
+    if (kind == json.end() || !kind->is_string()) return "a part has a `kind`";
+    const auto to = json.find("to");
+    if (to == json.end() || !to->is_string()) return "";
+    add(series_of({to->get<std::string>(), Series::Kind::parts, kind->get<std::string>(), {}, {}}), 1);
+    return "";
+  }
+
+  Series& series_of(Series wanted) {
+    Recorded& recorded = read_.recorded;
+    const auto [found, added] = recorded.index.emplace(wanted.key(), recorded.series.size());
+    if (added) {
+      wanted.is_operation = wanted.name.find("_O_") != wanted.name.npos || written_.contains(wanted.name);
+      recorded.series.push_back(std::move(wanted));
+    }
+    return recorded.series[found->second];
+  }
+
+  void add(Series& series, double value) {
+    series.changes.push_back({lines_.time(), value});
+    read_.recorded.order.push_back(static_cast<std::uint32_t>(&series - read_.recorded.series.data()));
+    if (times_.empty() || times_.back().first != lines_.time()) {
+      times_.push_back({lines_.time(), read_.recorded.order.size() - 1});
+    }
+  }
+
+  void put_operations_first() {
+    std::vector<std::uint32_t>& order = read_.recorded.order;
+    for (std::size_t i = 0; i < times_.size(); ++i) {
+      const auto begin = order.begin() + static_cast<std::ptrdiff_t>(times_[i].second);
+      const auto end =
+          i + 1 < times_.size() ? order.begin() + static_cast<std::ptrdiff_t>(times_[i + 1].second) : order.end();
+      std::stable_partition(begin, end, [&](std::uint32_t s) { return read_.recorded.series[s].is_operation; });
+    }
+  }
+
+  trace::TraceLines lines_;
+  ReadRecorded read_;
+  std::unordered_set<std::string> written_;                  ///< by programs
+  std::vector<std::pair<tables::Time, std::size_t>> times_;  ///< each, with its first change in the order
+};
+
+}  // namespace
+
+const Series* Recorded::find(const Series& same) const {
+  const auto found = index.find(same.key());
+  return found == index.end() ? nullptr : &series[found->second];
+}
+
+ReadRecorded read_recorded(std::istream& file, const std::string& name) { return Reader(file, name).run(); }
+
+}  // namespace symplant::compare

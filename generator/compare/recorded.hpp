@@ -1,0 +1,64 @@
+// What a trace holds for a comparison: the changes of each symbol, and where parts arrive.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "symplant/tables/time.hpp"
+
+namespace symplant::compare {
+
+/// One element that a trace has lines of.
+struct Series {
+  enum class Kind : std::uint8_t {
+    boolean,  ///< a symbol that is on or off, at first off
+    number,   ///< a numeric symbol, at first 0
+    parts,    ///< each change is a part of one kind that arrives at one location; its value is 1
+  };
+  struct Change {
+    tables::Time time;
+    double value;
+  };
+  std::string name;  ///< of the symbol or of the location
+  Kind kind = Kind::boolean;
+  std::string part;             ///< the kind of parts
+  std::vector<Change> changes;  ///< by time
+  bool is_operation = false;    ///< a PLC writes it, as far as the trace says
+
+  /// Names the same element in every trace: a symbol and a location may have one name.
+  std::string key() const { return kind == Kind::parts ? "@" + name + "@" + part : name; }
+};
+
+/// A trace, for comparisons.
+struct Recorded {
+  std::string name;                                    ///< of the file, for messages
+  std::vector<Series> series;                          ///< by their first change
+  std::unordered_map<std::string, std::size_t> index;  ///< of series, by key()
+  /// The series of each change: by time; at one time those of operations first, as they are the causes.
+  std::vector<std::uint32_t> order;
+  tables::Time end = 0;                                ///< the time of the last line
+  tables::Time resolution = 0;  ///< what times are exact to: an interval of reading, a cycle; 0: virtual time
+  bool of_plant = true;         ///< else recorded from a PLC: a symbol without lines was not recorded
+  bool has_parts = false;
+
+  /// The series of the same element; null if there is none. O(1).
+  const Series* find(const Series& same) const;
+};
+
+/// What was read, or why it could not be.
+struct ReadRecorded {
+  Recorded recorded;
+  std::string error;    ///< `FILE:4: ...`; empty: the whole file could be read
+  std::string warning;  ///< as error: something was left out
+};
+
+/// Reads a trace. If the plant was reset or restored, what follows the last time counts. A trace does not have the
+/// directions of symbols: an operation is what a program of its header writes, or what has the level `O` in its name.
+/// O(file).
+ReadRecorded read_recorded(std::istream& file, const std::string& name);
+
+}  // namespace symplant::compare

@@ -1,0 +1,55 @@
+// The lines of a trace file, one by one.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "symplant/tables/time.hpp"
+
+namespace symplant::trace {
+
+/// Reads a trace line by line and checks what all lines have in common: the file begins with a header, each other line
+/// is a JSON object with a time `t`, and times do not go back except where the plant was set back. Parts of one trace
+/// may follow each other. A last line that is cut off is left out. Not thread-safe.
+class TraceLines {
+ public:
+  /// The file must outlive this object.
+  explicit TraceLines(std::istream& file) : file_(file) {}
+
+  /// The next line; null at the end and after an error. Valid until the next call. O(line).
+  const nlohmann::json* next();
+
+  /// Of the last line, from 1.
+  std::size_t number() const { return number_; }
+  /// The last line as it is in the file.
+  const std::string& text() const { return text_; }
+  /// Whether the last line is a header.
+  bool is_header() const { return is_header_; }
+  /// Whether the last line sets the plant back: a reset, or a restored state.
+  bool is_set_back() const { return is_set_back_; }
+  /// The `t` of the last line; of a header 0 or the time at which its part begins.
+  tables::Time time() const { return time_; }
+
+  /// What is wrong with the last line; empty: nothing.
+  const std::string& error() const { return error_; }
+  /// Whether the file ends within a line, which was left out.
+  bool cut_off() const { return cut_off_; }
+
+ private:
+  std::string check();
+
+  std::istream& file_;
+  nlohmann::json json_;
+  std::string text_;
+  std::string error_;
+  std::size_t number_ = 0;
+  tables::Time time_ = 0;
+  bool is_header_ = false;
+  bool is_set_back_ = false;
+  bool begun_ = false;
+  bool cut_off_ = false;
+};
+
+}  // namespace symplant::trace
