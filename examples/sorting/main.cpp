@@ -2,6 +2,7 @@
 //
 //   sorting_controller HOST PORT SECONDS [DELAY]      DELAY: scans that the program waits before it pushes
 #include <modbus/modbus.h>
+#include <symplant/program.h>
 
 #include <array>
 #include <chrono>
@@ -9,15 +10,48 @@
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
+#include <vector>
 
-#include "program.hpp"
+/// Of program/sorting.c: how many scans a new program waits before it pushes.
+extern "C" int sorting_push_delay;
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kScan{20};
-constexpr int kInputs = 9;   // X0000 to X0008
-constexpr int kOutputs = 3;  // Y0000 to Y0002
+
+/// The program with its memory. Its variables are those of the list: first the inputs from X0000 on, then the outputs
+/// from Y0000 on.
+class Program {
+ public:
+  Program() : cells_(of_.count) {
+    std::vector<void*> cells;
+    for (auto& cell : cells_) cells.push_back(&cell);
+    instance_ = of_.create(cells.data());
+    while (inputs_ < of_.count && of_.variables[inputs_].writes == 0) ++inputs_;
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program() { of_.destroy(instance_); }
+
+  bool scan(modbus_t* context, std::int64_t now) {
+    std::vector<std::uint8_t> bits(of_.count);
+    if (modbus_read_input_bits(context, 0, static_cast<int>(inputs_), bits.data()) != static_cast<int>(inputs_)) {
+      return false;
+    }
+    for (std::size_t i = 0; i < inputs_; ++i) cells_[i][0] = bits[i];
+    if (of_.scan(instance_, now) != 0) return false;
+    const std::size_t outputs = of_.count - inputs_;
+    for (std::size_t i = 0; i < outputs; ++i) bits[i] = cells_[inputs_ + i][0];
+    return modbus_write_bits(context, 0, static_cast<int>(outputs), bits.data()) == static_cast<int>(outputs);
+  }
+
+ private:
+  const symplant_program& of_ = *symplant_program_v1();
+  std::vector<std::array<std::uint8_t, 8>> cells_;
+  std::size_t inputs_ = 0;
+  void* instance_ = nullptr;
+};
 
 modbus_t* connected(const char* host, int port) {
   modbus_t* const context = modbus_new_tcp(host, port);
@@ -27,23 +61,6 @@ modbus_t* connected(const char* host, int port) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   return nullptr;
-}
-
-bool scan(modbus_t* context, sorting::Program& program) {
-  std::array<std::uint8_t, kInputs> in{};
-  if (modbus_read_input_bits(context, 0, kInputs, in.data()) != kInputs) return false;
-  const auto on = [&](std::size_t input) { return in.at(input) != 0; };
-  const sorting::Outputs out = program.scan({.belt_runs = on(0),
-                                             .low = on(1),
-                                             .high = on(2),
-                                             .stop1 = on(3),
-                                             .stop2 = on(4),
-                                             .push1_out = on(5),
-                                             .push1_back = on(6),
-                                             .push2_out = on(7),
-                                             .push2_back = on(8)});
-  const std::array<std::uint8_t, kOutputs> bits{out.belt, out.push1, out.push2};
-  return modbus_write_bits(context, 0, kOutputs, bits.data()) == kOutputs;
 }
 
 }  // namespace
@@ -58,12 +75,13 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "controller: no connection to %s:%s\n", argv[1], argv[2]);
     return 3;
   }
-  sorting::Program program(argc > 4 ? std::atoi(argv[4]) : 0);
+  if (argc > 4) sorting_push_delay = std::atoi(argv[4]);
+  Program program;
   const auto begin = Clock::now();
   const auto end = begin + std::chrono::seconds(std::atoi(argv[3]));
   int code = 0;
   for (auto next = begin; next < end && code == 0; next += kScan) {
-    if (!scan(context, program)) code = 1;
+    if (!program.scan(context, std::chrono::nanoseconds(next - begin).count())) code = 1;
     std::this_thread::sleep_until(next + kScan);
   }
   modbus_close(context);

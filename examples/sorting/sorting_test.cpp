@@ -1,13 +1,15 @@
-// Tests of the sorting line in virtual time: the PLC's program and the plant are objects of one process, without a
-// link.
+// Tests of the sorting line in virtual time: the PLC's program runs in lock step with the plant, without a link.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #else
 #include <catch2/catch.hpp>
 #endif
 
-#include "program.hpp"
 #include "sorting/plant_gen.hpp"
+#include "symplant/program/lock_step.hpp"
+
+/// Of program/sorting.c: how many scans a new program waits before it pushes.
+extern "C" int sorting_push_delay;
 
 namespace {
 
@@ -19,31 +21,20 @@ using symplant::tables::kMillisecond;
 using symplant::tables::kSecond;
 using symplant::tables::Time;
 
-/// Runs the program in scans of 20 ms until a time.
-void run(Plant& line, sorting::Program& program, Time until) {
-  for (Time now = line.now(); now <= until; now += 20 * kMillisecond) {
-    line.advance_to(now);
-    const sorting::Outputs out = program.scan({.belt_runs = line.is_on(Symbol::SO_M_BELT_I_RUN),
-                                               .low = line.is_on(Symbol::SO_M_LOW_I_PART),
-                                               .high = line.is_on(Symbol::SO_M_HIGH_I_PART),
-                                               .stop1 = line.is_on(Symbol::SO_M_STOP1_I_PART),
-                                               .stop2 = line.is_on(Symbol::SO_M_STOP2_I_PART),
-                                               .push1_out = line.is_on(Symbol::SO_M_PUSH1_I_OUT),
-                                               .push1_back = line.is_on(Symbol::SO_M_PUSH1_I_BACK),
-                                               .push2_out = line.is_on(Symbol::SO_M_PUSH2_I_OUT),
-                                               .push2_back = line.is_on(Symbol::SO_M_PUSH2_I_BACK)});
-    line.set(Symbol::SO_M_BELT_O_RUN, out.belt);
-    line.set(Symbol::SO_M_PUSH1_O_OUT, out.push1);
-    line.set(Symbol::SO_M_PUSH2_O_OUT, out.push2);
-  }
+/// Runs the program in lock step with the line until a time.
+void run(Plant& line, int push_delay, Time until) {
+  sorting_push_delay = push_delay;
+  symplant::program::LockStep programs(line);
+  REQUIRE(programs.add(*symplant_program_v1()) == "");
+  programs.advance_to(until);
+  CHECK_FALSE(programs.failed());
 }
 
 }  // namespace
 
 TEST_CASE("In an hour every part slides down a chute and none falls off the belt") {
   Plant line;
-  sorting::Program program(0);
-  run(line, program, 3600 * kSecond);
+  run(line, 0, 3600 * kSecond);
   CHECK(line.made(PartKind::low) > 800);
   CHECK(line.made(PartKind::tall) > 500);
   CHECK(line.gone(PartKind::tall) + 5 >= line.made(PartKind::tall));
@@ -53,8 +44,7 @@ TEST_CASE("In an hour every part slides down a chute and none falls off the belt
 
 TEST_CASE("A program that pushes too late loses its parts") {
   Plant line;
-  sorting::Program program(30);
-  run(line, program, 60 * kSecond);
+  run(line, 30, 60 * kSecond);
   CHECK(line.parts(Location::FLOOR) > 0);
 }
 

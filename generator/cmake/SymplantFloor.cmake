@@ -6,7 +6,8 @@ target_compile_features(symplant_options INTERFACE cxx_std_20)
 if(NOT MSVC)
   target_compile_options(
     symplant_options
-    INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+    INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+              $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Wold-style-cast>
               # g++ 12 falsely reports overlaps in std::string's operator+ (GCC bug 105651).
               $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
               $<$<BOOL:${SYMPLANT_WERROR}>:-Werror>)

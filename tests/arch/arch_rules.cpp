@@ -20,12 +20,15 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 21> kGenerator = {
-    "base",  "text",    "diag",  "address", "read",     "name", "description", "naming", "pairing", "infer", "model",
-    "score", "convert", "lower", "check",   "findings", "emit", "view",        "diff",   "map",     "app"};
-constexpr std::array<std::string_view, 13> kRuntime = {"tables",   "engine", "plant", "condition", "json",
-                                                       "share",    "exec",   "link",  "trace",     "why",
-                                                       "scenario", "panel",  "host"};
+constexpr std::array<std::string_view, 22> kGenerator = {
+    "base",  "text",    "diag",  "address", "read",     "name", "description", "naming", "pairing", "infer",   "model",
+    "score", "convert", "lower", "check",   "findings", "emit", "view",        "diff",   "map",     "compare", "app"};
+constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "plant", "condition", "json",
+                                                       "share",    "exec",    "link",  "trace",     "why",
+                                                       "scenario", "program", "panel", "host"};
+
+/// In the root of the runtime, as C programs include it; of the layer `program`.
+constexpr std::string_view kProgramInterface = "program.h";
 
 /// The runtime layers that a layer of the generator may use.
 struct RuntimeUse {
@@ -48,7 +51,8 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"view", " tables "},
     RuntimeUse{"diff", " tables "},
     RuntimeUse{"map", " tables link trace why "},
-    RuntimeUse{"app", " tables json link trace why scenario panel host "},
+    RuntimeUse{"compare", " tables trace "},
+    RuntimeUse{"app", " tables json link trace why scenario program panel host "},
 };
 
 /// The layers that may include the headers of a third party.
@@ -133,7 +137,8 @@ std::string fault_of(std::string_view what, bool in_generator, std::string_view 
   const bool of_runtime = first_part(header) == "symplant";
   if (what.front() == '<') return of_runtime ? "is the project's own: write it in quotes" : "";
 
-  const std::string_view used = first_part(of_runtime ? behind_first_part(header) : header);
+  std::string_view used = first_part(of_runtime ? behind_first_part(header) : header);
+  if (of_runtime && used == kProgramInterface) used.remove_suffix(2);
   const auto at = of_runtime ? index(kRuntime, used) : index(kGenerator, used);
   if (!at) return "is on no floor";
   if (!of_runtime && !in_generator) return "is the generator's: the runtime stands alone";

@@ -3,12 +3,25 @@
 # and its broken interlock is found, compiled and interpreted. Bodies act on all their sensors. The table of inputs in the
 # README is complete. The pictures of both are those of docs/pictures;
 # SYMPLANT_UPDATE_GOLDENS=1 regenerates them. usage: body_shop.sh FOLDER SYMPLANT PLANT PICTURES
+#        PROGRAM
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-folder=$1 tool=$2 binary=$3 pictures=$4
+folder=$1 tool=$2 binary=$3 pictures=$4 program=$5
 
 awk -f "$folder/list.awk" /dev/null | cmp - "$folder/body-shop.csv" || fail "list.awk writes another list"
 awk -f "$folder/plant.awk" "$folder/body-shop.csv" | cmp - "$folder/plant.json" || fail "plant.awk writes another description"
+awk -f "$folder/program/table.awk" "$folder/body-shop.csv" | cmp - "$folder/program/table.h" || fail "table.awk writes another table"
+# An hour with its program in lock step: all forty stations work, every requirement holds.
+for plant in "$binary" "$tool run $folder/plant.json"; do
+  # shellcheck disable=SC2086 # a command with its arguments
+  $plant --program "$program" --until 1h --trace "$work/hour.jsonl" >"$work/hour.log" || fail "the program's hour fails"
+  grep -q 'requirements: 290 held, 0 violated' "$work/hour.log" || fail "the program violates a requirement"
+  (($(grep -c 'SHUTTLE1_I_FRONT3","value":true' "$work/hour.jsonl") == 4 * 54)) || fail "not 54 strokes of each shuttle"
+  (($(grep -c 'ROBOT1_I_DONE3","value":true' "$work/hour.jsonl") > 1000)) || fail "robots do not work"
+  (($(grep -o 'BODY_[A-Z0-9]*_ROBOT1_I_DONE3","value":true' "$work/hour.jsonl" | sort -u | wc -l) == 36)) || fail "a station never works"
+  ! grep -q 'HORN_O_ON","value":true' "$work/hour.jsonl" || fail "a station reports a fault"
+done
+
 for plant in body-shop.csv plant.json; do
   "$tool" check --fail-on warning "$folder/$plant" >"$work/check.log" || fail "check finds more than notes in $plant"
   grep -q ': 3007 of 3007 I/O names follow' "$work/check.log" || fail "a name of $plant breaks the rule"

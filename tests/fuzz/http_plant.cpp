@@ -97,6 +97,7 @@ struct LivePlant {
             .exercises = exercises,
             .scenario = nullptr,
             .player = nullptr,
+            .programs = nullptr,
             .scenario_name = "",
             .folder = "",
             .seed = 0,

@@ -76,7 +76,7 @@ class PanelBench {
     const scenario::Scenario* const played = scenario_ ? &*scenario_ : nullptr;
     stage.emplace(program_, options_, names, played, false, streams_);
     stage->advance_to(0);
-    REQUIRE(stage->outputs.open(stage->plant.model_hash(), err_));
+    REQUIRE(stage->outputs.open(stage->plant.model_hash(), 0, err_));
     const int code = host::open_panel(
         {program_, options_, names, carried_, played, links_, plan.with_plc, false, plan.with_plc, "", console_},
         *stage, out_, err_, panel);
