@@ -1,0 +1,54 @@
+// What is read of a trace for a comparison.
+#include "compare_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+compare::ReadRecorded read(const std::string& text) {
+  std::istringstream file(text);
+  return compare::read_recorded(file, "t.jsonl");
+}
+
+TEST_CASE("Changes have their symbol, and operations of one time come first") {
+  const compare::Recorded trace = recorded(trace_text("10 X_I_A 1; 10 Y_O_B 1; 20 X_I_A 0"));
+  REQUIRE(trace.series.size() == 2);
+  CHECK(trace.series[0].name == "X_I_A");
+  CHECK(trace.series[0].changes.size() == 2);
+  CHECK(trace.order == std::vector<std::uint32_t>{1, 0, 0});
+  CHECK(trace.end == 20 * tables::kMillisecond);
+}
+
+TEST_CASE("What a program of the header writes is an operation, whatever its name") {
+  const compare::Recorded trace =
+      recorded(trace_text("10 X 1; 10 Y 1", R"(,"programs":[{"name":"cell","writes":["Y"]}])"));
+  CHECK(trace.order == std::vector<std::uint32_t>{1, 0});
+}
+
+TEST_CASE("Numbers are read as text, too") {
+  const compare::Recorded trace = recorded(trace_text("10 N \"18446744073709551615\"; 20 N \"-inf\"; 30 N -5"));
+  REQUIRE(trace.series[0].changes.size() == 3);
+  CHECK(trace.series[0].changes[0].value == 18446744073709551615.0);
+  CHECK(std::isinf(trace.series[0].changes[1].value));
+  CHECK(trace.series[0].changes[2].value == -5);
+}
+
+TEST_CASE("What was before the plant was set back does not count") {
+  const std::string text = trace_text("10 X 1") + "{\"t\":0,\"reset\":\"\",\"values\":{\"Y\":true}}\n{\"t\":5000000}\n";
+  const compare::ReadRecorded reset = read(text);
+  CHECK(reset.error == "");
+  CHECK(reset.warning == "t.jsonl:3: the plant was set back here: what follows is compared");
+  REQUIRE(reset.recorded.series.size() == 1);
+  CHECK(reset.recorded.series[0].name == "Y");
+}
+
+TEST_CASE("What cannot be read is reported with its line") {
+  CHECK(read(trace_text("10 X 1", ",\"part\":2,\"t\":0")).error ==
+        "t.jsonl:1: this is a later part of a trace: record it without `--trace-limit`, so that it has its beginning");
+  CHECK(read(trace_text("10 N \"high\"")).error == "t.jsonl:2: `N` cannot have the value \"high\"");
+  CHECK(read(trace_text("10 N 1; 20 N true")).error == "t.jsonl:3: `N` is a BOOL and a number");
+  CHECK(read(trace_text("10 X 1") + "{\"t\":1,").warning == "t.jsonl:3: the last line is cut off, and is left out");
+  CHECK(read(trace_text("10 X 1") + "{\"t\":1}\n").error == "t.jsonl:3: this time is before that of the line above");
+}
+
+}  // namespace
+}  // namespace symplant::test
