@@ -36,7 +36,8 @@ class Reader {
 
   ReadRecorded run() {
     std::string wrong;
-    while (const Json* const json = wrong.empty() ? lines_.next() : nullptr) wrong = take(*json);
+    Json json;
+    while (wrong.empty() && lines_.next(json)) wrong = take(json);
     if (wrong.empty()) wrong = lines_.error();
     if (!wrong.empty()) read_.error = at_line(wrong);
     put_operations_first();

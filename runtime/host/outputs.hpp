@@ -24,7 +24,7 @@ namespace symplant::host {
 /// Whether a file gets every change of the plant.
 bool records_changes(const RunOptions& options);
 
-/// An act for a trace: as JSON, and who did it.
+/// An act for a trace: as JSON, and what did it: `hand` or `scenario`.
 struct ActText {
   std::string json;
   std::string_view by;

@@ -99,10 +99,18 @@ std::variant<ProgramChoices, std::string> programs_of(const PlantProgram& progra
     if (options.scan_delay) choice.options.delay = options.scan_delay;
   }
   // So that the order of the command line does not show.
-  std::sort(choices.begin(), choices.end(), [](const ProgramChoice& a, const ProgramChoice& b) {
-    return a.options.controller < b.options.controller;
-  });
+  std::sort(choices.begin(), choices.end(),
+            [](const ProgramChoice& a, const ProgramChoice& b) { return a.options.controller < b.options.controller; });
   return choices;
+}
+
+std::vector<bool> controllers_of(const ProgramChoices& programs) {
+  std::vector<bool> controllers;
+  for (const ProgramChoice& choice : programs) {
+    controllers.resize(std::max<std::size_t>(controllers.size(), choice.options.controller + 1));
+    controllers[choice.options.controller] = true;
+  }
+  return controllers;
 }
 
 std::string link_beside_program(const ProgramChoices& programs, const LinkChoices& links,

@@ -29,6 +29,9 @@ using ProgramChoices = std::vector<ProgramChoice>;
 /// command line carries. A text is the error.
 std::variant<ProgramChoices, std::string> programs_of(const PlantProgram& program, const RunOptions& options);
 
+/// By controller: whether it has a program.
+std::vector<bool> controllers_of(const ProgramChoices& programs);
+
 /// An error if a controller has a program and a link; empty otherwise.
 std::string link_beside_program(const ProgramChoices& programs, const LinkChoices& links,
                                 const tables::PlantTables& tables);

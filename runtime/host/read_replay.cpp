@@ -61,9 +61,10 @@ class ReplayReader {
   std::optional<Replay> run(std::istream& file) {
     trace::TraceLines lines(file);
     std::string wrong;
-    while (const Json* const json = wrong.empty() && errors_ < kMostFaults ? lines.next() : nullptr) {
+    Json json;
+    while (wrong.empty() && errors_ < kMostFaults && lines.next(json)) {
       number_ = lines.number();
-      wrong = lines.is_header() ? header(*json) : body(*json, lines);
+      wrong = lines.is_header() ? header(json) : body(json, lines);
     }
     if (wrong.empty()) wrong = lines.error();
     if (!wrong.empty()) fail(lines.number(), wrong);

@@ -1,8 +1,6 @@
 // Runs a plant from start to end.
 #include "symplant/host/run.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <filesystem>
 #include <ostream>
@@ -115,40 +113,6 @@ bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostr
   return true;
 }
 
-/// False, with a message on `err`, if an option contradicts `--replay`.
-bool replay_fits(const RunOptions& options, std::ostream& err) {
-  using enum RunOptions::Clock;
-  const std::pair<const char*, bool> contrary[] = {
-      {"--scenario", !options.scenario.empty()},    {"--link", !options.links.empty()},
-      {"--program", !options.programs.empty()},     {"--panel", options.panel.has_value()},
-      {"--exercise", !options.exercises.empty()},   {"--resume", !options.resume.empty()},
-      {"--rt-check", options.rt_check.has_value()}, {"--clock", options.clock == real_time || options.clock == plc}};
-  for (const auto& [name, given] : contrary) {
-    if (options.replay.empty() || !given) continue;
-    err << "error: `--replay` repeats what a trace has, in virtual time: remove `" << name << "`\n";
-    return false;
-  }
-  return true;
-}
-
-/// The options of a run that repeats a trace: in virtual time, with the seed of the trace unless another one is given.
-RunOptions options_of_replay(RunOptions options, const Replay& replay) {
-  options.clock = RunOptions::Clock::virtual_time;
-  if (!options.seed_given) options.seed = replay.seed;
-  return options;
-}
-
-/// Warns if a replay need not be the recorded run.
-void report_other_run(const Stage& stage, const RunOptions& options, const Replay& replay, std::ostream& err) {
-  if (fmt::format("{:016x}", stage.plant.model_hash()) != replay.model_hash) {
-    err << "warning: `" << options.replay << "` is of another model: the replay goes as far as this one fits\n";
-  }
-  if (options.seed != replay.seed) {
-    err << "warning: `" << options.replay << "` was recorded with `--seed " << replay.seed
-        << "`: with another one random times differ\n";
-  }
-}
-
 /// The state from which a run starts.
 struct Resumed {
   std::string name;
@@ -179,16 +143,6 @@ bool read_resumed(const Stage& stage, const RunOptions& options, const scenario:
 std::string save_end(const Stage& stage, const RunOptions& options) {
   if (options.save.empty()) return "";
   return trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));
-}
-
-/// By controller: whether it has a program.
-std::vector<bool> controllers_of(const ProgramChoices& programs) {
-  std::vector<bool> controllers;
-  for (const ProgramChoice& choice : programs) {
-    controllers.resize(std::max<std::size_t>(controllers.size(), choice.options.controller + 1));
-    controllers[choice.options.controller] = true;
-  }
-  return controllers;
 }
 
 /// Lets programs run with the plant of a stage.

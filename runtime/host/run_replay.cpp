@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "symplant/host/signals.hpp"
 #include "symplant/scenario/act.hpp"
@@ -124,6 +125,37 @@ void run_replay(Stage& stage, const Replay& replay, const RunOptions& options, s
     return;
   }
   out << fmt::format("ended at {} by a signal\n", trace::seconds(stage.plant.now()));
+}
+
+bool replay_fits(const RunOptions& options, std::ostream& err) {
+  using enum RunOptions::Clock;
+  const std::pair<const char*, bool> contrary[] = {
+      {"--scenario", !options.scenario.empty()},    {"--link", !options.links.empty()},
+      {"--program", !options.programs.empty()},     {"--panel", options.panel.has_value()},
+      {"--exercise", !options.exercises.empty()},   {"--resume", !options.resume.empty()},
+      {"--rt-check", options.rt_check.has_value()}, {"--clock", options.clock == real_time || options.clock == plc}};
+  for (const auto& [name, given] : contrary) {
+    if (options.replay.empty() || !given) continue;
+    err << "error: `--replay` repeats what a trace has, in virtual time: remove `" << name << "`\n";
+    return false;
+  }
+  return true;
+}
+
+RunOptions options_of_replay(RunOptions options, const Replay& replay) {
+  options.clock = RunOptions::Clock::virtual_time;
+  if (!options.seed_given) options.seed = replay.seed;
+  return options;
+}
+
+void report_other_run(const Stage& stage, const RunOptions& options, const Replay& replay, std::ostream& err) {
+  if (fmt::format("{:016x}", stage.plant.model_hash()) != replay.model_hash) {
+    err << "warning: `" << options.replay << "` is of another model: the replay goes as far as this one fits\n";
+  }
+  if (options.seed != replay.seed) {
+    err << "warning: `" << options.replay << "` was recorded with `--seed " << replay.seed
+        << "`: with another one random times differ\n";
+  }
 }
 
 }  // namespace symplant::host

@@ -18,7 +18,7 @@ std::optional<std::uint32_t> number_at(std::string_view& text) {
   return number;
 }
 
-/// Bits by the letter of the size; 0: it is none.
+/// Bits by the letter of the size; 0: it is not one.
 std::uint8_t size_of(char letter) {
   switch (tables::upper(letter)) {
     case 'X':

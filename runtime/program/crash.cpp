@@ -19,7 +19,7 @@ constexpr std::array<Signal, 5> kSignals{
     {{SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"}, {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"}, {SIGABRT, "SIGABRT"}}};
 constexpr int kEnvironment = 3;
 
-/// The call that runs. A signal handler has no other way to what it reports.
+/// The call that runs. A signal handler has nothing else of what it reports.
 struct Call {
   const char* volatile name = nullptr;  ///< null: none
   volatile std::int64_t scan = 0;

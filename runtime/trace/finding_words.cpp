@@ -58,7 +58,7 @@ std::string led(std::uint32_t unit, const PlantNames& names, const History& hist
                         names.tables().symbols[symbol].inverted() ? "inverted, " : "", names.task(symbol),
                         names.unit(unit), level_words(symbol, true, names));
     text += history.commands(symbol)
-                ? "since " + seconds(history.rose(symbol)) + names.written_words(symbol, history.rose(symbol))
+                ? "since " + seconds(history.rose(symbol)) + written_words(symbol, history.rose(symbol), names)
                 : fmt::format("at {}, {} since {}", seconds(history.rose(symbol)), level_words(symbol, false, names),
                               seconds(history.since(symbol)));
   }

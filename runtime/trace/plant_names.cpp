@@ -4,7 +4,6 @@
 #include "symplant/tables/lists.hpp"
 #include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/tables/names.hpp"
-#include "symplant/trace/words.hpp"
 
 namespace symplant::trace {
 
@@ -28,16 +27,6 @@ PlantNames::PlantNames(const tables::PlantTables& tables)
     states += type.states;
   }
   states_.resize(states);
-}
-
-std::string PlantNames::written_words(std::uint32_t symbol, tables::Time time) const {
-  for (const Program& program : programs_) {
-    const tables::Time scanned = time - program.delay;
-    if (!program.written[symbol] || scanned < 0 || scanned % program.period != 0) continue;
-    return ", written by program `" + program.name + "` in scan " + std::to_string(scanned / program.period) + " (" +
-           seconds(scanned) + ")";
-  }
-  return {};
 }
 
 void PlantNames::group() const {

@@ -64,9 +64,6 @@ class PlantNames {
   };
   std::span<const Program> programs() const { return programs_; }
   void name_programs(std::vector<Program> programs) { programs_ = std::move(programs); }
-  /// ", written by program `cell` in scan 812 (8.12 s)" of an operation that changed at `time`; empty if no program
-  /// wrote it then. O(programs).
-  std::string written_words(std::uint32_t symbol, tables::Time time) const;
   /// The task of a symbol: the state that a unit's operation leads to, else the end of the symbol's name.
   std::string_view task(std::uint32_t symbol) const;
   /// The name of the list that declares a symbol. O(log lists).

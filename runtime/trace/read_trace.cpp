@@ -38,7 +38,8 @@ class TraceReader {
   ReadTrace run(std::istream& file) {
     TraceLines lines(file);
     std::string wrong;
-    while (const Json* const json = wrong.empty() ? lines.next() : nullptr) wrong = take(*json, lines);
+    Json json;
+    while (wrong.empty() && lines.next(json)) wrong = take(json, lines);
     if (wrong.empty()) wrong = lines.error();
     if (!wrong.empty()) read_.error = fmt::format("line {}: {}", lines.number(), wrong);
     read_.cut_off = lines.cut_off();

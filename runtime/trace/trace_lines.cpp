@@ -2,46 +2,47 @@
 #include "symplant/trace/trace_lines.hpp"
 
 #include <istream>
+#include <nlohmann/json.hpp>
 
 namespace symplant::trace {
 
-const nlohmann::json* TraceLines::next() {
+bool TraceLines::next(nlohmann::json& line) {
   while (error_.empty() && std::getline(file_, text_)) {
     ++number_;
     if (!text_.empty() && text_.back() == '\r') text_.pop_back();
     if (text_.empty()) continue;
-    json_ = nlohmann::json::parse(text_, nullptr, false);
-    if (!json_.is_object() && file_.eof() && begun_) {
+    line = nlohmann::json::parse(text_, nullptr, false);
+    if (!line.is_object() && file_.eof() && begun_) {
       cut_off_ = true;
-      return nullptr;
+      return false;
     }
-    error_ = check();
-    return error_.empty() ? &json_ : nullptr;
+    error_ = check(line);
+    return error_.empty();
   }
   if (number_ == 0 && error_.empty()) {
     number_ = 1;
     error_ = "the file is empty";
   }
-  return nullptr;
+  return false;
 }
 
-std::string TraceLines::check() {
-  if (!json_.is_object()) return "this is not a line of a trace";
-  is_header_ = json_.contains("symplant-trace");
-  if (is_header_ && json_["symplant-trace"] != 1) return "this symplant reads version 1 of traces";
+std::string TraceLines::check(const nlohmann::json& line) {
+  if (!line.is_object()) return "this is not a line of a trace";
+  is_header_ = line.contains("symplant-trace");
+  if (is_header_ && line["symplant-trace"] != 1) return "this symplant reads version 1 of traces";
   if (!is_header_ && !begun_) return "a trace begins with a line with `symplant-trace`";
-  const auto time = json_.find("t");
-  if (time == json_.end() && is_header_) {
+  const auto time = line.find("t");
+  if (time == line.end() && is_header_) {
     if (begun_) return "another trace begins here: read one at a time";
     begun_ = true;
     return "";
   }
-  if (time == json_.end() || !time->is_number_unsigned() ||
+  if (time == line.end() || !time->is_number_unsigned() ||
       time->get<std::uint64_t>() >= static_cast<std::uint64_t>(tables::kNever)) {
     return "the key `t` is not a time in ns";
   }
   const auto at = static_cast<tables::Time>(time->get<std::uint64_t>());
-  is_set_back_ = json_.contains("reset") || json_.contains("restored");
+  is_set_back_ = line.contains("reset") || line.contains("restored");
   if (at < time_ && begun_ && !is_set_back_) return "this time is before that of the line above";
   begun_ = true;
   time_ = at;

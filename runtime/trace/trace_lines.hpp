@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <iosfwd>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "symplant/tables/time.hpp"
@@ -18,8 +18,8 @@ class TraceLines {
   /// The file must outlive this object.
   explicit TraceLines(std::istream& file) : file_(file) {}
 
-  /// The next line; null at the end and after an error. Valid until the next call. O(line).
-  const nlohmann::json* next();
+  /// Reads the next line; false at the end and after an error. O(line).
+  bool next(nlohmann::json& line);
 
   /// Of the last line, from 1.
   std::size_t number() const { return number_; }
@@ -38,10 +38,9 @@ class TraceLines {
   bool cut_off() const { return cut_off_; }
 
  private:
-  std::string check();
+  std::string check(const nlohmann::json& line);
 
   std::istream& file_;
-  nlohmann::json json_;
   std::string text_;
   std::string error_;
   std::size_t number_ = 0;

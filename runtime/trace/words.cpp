@@ -23,4 +23,14 @@ std::string seconds(tables::Time time) {
   return text + " s";
 }
 
+std::string written_words(std::uint32_t symbol, tables::Time time, const PlantNames& names) {
+  for (const PlantNames::Program& program : names.programs()) {
+    const tables::Time scanned = time - program.delay;
+    if (!program.written[symbol] || scanned < 0 || scanned % program.period != 0) continue;
+    return ", written by program `" + program.name + "` in scan " + std::to_string(scanned / program.period) + " (" +
+           seconds(scanned) + ")";
+  }
+  return {};
+}
+
 }  // namespace symplant::trace

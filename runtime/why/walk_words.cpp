@@ -46,12 +46,12 @@ std::string Walk::operation_words(std::uint32_t operation, std::string_view to) 
   const tables::Time rose = view_.rose(operation);
   if (commands(operation)) {
     text += fmt::format(" has been {} {}", level_words(operation, true), since_words(std::max<tables::Time>(rose, 0))) +
-            names_.written_words(operation, rose);
+            trace::written_words(operation, rose, names_);
   } else {
     text += rose < 0
                 ? fmt::format(" has never been {}", level_words(operation, true))
                 : fmt::format(" has been {} {}", level_words(operation, false), since_words(view_.since(operation))) +
-                      names_.written_words(operation, view_.since(operation));
+                      trace::written_words(operation, view_.since(operation), names_);
     const std::string why = view_.unwritten(operation);
     if (!why.empty()) text += " (" + why + ")";
   }

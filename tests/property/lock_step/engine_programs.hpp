@@ -1,4 +1,4 @@
-// Random programs with the interface symplant/program.h: compiled once, and told by their slot what to do.
+// Random programs with the interface symplant/program.h: compiled once; their slot decides what they do.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,7 @@
 // What all lines of a trace have in common.
 #include "symplant/trace/trace_lines.hpp"
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "support/catch.hpp"
@@ -19,7 +20,8 @@ Read read(const std::string& text) {
   std::istringstream file(text);
   TraceLines lines(file);
   Read read{};
-  while (lines.next() != nullptr) read.times.push_back(lines.time());
+  nlohmann::json line;
+  while (lines.next(line)) read.times.push_back(lines.time());
   read.number = lines.number();
   read.error = lines.error();
   read.cut_off = lines.cut_off();
