@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -112,7 +113,7 @@ class ReplayReader {
       }
       instant_ = instant->get<std::uint64_t>();
     }
-    if (json.contains("symbol")) return change(json);
+    if (json.contains("symbol")) return change(json, lines.text());
     if (json.contains("act")) return act(json, lines.text());
     return json.contains("quality") ? quality(json["quality"]) : "";
   }
@@ -121,7 +122,7 @@ class ReplayReader {
     replay_.deeds.push_back({replay_.end, instant_, value, of, kind});
   }
 
-  std::string change(const Json& json) {
+  std::string change(const Json& json, const std::string& line) {
     if (!json["symbol"].is_string() || !json.contains("value")) return "a change has `symbol` and `value`";
     const auto& name = json["symbol"].get_ref<const std::string&>();
     const auto found = symbols_.find(name);
@@ -133,7 +134,10 @@ class ReplayReader {
     if (row.direction() != tables::Direction::operation) return "";
     const auto value = scenario::read_value(row.type(), json["value"]);
     if (const auto* wrong = std::get_if<std::string>(&value)) return fmt::format("`{}`: {}", name, *wrong);
-    add(found->second, std::get<std::uint64_t>(value), Replay::Deed::Kind::operation);
+    // JSON reads `-0` as a whole number, without the sign.
+    const bool negative_zero = trace::is_real(row.type()) && line.ends_with("\"value\":-0}");
+    add(found->second, negative_zero ? std::bit_cast<std::uint64_t>(-0.0) : std::get<std::uint64_t>(value),
+        Replay::Deed::Kind::operation);
     return "";
   }
 

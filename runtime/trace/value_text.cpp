@@ -66,8 +66,7 @@ std::string json_value(DataType type, std::uint64_t value) {
   if (type == DataType::boolean) return value != 0 ? "true" : "false";
   if (is_real(type)) {
     const double number = std::bit_cast<double>(value);
-    if (std::isnan(number)) return "\"nan\"";                // also with a sign
-    if (number == 0 && std::signbit(number)) return "-0.0";  // `-0` would be read as a whole number, without the sign
+    if (std::isnan(number)) return "\"nan\"";  // also with a sign
     const std::string text = real_text(type, number);
     return std::isfinite(number) ? text : '"' + text + '"';
   }

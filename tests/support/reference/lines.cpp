@@ -20,7 +20,6 @@ std::string shortest(Number number) {
 std::string real_text(tables::DataType type, double number) {
   if (std::isnan(number)) return "\"nan\"";
   if (std::isinf(number)) return number > 0 ? "\"inf\"" : "\"-inf\"";
-  if (number == 0 && std::signbit(number)) return "-0.0";
   return type == tables::DataType::real ? shortest(static_cast<float>(number)) : shortest(number);
 }
 

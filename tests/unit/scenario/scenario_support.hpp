@@ -110,6 +110,7 @@ class Play {
       hands_.push_back(record.value);
       return;
     }
+    if (record.kind == trace::Record::Kind::note && record.of >= scenario::kLeastNote) return;
     if (record.kind == trace::Record::Kind::note) {
       const std::vector<std::uint64_t> hands = std::exchange(hands_, {});
       const scenario::Failure failure{record.of, turn_, static_cast<tables::Time>(record.value), hands};
