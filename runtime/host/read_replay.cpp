@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -44,6 +43,17 @@ std::string act_text(const std::string& line, const Json& act) {
   return act.dump();
 }
 
+constexpr std::string_view kZero = "\":-0";
+
+/// JSON reads the value `-0` as a whole number, without the sign: it becomes `-0.0`.
+std::string with_signed_zeros(std::string json) {
+  for (std::size_t at = 0; (at = json.find(kZero, at)) != json.npos; at += kZero.size()) {
+    const std::size_t end = at + kZero.size();
+    if (end < json.size() && (json[end] == ',' || json[end] == '}')) json.insert(end, ".0");
+  }
+  return json;
+}
+
 /// The act without the restart of programs: a replay has none, and what they write is in the trace.
 std::string without_restart(const std::string& act) {
   if (act.find("\"restart\"") == act.npos) return act;
@@ -65,6 +75,7 @@ class ReplayReader {
     Json json;
     while (wrong.empty() && errors_ < kMostFaults && lines.next(json)) {
       number_ = lines.number();
+      if (lines.text().find(kZero) != std::string::npos) json = Json::parse(with_signed_zeros(lines.text()));
       wrong = lines.is_header() ? header(json) : body(json, lines);
     }
     if (wrong.empty()) wrong = lines.error();
@@ -113,7 +124,7 @@ class ReplayReader {
       }
       instant_ = instant->get<std::uint64_t>();
     }
-    if (json.contains("symbol")) return change(json, lines.text());
+    if (json.contains("symbol")) return change(json);
     if (json.contains("act")) return act(json, lines.text());
     return json.contains("quality") ? quality(json["quality"]) : "";
   }
@@ -122,7 +133,7 @@ class ReplayReader {
     replay_.deeds.push_back({replay_.end, instant_, value, of, kind});
   }
 
-  std::string change(const Json& json, const std::string& line) {
+  std::string change(const Json& json) {
     if (!json["symbol"].is_string() || !json.contains("value")) return "a change has `symbol` and `value`";
     const auto& name = json["symbol"].get_ref<const std::string&>();
     const auto found = symbols_.find(name);
@@ -134,10 +145,7 @@ class ReplayReader {
     if (row.direction() != tables::Direction::operation) return "";
     const auto value = scenario::read_value(row.type(), json["value"]);
     if (const auto* wrong = std::get_if<std::string>(&value)) return fmt::format("`{}`: {}", name, *wrong);
-    // JSON reads `-0` as a whole number, without the sign.
-    const bool negative_zero = trace::is_real(row.type()) && line.ends_with("\"value\":-0}");
-    add(found->second, negative_zero ? std::bit_cast<std::uint64_t>(-0.0) : std::get<std::uint64_t>(value),
-        Replay::Deed::Kind::operation);
+    add(found->second, std::get<std::uint64_t>(value), Replay::Deed::Kind::operation);
     return "";
   }
 
@@ -184,7 +192,7 @@ class ReplayReader {
     if (replay_.texts.empty()) return;
     std::string text = "{\"symplant-scenario\":1,\"steps\":[";
     for (const std::string& act : replay_.texts) {
-      const std::string done = without_restart(act);
+      const std::string done = with_signed_zeros(without_restart(act));
       const std::size_t open = done.find('{');
       const bool none = done.find('"') == done.npos;
       text +=
