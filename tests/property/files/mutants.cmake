@@ -113,8 +113,8 @@ symplant_planted_bug(model pattern_of_a_malfunction_names_one_device
 
 # Of replays.
 symplant_planted_bug(host replayed_acts_come_an_instant_late
-  "      if (deed.kind != Deed::Kind::operation) act(deed, notes);"
-  "      if (deed.kind != Deed::Kind::operation) { if (BUG) plant_.advance_to(time, observer); act(deed, notes); }")
+  "      if (replay_.deeds[i].kind != Deed::Kind::operation) act(replay_.deeds[i]);"
+  "      if (replay_.deeds[i].kind != Deed::Kind::operation) { if (BUG) run(first.time); act(replay_.deeds[i]); }")
 
 symplant_planted_bug(host instants_of_one_time_are_one_in_a_replay
   "      instant_ = instant->get<std::uint64_t>();"
