@@ -12,6 +12,7 @@ mkdir "$work/bin"
 ln -s "$symplant" "$work/bin/symplant"
 cp -r "$source_dir/examples" "$work/examples"
 PATH="$work/bin:$PATH"
+export CPATH=${symplant%/*}/runtime/include # of symplant/program.h, as if it were installed
 
 awk '
   /<!-- run by .ci\/run -->/ { skip = 1; next }
