@@ -21,7 +21,11 @@ foreach(floor tables engine plant condition json share exec link trace why scena
     PATTERN "*.hpp")
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
+install(
+  DIRECTORY ${PROJECT_SOURCE_DIR}/templates
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant
+  PATTERN program EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/program DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
 install(FILES ${PROJECT_SOURCE_DIR}/generator/description/plant.schema.json
               ${PROJECT_SOURCE_DIR}/generator/naming/naming.schema.json
               ${PROJECT_SOURCE_DIR}/generator/view/model.schema.json

@@ -26,7 +26,7 @@ bool is_well(const std::optional<File>& file, const char* severity, std::ostream
 }  // namespace
 
 ActText act_of(const scenario::Scenario& scenario, std::uint64_t step, const trace::PlantNames& names) {
-  return {"{" + scenario::actions_json(scenario.steps[step], names) + "}", "scenario"};
+  return {scenario::act_json(scenario.steps[step], names), "scenario"};
 }
 
 bool records_changes(const RunOptions& options) { return !options.trace.empty() || !options.vcd.empty(); }

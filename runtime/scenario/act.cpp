@@ -1,6 +1,8 @@
 // What a step does to a plant between two instants.
 #include "symplant/scenario/act.hpp"
 
+#include <algorithm>
+
 namespace symplant::scenario {
 namespace {
 
@@ -21,9 +23,14 @@ void note_force(std::uint32_t symbol, bool forced, const plant::Plant& plant, tr
 
 }  // namespace
 
-bool acts(const Step& step) noexcept {
-  return !(step.set.empty() && step.states.empty() && step.put.empty() && step.take.empty() && step.force.empty() &&
-           step.release.empty() && step.stop.empty() && step.start.empty() && step.restart.empty());
+bool needs_act(const Step& step, const tables::PlantTables& tables) noexcept {
+  if (!(step.states.empty() && step.put.empty() && step.take.empty() && step.force.empty() && step.release.empty() &&
+        step.stop.empty() && step.start.empty() && step.restart.empty())) {
+    return true;
+  }
+  return std::any_of(step.set.begin(), step.set.end(), [&](const SymbolValue& value) {
+    return tables.symbols[value.symbol].direction() == tables::Direction::event;
+  });
 }
 
 std::size_t changes_by_hand(const Step& step) noexcept {

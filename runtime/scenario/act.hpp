@@ -11,8 +11,9 @@ namespace symplant::scenario {
 /// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
 inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 
-/// Whether a step does anything to the plant.
-bool acts(const Step& step) noexcept;
+/// Whether a trace needs an act for the step: it does more than to set operations, which a trace has as changes of
+/// symbols. O(actions).
+bool needs_act(const Step& step, const tables::PlantTables& tables) noexcept;
 
 /// The changes of parts and malfunctions that a step makes at most: the engine reports engine::kMostByHand of an
 /// instant. O(1).

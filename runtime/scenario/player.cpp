@@ -77,7 +77,7 @@ bool Player::act_by_hand(const Step& step) noexcept {
 bool Player::act(const Step& step) noexcept {
   make_room(step);
   turn_ = recorder_.turn();
-  if (acts(step)) {
+  if (needs_act(step, plant_.tables())) {
     recorder_.begin_act(plant_.now());
     recorder_.act(plant_.now(), trace::kActNote, position_.at);
   }

@@ -68,4 +68,13 @@ std::string actions_json(const Step& step, const trace::PlantNames& names) {
   return json;
 }
 
+std::string act_json(const Step& step, const trace::PlantNames& names) {
+  Step act = step;
+  std::erase_if(act.set, [&](const SymbolValue& value) {
+    return names.tables().symbols[value.symbol].direction() == tables::Direction::operation;
+  });
+  const std::string members = actions_json(act, names);
+  return members.empty() ? "" : "{" + members + "}";
+}
+
 }  // namespace symplant::scenario

@@ -205,7 +205,7 @@ void Recorder::instant(const engine::Instant& instant) noexcept {
   record_parts(instant.time, instant.parts);
   if (detail_ == Detail::motions) record_tracks(instant);
   record_malfunctions(instant);
-  if (numbered && at_ == first) --at_;  // nothing to number
+  if (numbered && at_ == first) at_ = before;  // nothing to number
   if (publish()) ++instants_;
 }
 

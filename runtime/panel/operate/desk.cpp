@@ -102,7 +102,6 @@ void Desk::step_failed(std::size_t step, tables::Time time) {
 }
 
 void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {
-  if (is_step && by == "hand" && !members.empty()) new_acts_.push_back("{" + members + "}");
   session_.add(
       {time, turn, last_change_ == time, std::string(by), "{" + members + "}", is_step ? members : std::string()});
 }

@@ -58,8 +58,10 @@ std::optional<SetBack> Desk::carried_out(Pending& pending, const trace::Record& 
 /// Steps acted on the plant; what was refused is not logged.
 void Desk::acted(const Pending& pending, const trace::Record& note) {
   for (std::size_t i = 0; i < pending.steps.size(); ++i) {
-    const std::string actions = scenario::actions_json(refusals_.done_of(pending.steps[i], i), setup_.names);
+    const scenario::Step step = refusals_.done_of(pending.steps[i], i);
+    const std::string actions = scenario::actions_json(step, setup_.names);
     if (!actions.empty()) log(note.time, note.value >> scenario::kTurnBits, "hand", actions, true);
+    if (std::string act = scenario::act_json(step, setup_.names); !act.empty()) new_acts_.push_back(std::move(act));
   }
   if (!refusals_.empty()) pending.group->error = std::string(refusals_.words()) + "; the other acts were done";
 }

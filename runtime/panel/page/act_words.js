@@ -14,6 +14,7 @@ const pairs = (of, text) => listed(Object.entries(of), text);
 const values = (of, symbolNamed) => pairs(of, ([name, to]) => name + " " + value(to, symbolNamed(name) ?? kPlain));
 
 const kWords = {
+  restart: (of) => "restarted the program" + (of === true ? "" : " of " + of),
   set: (of, symbolNamed) => "set " + values(of, symbolNamed),
   state: (of) => "put " + pairs(of, ([name, to]) => name + " into " + to),
   put: (of) => "put " + listed(of, ({at, kind}) => kind + " at " + at),

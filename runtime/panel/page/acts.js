@@ -83,7 +83,8 @@ const valueForm = (app, result, symbol, buttons) => {
   })));
 };
 
-const isSettable = (symbol) => symbol.direction === "event" ? symbol.driver === "none" : symbol.link === null;
+const isSettable = (symbol) => symbol.direction === "event" ? symbol.driver === "none"
+  : symbol.link === null && symbol.program === undefined;
 
 /// Set, force and release of a symbol; nothing if the page may not act.
 export const symbolControls = (app, index, result) => {

@@ -1,4 +1,5 @@
-// The links view: links to PLCs, and how well the cycle keeps its time.
+// The links view: links to PLCs, programs in lock step, and how well the cycle keeps its time.
+import {actButton, resultOutput} from "./acts.js";
 import {make, table} from "./dom.js";
 import {duration} from "./words.js";
 
@@ -24,8 +25,20 @@ export class LinksView {
     Object.assign(this, {app, title: "Links", pending: false, last: 0});
     this.links = make("div", {});
     this.cycle = make("div", {});
-    this.element = make("div", {class: "view columns"}, make("section", {"aria-label": "Links"}, make("h2", {}, "Links"), this.links),
-      make("section", {"aria-label": "Cycle"}, make("h2", {}, "Cycle"), this.cycle));
+    this.element = make("div", {class: "view columns"}, make("section", {"aria-label": "Links"}, make("h2", {}, "Links"), this.links,
+      this.programs()), make("section", {"aria-label": "Cycle"}, make("h2", {}, "Cycle"), this.cycle));
+  }
+
+  /// The programs in lock step, each with a button for its cold start.
+  programs() {
+    const {plant} = this.app;
+    if (plant.programs.length === 0) return null;
+    const result = resultOutput();
+    const restart = ({name, controller}) =>
+      actButton(this.app, result, "Restart", () => ({restart: controller || true}), {class: "small", "aria-label": "Restart " + name});
+    return make("div", {}, make("h3", {}, "PLC programs in lock step"), table("PLC programs", ["Program", "Controller", "Scan every", ""],
+      plant.programs.map((program) => [make("span", {class: "name"}, program.name), program.controller || "-", duration(program.period),
+        this.app.canAct ? restart(program) : ""])), result);
   }
 
   show() {

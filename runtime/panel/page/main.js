@@ -39,7 +39,7 @@ const denied = (text) => notice.show("token", text, false, {label: "Enter the to
 
 /// What a description need not have.
 const kDefaults = {stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [], malfunctions: [], ordinary: {},
-  exercises: [], links: [], begin: 0, end: 0};
+  exercises: [], links: [], programs: [], begin: 0, end: 0};
 
 /// The description, as soon as the plant answers.
 const loadPlant = async (api) => {

@@ -176,6 +176,29 @@ void put_drives(std::string& json, const std::vector<std::string>& things) {
   json += ']';
 }
 
+/// The program that writes an operation.
+void put_program(std::string& json, std::uint32_t symbol, const trace::PlantNames& names) {
+  const auto programs = names.programs();
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    if (programs[i].written[symbol]) put(json, ",\"program\":{}", i);
+  }
+}
+
+void put_programs(std::string& json, const trace::PlantNames& names) {
+  const auto controllers = tables::split_names(names.tables().controller_names);
+  put_key(json, "programs");
+  json += '[';
+  for (const trace::PlantNames::Program& program : names.programs()) {
+    put_comma(json);
+    json += '{';
+    put_member(json, "name", program.name);
+    put_member(json, "controller",
+               program.controller < controllers.size() ? std::string(controllers[program.controller]) : std::string());
+    put(json, ",\"period\":{}}}", program.period);
+  }
+  json += ']';
+}
+
 void put_symbols(std::string& json, const trace::PlantNames& names, const std::vector<LinkName>& links) {
   const tables::PlantTables& tables = names.tables();
   const why::SymbolUse use(tables);
@@ -198,6 +221,7 @@ void put_symbols(std::string& json, const trace::PlantNames& names, const std::v
       put_text(json, drivers[symbol]);
     }
     put(json, ",\"link\":{}", index_or_null(link_of(tables, symbol, links), kNone));
+    put_program(json, symbol, names);
     put_member(json, "list", names.cite(symbol));
     put(json, ",\"inverted\":{}}}", row.inverted());
   }
@@ -341,6 +365,7 @@ void put_plant(std::string& json, const trace::PlantNames& names, const View& vi
     json += '}';
   }
   json += ']';
+  put_programs(json, names);
 }
 
 }  // namespace symplant::panel

@@ -3,7 +3,7 @@ import {readFileSync} from "node:fs";
 
 const emptyPlant = (name) => ({"symplant-panel": 1, version: "mock", run: "", plant: name, model_hash: "0123456789abcdef", mode: "live", acts: true,
   with_plc: false, end: 0, files: true, stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [],
-  malfunctions: [], ordinary: {device: ["stuck", "slow"], event: ["stuck on", "stuck off"]}, exercises: [], links: []});
+  malfunctions: [], ordinary: {device: ["stuck", "slow"], event: ["stuck on", "stuck off"]}, exercises: [], programs: [], links: []});
 
 const stationOf = (plant, line, process) => {
   const name = line + " " + process;

@@ -18,7 +18,7 @@ export const smallPlant = () => ({
     {name: "FIXTURE", kind: "place", holds: 2, sensors: []},
   ],
   transfers: [], part_kinds: [{name: "raw", length: 200000}], requirements: [{name: "never both", kind: "never"}], malfunctions: [],
-  ordinary: {device: ["stuck"], event: ["stuck on"]}, exercises: [], links: [{name: "modbus-tcp-server://127.0.0.1:1502", controller: "PLC1"}],
+  ordinary: {device: ["stuck"], event: ["stuck on"]}, exercises: [], programs: [], links: [{name: "modbus-tcp-server://127.0.0.1:1502", controller: "PLC1"}],
 });
 
 export const smallPicture = () => ({

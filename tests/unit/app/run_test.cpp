@@ -143,7 +143,7 @@ TEST_CASE("run --trace: A header comes first, then a line for each change") {
   const std::string text = read_bytes(folder / "trace.jsonl");
   CHECK(contains(text, "{\"symplant-trace\":1,\"plant\":\"excell\",\"model_hash\":\""));
   CHECK(contains(text,
-                 "\"seed\":7}\n{\"t\":0,\"symbol\":\"EXLINE_MB_AGV_I_P1\",\"value\":true}\n"
+                 "\"seed\":7,\"clock\":\"virtual\"}\n{\"t\":0,\"symbol\":\"EXLINE_MB_AGV_I_P1\",\"value\":true}\n"
                  "{\"t\":0,\"symbol\":\"EXLINE_MB_MC_I_IDLE1\",\"value\":true}\n"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 3);
 }

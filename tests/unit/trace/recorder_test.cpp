@@ -86,6 +86,22 @@ TEST_CASE("An empty ring starts again at its first slot and has room for as many
   CHECK(recorder.lost_changes() == 0);
 }
 
+TEST_CASE("A further instant of a time that changes nothing leaves no record") {
+  FreePlant p;
+  trace::Recorder recorder(p.tables, 16);
+  recorder.attach(p.plant);
+  p.plant.set_operation(0, true);
+  p.plant.advance_to(5, &recorder);
+  CHECK(drained(recorder).size() == 1);
+  engine::Instant nothing;
+  nothing.time = 5;
+  recorder.instant(nothing);
+  CHECK(drained(recorder).empty());
+  p.plant.set_operation(0, false);
+  p.plant.advance_to(6, &recorder);
+  CHECK(drained(recorder).size() == 1);
+}
+
 TEST_CASE("A thread may drain while the plant runs: every change comes once, in order") {
   FreePlant p;
   trace::Recorder recorder(p.tables, 1 << 12);
