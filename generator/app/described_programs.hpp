@@ -12,7 +12,8 @@
 
 namespace symplant::app {
 
-/// Rows for host::PlantProgram::programs. Files are relative to the folder of plant.json. The description must outlive it.
+/// Rows for host::PlantProgram::programs. Files are relative to the folder of plant.json. The description must outlive
+/// it.
 class DescribedPrograms {
  public:
   DescribedPrograms(const description::Description& description, const std::string& plant_file);

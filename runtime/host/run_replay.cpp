@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "symplant/host/signals.hpp"
 #include "symplant/scenario/act.hpp"
@@ -18,6 +19,22 @@ using Deed = Replay::Deed;
 class Replayer {
  public:
   Replayer(Stage& stage, const Replay& replay) : stage_(stage), plant_(stage.plant), replay_(replay) {}
+
+  /// A trace has a line for each bit that is 1 at the start. An operation without one is 0, whatever it is by itself.
+  void begin() {
+    const auto symbols = plant_.tables().symbols;
+    std::vector<bool> has_line(symbols.size(), false);
+    for (const Deed& deed : replay_.deeds) {
+      if (deed.time > 0 || deed.instant > 1) break;
+      if (deed.kind == Deed::Kind::operation) has_line[deed.of] = true;
+    }
+    for (std::uint32_t symbol = 0; symbol < symbols.size(); ++symbol) {
+      const tables::SymbolRow& row = symbols[symbol];
+      if (row.direction() != tables::Direction::operation || row.type() != tables::DataType::boolean) continue;
+      if (has_line[symbol]) continue;
+      write({0, 1, 0, symbol, Deed::Kind::operation});
+    }
+  }
 
   bool over() const { return at_ == replay_.deeds.size(); }
   tables::Time next() const { return replay_.deeds[at_].time; }
@@ -113,6 +130,7 @@ void run_replay(Stage& stage, const Replay& replay, const RunOptions& options, s
     return ActText{replay.texts[act], replay.by_hand[act] ? "hand" : "scenario"};
   });
   Replayer replayer(stage, replay);
+  replayer.begin();
   bool going = true;
   while (going && !replayer.over() && replayer.next() <= end) {
     going = replayer.go_before(replayer.next());

@@ -9,5 +9,7 @@ rm -rf "$prefix"
 "$prefix/bin/symplant" --version || fail "the installed tool does not run"
 [[ -n $(find "$prefix" -name symplantConfig.cmake) ]] || fail "no package file"
 [[ -n $(find "$prefix" -path '*/symplant/plant/plant.hpp') ]] || fail "no headers"
+[[ -f $(find "$prefix" -path '*/symplant/program.h') ]] || fail "no interface of programs"
+[[ -f $prefix/share/symplant/program/strucpp.cpp && -f $prefix/share/symplant/program/matiec.cpp ]] || fail "nothing for compilers"
 [[ -n $(find "$prefix" -name LICENSE) ]] || fail "no licence"
 if grep -rlF "$build_dir" "$prefix" --include='*.cmake' --include='*.hpp'; then fail "the package names the build's folder"; fi

@@ -52,9 +52,12 @@ std::string table_of(const host::OpenProgram& open, const trace::PlantNames& nam
     const symplant_variable& variable = program.variables[i];
     const std::uint32_t symbol = open.binding.symbols[i];
     const bool bound = symbol != tables::kNone;
-    rows.push_back({host::shown(variable.symbol != nullptr ? variable.symbol : variable.address != nullptr ? variable.address : "-"), variable.writes != 0 ? "writes" : "reads",
-                    std::to_string(variable.bits), bound ? host::shown(names.symbol(symbol)) : "-",
-                    bound ? host::shown(names.address(symbol)) : "-", bound ? host::shown(names.cite(symbol)) : "-"});
+    rows.push_back({host::shown(variable.symbol != nullptr    ? variable.symbol
+                                : variable.address != nullptr ? variable.address
+                                                              : "-"),
+                    variable.writes != 0 ? "writes" : "reads", std::to_string(variable.bits),
+                    bound ? host::shown(names.symbol(symbol)) : "-", bound ? host::shown(names.address(symbol)) : "-",
+                    bound ? host::shown(names.cite(symbol)) : "-"});
   }
   return aligned(rows);
 }

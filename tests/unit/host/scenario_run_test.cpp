@@ -287,7 +287,7 @@ TEST_CASE("Files start again at their limit, and each part can be read alone") {
   Cell cell;
   cell.options.trace = cell.folder / "t.jsonl";
   cell.options.vcd = cell.folder / "v.vcd";
-  cell.options.trace_limit = 300;
+  cell.options.trace_limit = 330;
   cell.run(R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"at":"3s","set":{"L_P_AGV_O_P2":false}},{"at":"4s"})");
   const std::string older = cell.file("t.jsonl.1");
   const std::string newer = cell.file("t.jsonl");

@@ -1,3 +1,4 @@
+// The cell and a program with numbers, in the form in which STruC++ writes programs.
 #include "cell.hpp"
 
 namespace strucpp {
