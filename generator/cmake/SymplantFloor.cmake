@@ -9,7 +9,7 @@ if(NOT MSVC)
     INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
               $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Wold-style-cast>
               # g++ 12 falsely reports overlaps in std::string's operator+ (GCC bug 105651).
-              $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+              $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict>
               $<$<BOOL:${SYMPLANT_WERROR}>:-Werror>)
 endif()
 if(SYMPLANT_SANITIZE)
