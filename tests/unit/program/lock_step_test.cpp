@@ -48,8 +48,8 @@ const std::vector<symplant_variable> kAll = {writes("L_P_AGV_O_P1"), writes("L_P
 
 TEST_CASE("A scan reads at its time, and what it writes counts one period later") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   MadeProgram made(kAll, to_and_fro(), 100 * kMs);
+  Bench bench(tables);
   REQUIRE(bench.programs.add(made.program) == "");
   bench.programs.advance_to(2 * kSecond);
   // A move takes 1 s. The scan at 1.1 s reads P2, which came on at 1.1 s; it writes for 1.2 s.
@@ -62,8 +62,8 @@ TEST_CASE("A scan reads at its time, and what it writes counts one period later"
 
 TEST_CASE("With a shorter delay what a scan writes counts between two scans") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   MadeProgram made(kAll, to_and_fro(), 100 * kMs);
+  Bench bench(tables);
   REQUIRE(bench.programs.add(made.program, {.delay = 30 * kMs}) == "");
   bench.programs.advance_to(1500 * kMs);
   CHECK(bench.changes ==
@@ -72,8 +72,8 @@ TEST_CASE("With a shorter delay what a scan writes counts between two scans") {
 
 TEST_CASE("A period or a delay that does not fit is rejected") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   MadeProgram made(kAll, {}, 20 * kMs);
+  Bench bench(tables);
   CHECK(contains(bench.programs.add(made.program, {.period = 10 * kMs}), "has a period of 0.02 s, not 0.01 s"));
   CHECK(contains(bench.programs.add(made.program, {.delay = 21 * kMs}), "is not from 1 ns to its period"));
   CHECK(contains(bench.programs.add(made.program, {.delay = 0}), "is not from 1 ns to its period"));
@@ -82,12 +82,12 @@ TEST_CASE("A period or a delay that does not fit is rejected") {
 
 TEST_CASE("A cell that no scan writes keeps the operation's value at the start") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   int first = -1;
   MadeProgram made(kAll, [&](const std::vector<std::uint8_t*>& io, std::int64_t now) {
     if (now == 0) first = *io[1];
     return 0;
   });
+  Bench bench(tables);
   REQUIRE(bench.programs.add(made.program) == "");
   bench.programs.advance_to(kSecond);
   CHECK(first == 0);
@@ -96,8 +96,8 @@ TEST_CASE("A cell that no scan writes keeps the operation's value at the start")
 
 TEST_CASE("A scan that fails ends the run with its number and its time, and nothing moves after it") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   MadeProgram made(kAll, [](const std::vector<std::uint8_t*>&, std::int64_t now) { return now == 120 * kMs ? 7 : 0; });
+  Bench bench(tables);
   REQUIRE(bench.programs.add(made.program) == "");
   bench.programs.advance_to(kSecond);
   REQUIRE(bench.programs.failed());
@@ -107,9 +107,9 @@ TEST_CASE("A scan that fails ends the run with its number and its time, and noth
 
 TEST_CASE("A program that does not start ends the run before it begins") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   MadeProgram made(kAll);
   made.starts = false;
+  Bench bench(tables);
   REQUIRE(bench.programs.add(made.program) == "");
   bench.programs.advance_to(kSecond);
   REQUIRE(bench.programs.failed());
@@ -118,8 +118,8 @@ TEST_CASE("A program that does not start ends the run before it begins") {
 
 TEST_CASE("A restart is a cold start: operations are off until the next scan's count") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   MadeProgram made(kAll, to_and_fro(), 100 * kMs);
+  Bench bench(tables);
   REQUIRE(bench.programs.add(made.program) == "");
   bench.programs.advance_to(450 * kMs);
   CHECK(bench.programs.restart(0));
@@ -134,8 +134,8 @@ TEST_CASE("A restart is a cold start: operations are off until the next scan's c
 
 TEST_CASE("A reset begins again at time 0") {
   const BenchTables tables(kCell);
-  Bench bench(tables);
   MadeProgram made(kAll, to_and_fro(), 100 * kMs);
+  Bench bench(tables);
   REQUIRE(bench.programs.add(made.program) == "");
   bench.programs.advance_to(250 * kMs);
   bench.plant.reset(0);
