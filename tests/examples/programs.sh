@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # PLC programs in lock step: the examples run, every run is the same, and each message about a program that cannot run or
-# fails. usage: programs.sh EXAMPLES SYMPLANT CELL_PLANT CELL_PROGRAM PRESS_PROGRAM ROBOT_PROGRAM CC INCLUDE
+# fails. usage: programs.sh EXAMPLES SYMPLANT CELL_PLANT CELL_PROGRAM PRESS_PROGRAM ROBOT_PROGRAM CC INCLUDE REPEATS
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-examples=$1 symplant=$2 cell_plant=$3 cell=$4 press=$5 robot=$6 cc=$7 include=$8
+examples=$1 symplant=$2 cell_plant=$3 cell=$4 press=$5 robot=$6 cc=$7 include=$8 repeats=$9
 list=$examples/excell/excell.csv
 
 # says CODE TEXT COMMAND...: the command ends with the exit code and prints the text, which may be empty.
@@ -28,7 +28,7 @@ changed() { # NAME SED_SCRIPT: the cell's program, changed
 # The same trace each time, interpreted and compiled; the plant runs its cycles.
 run_cell "$cell" --until 60s --trace "$work/first.jsonl" >/dev/null
 (($(grep -c 'MC_I_RUN2","value":true' "$work/first.jsonl") == 18)) || fail "not 18 cycles of 3.34 s in 60 s"
-for ((i = 0; i < 1000; i++)); do
+for ((i = 0; i < repeats; i++)); do
   run_cell "$cell" --until 60s --trace "$work/again.jsonl" >/dev/null
   cmp "$work/first.jsonl" "$work/again.jsonl" || fail "run $i differs"
 done
