@@ -26,7 +26,7 @@ bool matches_any(const std::vector<std::string>& patterns, const std::string& na
                      [&](const std::string& pattern) { return tables::matches_pattern(name, pattern); });
 }
 
-/// A pattern of `--only` or `--ignore` that no element matches, which is a mistake.
+/// A warning of a pattern of `--only` that no element matches, which may be a mistake.
 std::string unmatched(const std::vector<std::string>& patterns, const Recorded& expected, const Recorded& actual) {
   for (const std::string& pattern : patterns) {
     const auto matches = [&](const Series& series) { return tables::matches_pattern(series.name, pattern); };
@@ -250,17 +250,15 @@ class Comparer {
   Comparer(const Recorded& expected, const Recorded& actual, const Options& options) : options_(options) {
     result_.expected = &expected;
     result_.actual = &actual;
-    result_.window = options.window.value_or(2 * std::max(expected.resolution, actual.resolution));
+    result_.window =
+        std::min(options.window.value_or(2 * std::max(expected.resolution, actual.resolution)), kLatestTime);
   }
 
   Comparison run() {
-    for (const auto* const patterns : {&options_.only, &options_.ignore}) {
-      if (result_.error.empty()) result_.error = unmatched(*patterns, *result_.expected, *result_.actual);
-    }
+    result_.warning = unmatched(options_.only, *result_.expected, *result_.actual);
     const Time offset = offset_at_begin();
     Walk walk(result_, options_, offset);
     choose(walk);
-    if (result_.error.empty() && result_.compared.empty()) result_.error = "the traces have no change to compare";
     if (!result_.error.empty()) return std::move(result_);
     walk.run();
     for (const Series* const extra : extra_) {

@@ -57,6 +57,7 @@ struct Comparison {
   std::size_t changes = 0;                  ///< of EXPECTED, up to the end of the comparison
   std::vector<Difference> differences;      ///< by time
   std::string error;                        ///< why nothing could be compared; empty: it was
+  std::string warning;                      ///< what may be a mistake of the user; empty: nothing
 };
 
 /// Compares two traces. O(changes * log(differences)).

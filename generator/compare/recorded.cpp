@@ -53,6 +53,8 @@ class Reader {
   std::string take(const Json& json) {
     if (lines_.is_header()) return header(json);
     if (lines_.is_set_back()) set_back();
+    if (lines_.time() > kLatestTime)
+      return fmt::format("the time {} is out of range: at most {} ns", lines_.time(), kLatestTime);
     read_.recorded.end = lines_.time();
     if (lines_.is_set_back()) return values(json);
     if (json.contains("symbol")) return symbol(json);
@@ -67,10 +69,20 @@ class Reader {
     recorded.of_plant = json.value("recorded", Json()) != true;
     for (const char* const key : {"every", "cycle"}) {
       const auto found = json.find(key);
-      if (found != json.end() && found->is_number_unsigned()) recorded.resolution = found->get<tables::Time>();
+      if (found == json.end()) continue;
+      if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kLatestTime) {
+        return fmt::format("the key `{}` is no time in ns up to {}", key, kLatestTime);
+      }
+      recorded.resolution = found->get<tables::Time>();
     }
-    for (const Json& program : json.value("programs", Json::array())) {
-      for (const Json& symbol : program.value("writes", Json::array())) {
+    const auto programs = json.find("programs");
+    if (programs == json.end()) return "";
+    for (const Json& program : *programs) {
+      const auto writes = program.is_object() ? program.find("writes") : program.end();
+      if (!program.is_object() || writes == program.end() || !writes->is_array()) {
+        return "an entry of `programs` is no object with an array `writes`";
+      }
+      for (const Json& symbol : *writes) {
         if (symbol.is_string()) written_.insert(symbol.get<std::string>());
       }
     }

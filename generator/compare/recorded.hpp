@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "symplant/tables/time.hpp"
 
 namespace symplant::compare {
+
+/// The latest time and the longest window, ns: their sums are still times. 73 years.
+inline constexpr tables::Time kLatestTime = std::numeric_limits<tables::Time>::max() / 4;
 
 /// One element that a trace has lines of.
 struct Series {

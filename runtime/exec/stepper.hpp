@@ -11,6 +11,8 @@ class Stepper {
   /// Advances the plant to `time`, including the instant at `time`. It may set the plant back to an earlier time
   /// instead: the next cycle goes on from there.
   virtual void advance_to(tables::Time time) noexcept = 0;
+  /// The same for a part of a cycle, after which more of it follows.
+  virtual void advance_within(tables::Time time) noexcept { advance_to(time); }
   /// Whether plant time does not run, apart from what links ask for.
   virtual bool frozen() const noexcept { return false; }
   /// Instead of advance_to() in a cycle in which plant time does not run: what acts from outside may run further

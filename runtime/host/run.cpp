@@ -59,7 +59,8 @@ int exit_code(const RunOptions& options, const Report& report, const Ended& ende
 }
 
 /// Warns of given options without effect in this run.
-void report_without_effect(const RunOptions& options, bool real, bool linked, bool by_plc, std::ostream& err) {
+void report_without_effect(const RunOptions& options, bool real, bool linked, bool by_plc, bool programmed,
+                           std::ostream& err) {
   const std::pair<const char*, bool> of_real_time[] = {{"--cycle", options.cycle_given && !options.rt_check},
                                                        {"--on-loss", options.on_loss.has_value()},
                                                        {"--late", options.late_given},
@@ -81,6 +82,10 @@ void report_without_effect(const RunOptions& options, bool real, bool linked, bo
   if (by_plc && options.late_given) {
     err << "warning: `--late` has no effect, since plant time follows the PLC's clock; to follow the wall clock, add "
            "`--clock real`\n";
+  }
+  if (!programmed && (options.scan || options.scan_delay)) {
+    err << "warning: `" << (options.scan ? "--scan" : "--scan-delay")
+        << "` has no effect without a program; add one with `--program`\n";
   }
   if (real && !linked && options.on_loss) {
     err << "warning: `--on-loss` has no effect without a link that can be lost; add one with `--link`\n";
@@ -145,9 +150,10 @@ std::string save_end(const Stage& stage, const RunOptions& options) {
   return trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));
 }
 
-/// Lets programs run with the plant of a stage.
-void add_programs(const Programs& programs, Stage& stage) {
+/// Lets programs run with the plant of a stage; `real`: in the cycle.
+void add_programs(const Programs& programs, bool real, Stage& stage) {
   stage.programs.emplace(stage.plant, &stage.recorder);
+  if (real) stage.programs->share_events();
   for (const OpenProgram& one : programs) stage.programs->add(one.library->program(), one.choice.options);
   stage.stepper(nullptr);
   if (stage.player) stage.player->control(&*stage.programs);
@@ -175,7 +181,11 @@ void report_plant(const Played& played, const Links& links, const Stage& stage, 
   const PlantProgram& program = played.program;
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << behaviour_lines(program.tables, program.behaviours);
-  if (!played.real && played.replay == nullptr) streams.report << cut_link_lines(program.tables);
+  if (!played.real && played.replay == nullptr) {
+    std::vector<bool> with_program(program.tables.symbols.size());
+    for (const OpenProgram& one : played.programs) with_program[one.choice.options.controller] = true;
+    streams.report << cut_link_lines(program.tables, with_program);
+  }
   streams.report << program_lines(played.programs, program.tables);
   if (played.scenario != nullptr) streams.report << scenario_summary(played.options.scenario, *played.scenario);
   if (played.replay != nullptr) streams.report << replay_summary(played.options.replay, *played.replay);
@@ -359,7 +369,7 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   // A panel without a PLC sets the speed of plant time, unless the guard or the user asks for the real-time cycle.
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   if (!times_fit(options, clock, err)) return kBadInput;
-  report_without_effect(options, real, linked, clock != nullptr, err);
+  report_without_effect(options, real, linked, clock != nullptr, !programs.empty(), err);
   if (options.arm && !goes_to_plc(chosen)) {
     err << "warning: `--arm` has no effect without a link that goes to a PLC, such as `slmp:`\n";
   }
@@ -370,9 +380,10 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   Console console(report, err);
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
-  if (!programs.empty()) add_programs(programs, stage);
+  if (!programs.empty()) add_programs(programs, real, stage);
   if (replay) report_other_run(stage, options, *replay, err);
-  if (linked) stage.outputs.report_short_events_of(carried);
+  // What a program reads it reads at its scans, not at the ends of cycles.
+  if (linked || (real && !programs.empty())) stage.outputs.report_short_events_of(carried);
   std::optional<Resumed> resumed;
   if (!read_resumed(stage, options, played, resumed, err)) return kBadInput;
   if (resumed && !stage.resume(resumed->snapshot)) {

@@ -94,11 +94,13 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   return text + "\n";
 }
 
-std::string cut_link_lines(const tables::PlantTables& tables) {
+std::string cut_link_lines(const tables::PlantTables& tables, const std::vector<bool>& with_program) {
   const auto names = tables::split_names(tables.malfunctions.names);
   std::string text;
   for (std::size_t m = 0; m < names.size(); ++m) {
-    if (tables.malfunctions.rows[m].kind != tables::MalfunctionKind::lose) continue;
+    const tables::MalfunctionRow& row = tables.malfunctions.rows[m];
+    if (row.kind != tables::MalfunctionKind::lose) continue;
+    if (row.subject < with_program.size() && with_program[row.subject]) continue;
     text +=
         fmt::format("malfunction `{}` has no effect in virtual time: it cuts a link, which runs in real time only\n",
                     shown(names[m]));

@@ -25,6 +25,6 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
 std::string behaviour_lines(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours);
 
 /// A line for each malfunction that cuts a link, for a run in virtual time.
-std::string cut_link_lines(const tables::PlantTables& tables);
+std::string cut_link_lines(const tables::PlantTables& tables, const std::vector<bool>& with_program);
 
 }  // namespace symplant::host

@@ -130,6 +130,7 @@ class Binder {
     const tables::SymbolRow& row = names_.tables().symbols[*symbol];
     const std::string words = variable_words(variable);
     const std::uint8_t bits = bits_of(row.type());
+    if (ignored && (row.direction() != direction || variable.bits != bits)) return kNone;
     if (row.direction() != direction) {
       error("{} is {}, and `{}` is {}: a program {}", words, variable.writes != 0 ? "written" : "read",
             names_.symbol(*symbol), variable.writes != 0 ? "an event" : "an operation",

@@ -99,6 +99,7 @@ bool Instance::begin() noexcept {
 
 /// Makes the program's instance, with cells as at a cold start.
 bool Instance::start() noexcept {
+  end();
   std::fill(cells_.begin(), cells_.end(), 0);
   for (std::size_t i = 0; i < writes_.size(); ++i) cells_[i] = writes_[i].at_start;
   for (std::uint32_t word = 0; word < read_bits_.size(); ++word) take_event_word(word);

@@ -62,8 +62,12 @@ void LockStep::end() noexcept {
   begun_ = false;
 }
 
-void LockStep::advance_plant(tables::Time time) noexcept {
-  stepper_ != nullptr ? stepper_->advance_to(time) : plant_.advance_to(time, observer_);
+void LockStep::advance_plant(tables::Time time, bool is_end) noexcept {
+  if (stepper_ == nullptr) {
+    plant_.advance_to(time, observer_);
+  } else {
+    is_end ? stepper_->advance_to(time) : stepper_->advance_within(time);
+  }
 }
 
 void LockStep::take_events() noexcept {
@@ -104,22 +108,27 @@ bool LockStep::note_losses() noexcept {
 void LockStep::advance_to(tables::Time time) noexcept {
   if (!begun_) begin();
   while (!failure_) {
+    if (!shares_events_) plant_.forget_changed_events();  // they are taken
     tables::Time next = std::min(time, next_due());
     if (may_lose_) next = std::min(next, std::max(plant_.next_due(), plant_.now()));
     next = std::max(next, plant_.now());
     write_due(next);
-    advance_plant(next);
-    if (plant_.now() != next || frozen()) return;  // it was set back or stopped from outside
-    if (note_losses()) advance_plant(next);
+    advance_plant(next, next >= time);
+    if (!begun_) return;  // it was reset
     take_events();
+    if (plant_.now() != next || frozen()) return;  // it was set back or stopped from outside
+    if (note_losses()) {
+      advance_plant(next, next >= time);
+      take_events();
+    }
     scan_due(next);
     if (next >= time) return;
-    plant_.forget_changed_events();
   }
 }
 
 void LockStep::hold() noexcept {
   if (stepper_ != nullptr) stepper_->hold();
+  if (begun_) take_events();  // what is done by hand
 }
 
 bool LockStep::restart(std::uint32_t controller) noexcept {
@@ -127,6 +136,7 @@ bool LockStep::restart(std::uint32_t controller) noexcept {
   for (Running& running : programs_) {
     if (running.instance->controller() != controller) continue;
     found = true;
+    if (!begun_) continue;  // its start is still to come
     if (!running.instance->restart()) fail(*running.instance, -1, 0);
   }
   return found;
@@ -137,6 +147,7 @@ void LockStep::reset() noexcept {
   for (Running& running : programs_) {
     running.instance->end();
     running.lost = false;
+    running.next = 0;
   }
   begun_ = false;
 }

@@ -46,6 +46,9 @@ class LockStep final : public exec::Stepper, public scenario::ProgramControl {
   std::string add(const symplant_program& program, const Options& options = {});
   /// Advances the plant by another stepper, such as a scenario. Null: by the plant itself.
   void drive(exec::Stepper* stepper) noexcept { stepper_ = stepper; }
+  /// Something else reads the plant's changed events too, and forgets them: links, in the cycle. Otherwise they are
+  /// forgotten here.
+  void share_events() noexcept { shares_events_ = true; }
 
   /// Runs the plant and the scans up to `time`, including both at `time`. After a failure it does nothing. O(scans and
   /// changes).
@@ -73,7 +76,7 @@ class LockStep final : public exec::Stepper, public scenario::ProgramControl {
   };
 
   void begin() noexcept;
-  void advance_plant(tables::Time time) noexcept;
+  void advance_plant(tables::Time time, bool is_end) noexcept;
   void write_due(tables::Time time) noexcept;
   void take_events() noexcept;
   void scan_due(tables::Time time) noexcept;
@@ -85,6 +88,7 @@ class LockStep final : public exec::Stepper, public scenario::ProgramControl {
   trace::PlantNames names_;
   exec::Stepper* stepper_ = nullptr;
   bool may_lose_ = false;  ///< a malfunction of the plant loses a controller
+  bool shares_events_ = false;
   bool begun_ = false;
   bool any_lost_ = false;
   std::vector<Running> programs_;

@@ -198,6 +198,11 @@ std::string StepReader::why_not_set(std::uint32_t symbol) const {
   const std::string name = ticked(names_.symbol(symbol));
   if (names_.is_operation(symbol)) {
     if (symbol >= carried_.size() || !carried_[symbol]) return {};
+    const auto programs = names_.programs();
+    const auto program = std::find_if(programs.begin(), programs.end(),
+                                      [&](const trace::PlantNames::Program& one) { return one.written[symbol]; });
+    if (program != programs.end())
+      return "program " + ticked(program->name) + " writes " + name + "; use `force` instead";
     return "the PLC writes " + name + " through the link; use `force` instead";
   }
   if (!moved_[symbol]) return {};

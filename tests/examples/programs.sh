@@ -127,6 +127,8 @@ cat >"$work/restart.json" <<'END'
   { "at": "1.61s", "expect": "EXLINE_MB_AGV_O_P2" } ] }
 END
 says 0 "3 held, 0 failed" run_cell "$cell" --scenario "$work/restart.json"
+says 2 "program \`cell\` writes \`EXLINE_MB_AGV_O_P2\`; use" run_cell "$cell" --scenario "$work/set.json"
+says 0 "\`--scan\` has no effect without a program" "$symplant" run "$list" --scan 20ms --until 1s
 says 2 "no program of this controller runs" "$symplant" run "$list" --scenario "$work/restart.json"
 says 0 "written by program \`cell\` in scan 1001 (10.01 s)" run_cell "$cell" --until 12s --why EXLINE_MB_AGV
 

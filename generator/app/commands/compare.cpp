@@ -89,6 +89,7 @@ void compare_traces(const CompareOptions& options, Context& context) {
     context.exit_code = host::kBadInput;
     return;
   }
+  if (!comparison.warning.empty()) context.err << "warning: " << diag::visible(comparison.warning) << "\n";
   const auto format = std::find_if(kCompareFormats.begin(), kCompareFormats.end(),
                                    [&](const CompareFormat& one) { return options.format == one.name; });
   const base::TextSource text = [&](base::TextSink& sink) { format->write(comparison, sink); };

@@ -141,11 +141,16 @@ void Operator::advance(tables::Time time) noexcept {
 }
 
 void Operator::advance_to(tables::Time time) noexcept {
+  advance_within(time);
+  if (stepping_ == Stepping::cycle) stop();
+}
+
+void Operator::advance_within(tables::Time time) noexcept {
   const std::uint64_t before = recorder_.instants();
   plant_.advance_before(time, observer());
   take_orders();
   advance(jumped_ ? plant_.now() : time);
-  if (stepping_ == Stepping::cycle || (stepping_ == Stepping::change && recorder_.instants() != before)) stop();
+  if (stepping_ == Stepping::change && recorder_.instants() != before) stop();
 }
 
 void Operator::hold() noexcept {

@@ -31,6 +31,7 @@ class Operator final : public exec::Stepper {
 
   // For the thread of the plant:
   void advance_to(tables::Time time) noexcept override;
+  void advance_within(tables::Time time) noexcept override;
   void hold() noexcept override;
   /// For any thread.
   bool frozen() const noexcept override { return frozen_.load(std::memory_order_relaxed); }

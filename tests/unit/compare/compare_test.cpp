@@ -127,7 +127,7 @@ TEST_CASE("Parts are compared where they arrive, if both traces have parts") {
   CHECK(differences("10 X 1; 20 body@BELT", "10 X 1; 20") == "");
 }
 
-TEST_CASE("Patterns choose what is compared, and one that matches nothing is a mistake") {
+TEST_CASE("Patterns choose what is compared, and one that matches nothing may be a mistake") {
   Options only;
   only.only = {"X*"};
   CHECK(differences("10 X 1; 20 Y 1", "10 X 1; 15 Y 1; 20", only) == "");
@@ -135,9 +135,19 @@ TEST_CASE("Patterns choose what is compared, and one that matches nothing is a m
   ignore.ignore = {"Y"};
   CHECK(differences("10 X 1; 20 Y 1", "10 X 1; 15 Y 1; 20", ignore) == "");
   only.only = {"Z*"};
-  CHECK(Compared("10 X 1", "10 X 1", only).comparison.error == "no symbol with a change matches `Z*`");
+  CHECK(Compared("10 X 1", "10 X 1", only).comparison.warning == "no symbol with a change matches `Z*`");
+  CHECK(Compared("10 X 1", "10 X 1", only).comparison.error.empty());
+  CHECK(differences("10 X 1", "10 X 1", only) == "");
   ignore.ignore = {"X"};
-  CHECK(Compared("10 X 1", "10 X 1", ignore).comparison.error == "the traces have no change to compare");
+  CHECK(differences("10 X 1", "10 X 0", ignore) == "");
+}
+
+TEST_CASE("Traces without a change do not differ") { CHECK(differences("10", "20") == ""); }
+
+TEST_CASE("A window of centuries is no window of nothing") {
+  Options options;
+  options.window = std::numeric_limits<tables::Time>::max();
+  CHECK(differences("10 X 1; 20 X 0", "11 X 1; 22 X 0", options) == "");
 }
 
 TEST_CASE("Without a window times of a cycle or an interval are exact to twice the coarser one") {

@@ -47,6 +47,13 @@ TEST_CASE("What cannot be read is reported with its line") {
   CHECK(read(trace_text("10 N \"high\"")).error == "t.jsonl:2: `N` cannot have the value \"high\"");
   CHECK(read(trace_text("10 N 1; 20 N true")).error == "t.jsonl:3: `N` is a BOOL and a number");
   CHECK(read(trace_text("10 X 1") + "{\"t\":1,").warning == "t.jsonl:3: the last line is cut off, and is left out");
+  const char* const no_writes = "t.jsonl:1: an entry of `programs` is no object with an array `writes`";
+  CHECK(read(trace_text("10 X 1", R"(,"programs":["cell"])")).error == no_writes);
+  CHECK(read(trace_text("10 X 1", R"(,"programs":[{"writes":"X"}])")).error == no_writes);
+  CHECK(read(trace_text("10 X 1", ",\"cycle\":9223372036854775807")).error ==
+        "t.jsonl:1: the key `cycle` is no time in ns up to 2305843009213693951");
+  CHECK(read(trace_text("10 X 1") + "{\"t\":9223372036854775806}\n").error ==
+        "t.jsonl:3: the time 9223372036854775806 is out of range: at most 2305843009213693951 ns");
   CHECK(read(trace_text("10 X 1") + "{\"t\":1}\n").error == "t.jsonl:3: this time is before that of the line above");
 }
 

@@ -1,5 +1,7 @@
 // Scans in lock step with a plant: when they take place, what they read, and when what they wrote counts.
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "program_support.hpp"
@@ -145,6 +147,113 @@ TEST_CASE("A reset begins again at time 0") {
   bench.programs.advance_to(150 * kMs);
   CHECK(made.created == 2);
   CHECK(bench.changes == "0:AGV_I_P1=1 100:AGV_O_P2=1 100:AGV_I_P1=0");
+}
+
+TEST_CASE("A restart before the first scan is the start itself") {
+  const BenchTables tables(kCell);
+  MadeProgram made(kAll, to_and_fro(), 100 * kMs);
+  Bench bench(tables);
+  REQUIRE(bench.programs.add(made.program) == "");
+  CHECK(bench.programs.restart(0));
+  CHECK(made.created == 0);
+  bench.programs.advance_to(250 * kMs);
+  CHECK(made.created == 1);
+  CHECK(made.destroyed == 0);
+}
+
+TEST_CASE("Links that share the plant's changed events find those of the whole cycle") {
+  const BenchTables tables(kCell);
+  MadeProgram made(kAll, to_and_fro(), 10 * kMs);
+  Bench bench(tables);
+  REQUIRE(bench.programs.add(made.program) == "");
+  bench.programs.share_events();
+  bench.programs.advance_to(5 * kMs);
+  bench.plant.forget_changed_events();
+  bench.programs.advance_to(105 * kMs);  // I_P1 goes off at 20 ms; nothing changes after that
+  CHECK_FALSE(bench.plant.changed_events().empty());
+}
+
+/// A stepper that does something at one of its calls.
+struct Stepper final : exec::Stepper {
+  explicit Stepper(plant::Plant& of) : plant(of) {}
+  void advance_to(tables::Time time) noexcept override {
+    ++ends;
+    advance(time);
+  }
+  void advance_within(tables::Time time) noexcept override {
+    ++parts;
+    advance(time);
+  }
+  void hold() noexcept override {
+    if (at_hold) at_hold();
+  }
+  bool frozen() const noexcept override { return holds; }
+  bool over() const noexcept override { return false; }
+  void advance(tables::Time time) noexcept {
+    if (at_advance) std::exchange(at_advance, {})();
+    plant.advance_to(std::max(time, plant.now()));
+  }
+  plant::Plant& plant;
+  std::function<void()> at_advance = {};
+  std::function<void()> at_hold = {};
+  bool holds = false;
+  int ends = 0;
+  int parts = 0;
+};
+
+TEST_CASE("A cycle with several scans has one end") {
+  const BenchTables tables(kCell);
+  MadeProgram made(kAll, to_and_fro(), 10 * kMs);
+  Bench bench(tables);
+  Stepper stepper(bench.plant);
+  bench.programs.drive(&stepper);
+  REQUIRE(bench.programs.add(made.program) == "");
+  bench.programs.advance_to(45 * kMs);
+  CHECK(stepper.ends == 1);
+  CHECK(stepper.parts == 5);  // at 0, 10, 20, 30, 40 ms
+  bench.programs.advance_to(50 * kMs);
+  CHECK(stepper.ends == 2);
+}
+
+TEST_CASE("A reset that comes at time 0 calls no program that has ended") {
+  const BenchTables tables(kCell);
+  MadeProgram made(kAll, to_and_fro(), 100 * kMs);
+  Bench bench(tables);
+  Stepper stepper(bench.plant);
+  bench.programs.drive(&stepper);
+  REQUIRE(bench.programs.add(made.program) == "");
+  stepper.at_advance = [&] {
+    bench.plant.reset(0);
+    bench.programs.reset();
+  };
+  bench.programs.advance_to(0);
+  CHECK_FALSE(bench.programs.failed());
+  CHECK(made.destroyed == 1);
+  bench.programs.advance_to(250 * kMs);
+  CHECK(made.created == 2);
+}
+
+TEST_CASE("What is done by hand while the plant is frozen is read by the next scan") {
+  const BenchTables tables(kCell);
+  bool at_p1 = true;
+  MadeProgram made(
+      kAll, [&](const std::vector<std::uint8_t*>& io, std::int64_t) { return at_p1 = *io[2] != 0, 0; }, 100 * kMs);
+  Bench bench(tables);
+  Stepper stepper(bench.plant);
+  bench.programs.drive(&stepper);
+  REQUIRE(bench.programs.add(made.program) == "");
+  bench.programs.share_events();
+  bench.programs.advance_to(150 * kMs);
+  CHECK(at_p1);
+  bench.plant.forget_changed_events();
+  stepper.at_hold = [&] {
+    bench.plant.force(tables.symbol("AGV_I_P1"), 0);
+    bench.plant.advance_to(150 * kMs);
+  };
+  bench.programs.hold();
+  bench.plant.forget_changed_events();  // as the cycle does
+  bench.programs.advance_to(250 * kMs);
+  CHECK_FALSE(at_p1);
 }
 
 }  // namespace
