@@ -4,6 +4,7 @@
 #include <symplant/program.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <symplant/program.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
 #include <string>

@@ -2,8 +2,8 @@
 include(../planted_bugs.cmake)
 
 symplant_planted_bug(program events_one_instant_early
-  "    take_events();\n    scan_due(next);"
-  "    if (!BUG) take_events();\n    scan_due(next);\n    if (BUG) take_events();")
+  "    take_events();\n    if (plant_.now() != next || frozen()) return;  // it was set back or stopped from outside\n    if (note_losses()) {\n      advance_plant(next, next >= time);\n      take_events();\n    }\n    scan_due(next);"
+  "    if (!BUG) take_events();\n    if (plant_.now() != next || frozen()) return;  // it was set back or stopped from outside\n    if (note_losses()) {\n      advance_plant(next, next >= time);\n      take_events();\n    }\n    scan_due(next);\n    if (BUG) take_events();")
 
 symplant_planted_bug(program outputs_in_the_same_instant
   "  sample_ = now + times_.delay;"
@@ -11,7 +11,7 @@ symplant_planted_bug(program outputs_in_the_same_instant
 
 symplant_planted_bug(program second_program_sees_the_outputs_of_the_first
   "    if (const int code = running.instance->scan(time); code != 0) fail(*running.instance, scan, code);"
-  "    if (const int code = running.instance->scan(time); code != 0) fail(*running.instance, scan, code);\n    if (BUG) { running.instance->write_operations(); advance_plant(time); take_events(); }")
+  "    if (const int code = running.instance->scan(time); code != 0) fail(*running.instance, scan, code);\n    if (BUG) { running.instance->write_operations(); advance_plant(time, false); take_events(); }")
 
 symplant_planted_bug(program scans_while_the_controller_is_lost
   "    if (running.lost || failure_) continue;"
