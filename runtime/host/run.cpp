@@ -31,6 +31,7 @@
 #include "symplant/host/stats.hpp"
 #include "symplant/host/summary.hpp"
 #include "symplant/host/why.hpp"
+#include "symplant/host/without_effect.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -56,43 +57,6 @@ int exit_code(const RunOptions& options, const Report& report, const Ended& ende
   const bool exchanged = ended.plcs == nullptr || !is_test(options) ||
                          (report.count(tables::FindingKind::no_plc) == 0 && ended.plcs->stalled.empty());
   return ended.clean && expected && required && !found && exchanged ? kGood : kFindings;
-}
-
-/// Warns of given options without effect in this run.
-void report_without_effect(const RunOptions& options, bool real, bool linked, bool by_plc, bool programmed,
-                           std::ostream& err) {
-  const std::pair<const char*, bool> of_real_time[] = {{"--cycle", options.cycle_given && !options.rt_check},
-                                                       {"--on-loss", options.on_loss.has_value()},
-                                                       {"--late", options.late_given},
-                                                       {"--priority", options.real_time.priority.has_value()},
-                                                       {"--cpu", options.real_time.cpu.has_value()},
-                                                       {"--lock-memory", options.real_time.lock_memory},
-                                                       {"--stay-awake", options.real_time.stay_awake},
-                                                       {"--spin", options.spin != 0}};
-  std::string names;
-  std::size_t count = 0;
-  for (const auto& [name, given] : of_real_time) {
-    if (real || !given) continue;
-    names += (count++ == 0 ? "`" : ", `") + std::string(name) + "`";
-  }
-  if (count != 0) {
-    err << "warning: " << names << (count == 1 ? " has" : " have")
-        << " no effect in virtual time; to run in real time, add `--clock real`\n";
-  }
-  if (by_plc && options.late_given) {
-    err << "warning: `--late` has no effect, since plant time follows the PLC's clock; to follow the wall clock, add "
-           "`--clock real`\n";
-  }
-  if (!programmed && (options.scan || options.scan_delay)) {
-    err << "warning: `" << (options.scan ? "--scan" : "--scan-delay")
-        << "` has no effect without a program; add one with `--program`\n";
-  }
-  if (real && !linked && options.on_loss) {
-    err << "warning: `--on-loss` has no effect without a link that can be lost; add one with `--link`\n";
-  }
-  if (options.trace_limit != trace::kNoLimit && options.trace.empty() && options.vcd.empty()) {
-    err << "warning: `--trace-limit` has no effect without `--trace` or `--vcd`; add one of them\n";
-  }
 }
 
 /// False, with a message on `err`, if the options of time contradict each other. `clock` may be null.
@@ -369,7 +333,7 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   // A panel without a PLC sets the speed of plant time, unless the guard or the user asks for the real-time cycle.
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   if (!times_fit(options, clock, err)) return kBadInput;
-  report_without_effect(options, real, linked, clock != nullptr, !programs.empty(), err);
+  report_without_effect(options, {real, linked, clock != nullptr, !programs.empty()}, err);
   if (options.arm && !goes_to_plc(chosen)) {
     err << "warning: `--arm` has no effect without a link that goes to a PLC, such as `slmp:`\n";
   }
