@@ -24,6 +24,7 @@ void add_doctor(CLI::App& app, Context& context);
 void add_convert(CLI::App& app, Context& context);
 void add_diff(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
+void add_test(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
 /// If the command line that cannot be parsed is that of `run`, its result files are those of a failed run.
 void fail_run(const CLI::App& app, std::string_view error, const Context& context);

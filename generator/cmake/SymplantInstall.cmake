@@ -28,6 +28,7 @@ install(
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/program DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
 install(FILES ${PROJECT_SOURCE_DIR}/generator/description/plant.schema.json
               ${PROJECT_SOURCE_DIR}/generator/naming/naming.schema.json
+              ${PROJECT_SOURCE_DIR}/generator/suite/suite.schema.json
               ${PROJECT_SOURCE_DIR}/generator/view/model.schema.json
               ${PROJECT_SOURCE_DIR}/runtime/scenario/scenario.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/schema)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generator/naming/profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/naming)

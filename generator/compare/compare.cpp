@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -363,6 +365,21 @@ class Comparer {
 
 Comparison compare(const Recorded& expected, const Recorded& actual, const Options& options) {
   return Comparer(expected, actual, options).run();
+}
+
+Align align_of(std::string_view text) {
+  if (text == "none") return Align::none;
+  return text == "follow" ? Align::follow : Align::symbol;
+}
+
+std::optional<double> parse_tolerance(std::string_view text) {
+  const bool percent = text.ends_with('%');
+  if (percent) text.remove_suffix(1);
+  double share = 0;
+  const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), share);
+  if (error != std::errc() || at != text.data() + text.size() || !std::isfinite(share) || share < 0) return std::nullopt;
+  if (!percent && share != 0) return std::nullopt;
+  return share / 100;
 }
 
 }  // namespace symplant::compare

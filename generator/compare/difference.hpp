@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/recorded.hpp"
@@ -46,6 +47,11 @@ struct Options {
   std::vector<std::string> only;    ///< patterns of names; empty: all
   std::vector<std::string> ignore;  ///< patterns of names
 };
+
+/// `none`, `follow`; any other text is the name of a symbol.
+Align align_of(std::string_view text);
+/// 0.025 of `2.5%`, or of `0`. Nothing for any other text.
+std::optional<double> parse_tolerance(std::string_view text);
 
 /// Both traces must outlive it.
 struct Comparison {

@@ -128,17 +128,22 @@ class Page {
 
 }  // namespace
 
-void write_html(const Comparison& comparison, base::TextSink& sink) {
-  const std::string title = comparison.actual->name + " compared with " + comparison.expected->name;
-  const auto data = [&](base::TextSink& out) {
-    out.put(diag::script_json(base::text_of([&](base::TextSink& json) { Page(comparison, json).write(); })));
-  };
+std::string chart_data(const Comparison& comparison) {
+  return base::text_of([&](base::TextSink& json) { Page(comparison, json).write(); });
+}
+
+void write_chart_page(const std::string& title, const base::TextSource& data, base::TextSink& sink) {
   base::put_framed(chart_frame(),
                    {{"@title@", base::whole(diag::markup_text(title))},
                     {"@style@", [](base::TextSink& out) { out.put(chart_style()); }},
                     {"@data@", data},
                     {"@script@", [](base::TextSink& out) { out.put(chart_script()); }}},
                    sink);
+}
+
+void write_html(const Comparison& comparison, base::TextSink& sink) {
+  write_chart_page(comparison.actual->name + " compared with " + comparison.expected->name,
+                   [&](base::TextSink& out) { out.put(diag::script_json(chart_data(comparison))); }, sink);
 }
 
 }  // namespace symplant::compare

@@ -115,7 +115,9 @@ class Run {
   bool has_waited_enough() const noexcept {
     return options_.until != tables::kNever && waited_ >= std::max(options_.until - time_, kPatience);
   }
-  bool over() const noexcept { return stepper_ != nullptr && options_.until == tables::kNever && stepper_->over(); }
+  bool over() const noexcept {
+    return stepper_ != nullptr && (options_.until == tables::kNever || options_.ends_when_over) && stepper_->over();
+  }
 
   bool failed() const noexcept { return stepper_ != nullptr && stepper_->failed(); }
 

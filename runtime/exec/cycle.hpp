@@ -18,6 +18,7 @@ namespace symplant::exec {
 struct CycleOptions {
   tables::Time cycle = 10 * tables::kMillisecond;  ///< from deadline to deadline, > 0
   tables::Time until = tables::kNever;  ///< plant time of the last cycle, which may be shorter; see run_cycles()
+  bool ends_when_over = false;          ///< the run ends before `until` when the stepper is over
   std::int64_t max_catch_up = 10;       ///< cycles run at once after a delay; the time of the others slips
   tables::Time spin = 0;  ///< how long before a deadline the thread stops sleeping and polls the clock; up to `cycle`
 };

@@ -209,6 +209,7 @@ Shown run_to_end(Stage& stage, const Played& played, const Links& links, panel::
 /// Sums up a run that has ended, and writes its results. Returns the exit code.
 int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& shown, const RunStreams& streams) {
   const RunOptions& options = played.options;
+  const bool cut = options.limit && stage.player && !stage.player->over() && stage.plant.now() >= *options.limit;
   if (stage.player) stage.player->end();
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   stage.outputs.finish(stage.plant.now(), streams.err);
@@ -221,6 +222,9 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
   if (plcs != nullptr && !plcs->stalled.empty()) {
     streams.err << (is_test(options) ? "error: " : "warning: ") << plcs->stalled << "\n";
   }
+
+  if (cut)
+    streams.err << "error: the scenario is not over after its limit of " << trace::seconds(*options.limit) << "\n";
 
   std::string errors;
   const auto note = [&](const std::string& error) {
@@ -235,7 +239,8 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
   note(save_end(stage, options));
   note(played.files.write_junit(junit_text({stage.plant, played.names, played.scenario, outcomes, stage.report,
                                             options.fail_on_findings, shown.clean, plcs, errors})));
-  return errors.empty() ? code : kEnvironment;
+  if (!errors.empty()) return kEnvironment;
+  return cut ? kFindings : code;
 }
 
 /// Runs the plant from time 0 to the end. Returns the exit code.

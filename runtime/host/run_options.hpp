@@ -26,6 +26,7 @@ struct RunOptions {
   std::string plc_clock;                 ///< with Clock::plc: the name of the operation that is the PLC's clock
   std::optional<tables::Time> plc_unit;  ///< with Clock::plc: of its lowest bit; nothing: as in the plant's links
   std::optional<tables::Time> until;
+  std::optional<tables::Time> limit;  ///< where the run ends, and has failed, if its scenario is not over by then
   tables::Time cycle = 10 * tables::kMillisecond;
   bool cycle_given = false;        ///< whether the user gave it
   std::int64_t max_catch_up = 10;  ///< most cycles run at once after missed deadlines

@@ -168,6 +168,10 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
                            .until = options.until.value_or(tables::kNever),
                            .max_catch_up = options.max_catch_up,
                            .spin = options.spin};
+  if (stage.player && options.limit && !options.until) {
+    cycle.until = *options.limit;
+    cycle.ends_when_over = true;
+  }
   if (options.rt_check) cycle.until = end_of_rt_check(stage.plant.now(), options);
 
   std::optional<ReportedPlcTime> plc_time;
@@ -221,7 +225,8 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
 
   run.cycles = meter.statistics();
   run.faults = thread.faults();
-  const bool ended_early = cycle.until != tables::kNever && stage.plant.now() < cycle.until;
+  const bool over = cycle.ends_when_over && stage.player->over();
+  const bool ended_early = cycle.until != tables::kNever && stage.plant.now() < cycle.until && !over;
   run.plcs = judge_plcs(stage, links, clock, run.cycles, ended_early && !stop_requested().load());
   report_end(stage, run, links, out);
   if (options.rt_check) run.clean = report_rt_check(thread.report(), run.faults, run.cycles.cycles, stage, out);

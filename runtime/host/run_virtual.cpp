@@ -23,7 +23,7 @@ void advance(Stage& stage, tables::Time time) {
 
 void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out) {
   const bool by_scenario = stage.player && !options.until;
-  const tables::Time end = by_scenario ? tables::kNever : options.until.value_or(kLongest);
+  const tables::Time end = by_scenario ? options.limit.value_or(tables::kNever) : options.until.value_or(kLongest);
   while (!stop_requested().load(std::memory_order_relaxed)) {
     if (stage.programs && stage.programs->failed()) {
       out << fmt::format("ended at {}: a program failed\n", seconds(stage.plant.now()));
@@ -36,8 +36,11 @@ void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out) {
     const tables::Time due = stage.next_due();
     if (due > end || due == tables::kNever) {
       const bool nothing_left = due == tables::kNever;
-      if (options.until || !nothing_left) advance(stage, end);
-      if (options.until) {
+      const bool limited = by_scenario && options.limit;
+      if (options.until || limited || !nothing_left) advance(stage, end);
+      if (limited) {
+        out << fmt::format("ended at {}: the limit is reached\n", seconds(end));
+      } else if (options.until) {
         out << fmt::format("ended at {}: --until is reached\n", seconds(end));
       } else if (nothing_left) {
         out << fmt::format("ended at {}: nothing more will happen; drive the plant with --link or --scenario\n",

@@ -2,6 +2,7 @@
 #include "symplant/program/crash.hpp"
 
 #include <signal.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
@@ -18,6 +19,7 @@ struct Signal {
 constexpr std::array<Signal, 5> kSignals{
     {{SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"}, {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"}, {SIGABRT, "SIGABRT"}}};
 constexpr int kEnvironment = 3;
+constexpr int kLongestCall = 10;  // s
 
 /// The call that runs. A signal handler has nothing else of what it reports.
 struct Call {
@@ -26,6 +28,8 @@ struct Call {
   volatile tables::Time now = 0;
 };
 thread_local Call call;
+/// How many calls began, to see whether one goes on.
+thread_local volatile std::uint64_t calls = 0;
 std::array<struct sigaction, kSignals.size()> before;
 alignas(16) std::array<char, 64 * 1024> stack;  // a program may have used up its own
 
@@ -57,6 +61,18 @@ class Text {
     }
     add(" s");
   }
+  /// " in scan 812 (8.12 s)", of the call that runs.
+  void add_call() {
+    if (call.scan < 0) {
+      add(" at its start or end (");
+    } else {
+      add(" in scan ");
+      add(static_cast<std::uint64_t>(call.scan));
+      add(" (");
+    }
+    add_seconds(call.now);
+    add(")");
+  }
   void write() const {
     if (::write(STDERR_FILENO, bytes_.data(), size_) < 0) return;  // there is nowhere to report that
   }
@@ -81,15 +97,29 @@ void report(int signal) {
   for (const Signal& known : kSignals) {
     if (known.number == signal) text.add(known.name);
   }
-  if (call.scan < 0) {
-    text.add(" at its start or end (");
-  } else {
-    text.add(" in scan ");
-    text.add(static_cast<std::uint64_t>(call.scan));
-    text.add(" (");
+  text.add_call();
+  text.add("\n");
+  text.write();
+  ::_exit(kEnvironment);
+}
+
+/// Called once a second.
+void look_at_call(int) {
+  static volatile std::uint64_t seen = 0;
+  static volatile int times = 0;
+  if (call.name == nullptr || calls != seen) {
+    seen = calls;
+    times = 0;
+    return;
   }
-  text.add_seconds(call.now);
-  text.add(")\n");
+  times = times + 1;
+  if (times < kLongestCall) return;
+  Text text;
+  text.add("error: program `");
+  text.add(std::string_view(call.name));
+  text.add("` does not return");
+  text.add_call();
+  text.add(" after 10 s\n");
   text.write();
   ::_exit(kEnvironment);
 }
@@ -114,9 +144,27 @@ CrashReport::~CrashReport() {
   ::sigaltstack(&none, nullptr);
 }
 
+CallLimit::CallLimit() {
+  struct sigaction action {};
+  action.sa_handler = look_at_call;
+  action.sa_flags = SA_ONSTACK | SA_RESTART;
+  ::sigaction(SIGALRM, &action, nullptr);
+  const itimerval each_second{{1, 0}, {1, 0}};
+  ::setitimer(ITIMER_REAL, &each_second, nullptr);
+}
+
+CallLimit::~CallLimit() {
+  const itimerval never{};
+  ::setitimer(ITIMER_REAL, &never, nullptr);
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  ::sigaction(SIGALRM, &action, nullptr);
+}
+
 Called::Called(const char* name, std::int64_t scan, tables::Time now) noexcept {
   call.scan = scan;
   call.now = now;
+  calls = calls + 1;
   call.name = name;
 }
 

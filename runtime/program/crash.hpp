@@ -18,6 +18,16 @@ class CrashReport {
   ~CrashReport();
 };
 
+/// While one exists, a call of a program that takes over ten seconds of wall time ends the process with exit code 3 and
+/// "program `cell` does not return in scan 812 (8.12 s) after 10 s". At most one may exist, with a CrashReport.
+class CallLimit {
+ public:
+  CallLimit();
+  CallLimit(const CallLimit&) = delete;
+  CallLimit& operator=(const CallLimit&) = delete;
+  ~CallLimit();
+};
+
 /// The code of a program runs while one exists, in this thread. Costs a few stores.
 class Called {
  public:

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -107,23 +105,16 @@ void read_window(const std::string& text, CompareOptions& options) {
 }
 
 void read_tolerance(const std::string& text, CompareOptions& options) {
-  std::string_view number = text;
-  const bool percent = number.ends_with('%');
-  if (percent) number.remove_suffix(1);
-  const char* const end = number.data() + number.size();
-  const auto [at, error] = std::from_chars(number.data(), end, options.how.tolerance);
-  if (error != std::errc() || at != end || !std::isfinite(options.how.tolerance) || options.how.tolerance < 0 ||
-      (!percent && options.how.tolerance != 0)) {
+  const auto tolerance = compare::parse_tolerance(text);
+  if (!tolerance) {
     throw CLI::ValidationError("--tolerance", "`" + text + "` is not a share: write a number and %, such as 2.5%");
   }
-  options.how.tolerance /= 100;
+  options.how.tolerance = *tolerance;
 }
 
 void read_align(const std::string& text, CompareOptions& options) {
   options.how.align_symbol.clear();
-  options.how.align = text == "none"     ? compare::Align::none
-                      : text == "follow" ? compare::Align::follow
-                                         : compare::Align::symbol;
+  options.how.align = compare::align_of(text);
   if (options.how.align == compare::Align::symbol) options.how.align_symbol = text;
 }
 

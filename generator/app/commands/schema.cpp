@@ -12,6 +12,7 @@
 #include "app/options.hpp"
 #include "description/plant_file.hpp"
 #include "naming/naming_file.hpp"
+#include "suite/suite.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "view/model_json.hpp"
@@ -28,9 +29,10 @@ constexpr std::array kSchemas{
     Schema{"scenario", &scenario::scenario_schema},
     Schema{"naming", &naming::naming_schema},
     Schema{"model", &view::model_schema},
+    Schema{"suite", &suite::suite_schema},
 };
 
-/// "plant, scenario, naming or model".
+/// "plant, scenario, naming, model or suite".
 std::string formats_text() {
   std::string text;
   for (std::size_t i = 0; i < kSchemas.size(); ++i) {

@@ -1,0 +1,313 @@
+// symplant test: runs a suite of scenarios, and compares each with its reference trace.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "app/prepared_plant.hpp"
+#include "diag/visible_text.hpp"
+#include "suite/plants.hpp"
+#include "suite/report.hpp"
+#include "suite/run_case.hpp"
+#include "suite/workers.hpp"
+#include "symplant/host/exit_codes.hpp"
+#include "symplant/host/signals.hpp"
+
+namespace symplant::app {
+namespace {
+
+using suite::Speed;
+
+/// One part of several: `2/8`.
+struct Shard {
+  std::size_t index = 1;  ///< from 1
+  std::size_t count = 1;
+
+  bool has(std::size_t number) const { return number % count == index - 1; }
+};
+
+struct TestOptions {
+  std::string folder;
+  std::vector<std::string> programs;
+  std::vector<std::string> links;
+  std::vector<Speed> speeds{Speed::normal};
+  bool update = false;
+  std::size_t jobs = 0;  ///< 0: the processors
+  Shard shard;
+  std::vector<std::string> merged;
+  std::string output;
+  std::string junit;
+  std::string html;
+  PlantOptions plant;
+};
+
+/// The plants of a suite, by their speed.
+class SuitePlants {
+ public:
+  SuitePlants(const PreparedPlant& prepared, const std::vector<Speed>& speeds) : prepared_(prepared) {
+    for (const Speed speed : speeds) {
+      Tables& tables = tables_[speed];
+      tables.own = suite::at_speed(prepared.tables(), speed);
+      tables.rows.emplace(tables.own.tables());
+    }
+  }
+  host::PlantProgram at(Speed speed) const { return prepared_.program(*tables_.at(speed).rows); }
+
+ private:
+  struct Tables {
+    lower::EngineTables own;
+    std::optional<tables::PlantTables> rows;
+  };
+  const PreparedPlant& prepared_;
+  std::map<Speed, Tables> tables_;
+};
+
+/// A folder for the traces of cases, which is gone at the end.
+class TraceFolder {
+ public:
+  TraceFolder()
+      : path_(std::filesystem::temp_directory_path() / fmt::format("symplant-{:08x}", std::random_device()())) {
+    std::filesystem::create_directory(path_, error_);
+  }
+  TraceFolder(const TraceFolder&) = delete;
+  TraceFolder& operator=(const TraceFolder&) = delete;
+  ~TraceFolder() { std::filesystem::remove_all(path_, error_); }
+
+  /// Empty, or why there is none.
+  std::string error() const {
+    return error_ ? fmt::format("cannot make the folder `{}`: {}", path_.string(), error_.message()) : "";
+  }
+  std::string trace(std::size_t number) const { return (path_ / fmt::format("{}.jsonl", number)).string(); }
+
+ private:
+  std::filesystem::path path_;
+  std::error_code error_;
+};
+
+/// Writes the reports. False, with a message and the exit code, if that fails.
+bool write_reports(const TestOptions& options, const suite::Results& results, const suite::Counts& counts,
+                   Context& context) {
+  const std::string junit = options.junit.empty() ? "" : suite::junit_text(results);
+  if (!options.junit.empty() && !write_result(context, options.junit, base::whole(junit), {})) return false;
+  const base::TextSource page = [&](base::TextSink& sink) { suite::write_html(results, counts, sink); };
+  return options.html.empty() || write_result(context, options.html, page, {});
+}
+
+void fail_test(Context& context, const std::string& message, int code) {
+  context.err << "error: " << diag::visible(message) << "\n";
+  context.exit_code = code;
+}
+
+/// Sums up what there is.
+void end_test(const TestOptions& options, const suite::Results& results, const suite::Counts& counts, bool complete,
+              Context& context) {
+  context.out << suite::summary(counts) << "\n";
+  if (!write_reports(options, results, counts, context)) return;
+  context.exit_code = counts.well() && complete ? host::kGood : host::kFindings;
+}
+
+class SuiteRun {
+ public:
+  SuiteRun(const TestOptions& options, const suite::Suite& suite, Context& context)
+      : options_(options), suite_(suite), context_(context) {
+    for (const Speed speed : options.speeds) {
+      for (const std::string& name : suite.cases) all_.push_back({&name, speed});
+    }
+    for (std::size_t number = 0; number < all_.size(); ++number) {
+      if (options.shard.has(number)) mine_.push_back(number);
+    }
+  }
+
+  void run(const PreparedPlant& prepared) {
+    const SuitePlants plants(prepared, options_.speeds);
+    const TraceFolder traces;
+    std::string error = traces.error();
+    suite::Results results({suite_.folder, all_.size()}, options_.output, error);
+    if (!error.empty()) return fail_test(context_, error, host::kEnvironment);
+    suite::Setup setup{suite_, {}, options_.update};
+    setup.run.programs = options_.programs.empty() ? suite_.programs : options_.programs;
+    setup.run.links = options_.links;
+    if (options_.links.empty()) setup.run.clock = host::RunOptions::Clock::virtual_time;
+
+    const auto work = [&](std::size_t piece) {
+      const Case& one = all_[mine_[piece]];
+      return suite::line_of(suite::run_case(setup, plants.at(one.speed), *one.name, one.speed, traces.trace(piece)));
+    };
+    const auto done = [&](const suite::Done& piece) {
+      std::string failed = results.add(mine_[piece.piece], result_of(piece));
+      if (!failed.empty() && error.empty()) error = std::move(failed);
+      show(results);
+    };
+    host::catch_signals();
+    const auto stop = [&] { return host::stop_requested().load() || !error.empty(); };
+    const std::string failed = suite::do_in_processes(mine_.size(), jobs(), work, done, stop);
+    if (!failed.empty() && error.empty()) error = failed;
+    if (!error.empty()) return fail_test(context_, error, host::kEnvironment);
+    const bool complete = !host::stop_requested().load();
+    if (!complete) {
+      counts_.missing = mine_.size() - (counts_.passed + counts_.failed + counts_.errors);
+      context_.err << "warning: ended by a signal: " << counts_.missing << " cases have no result\n";
+    }
+    end_test(options_, results, counts_, complete, context_);
+  }
+
+ private:
+  struct Case {
+    const std::string* name;
+    Speed speed;
+  };
+
+  std::size_t jobs() const {
+    if (!options_.links.empty()) return 1;  // there is one PLC
+    return options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
+  }
+
+  suite::Result result_of(const suite::Done& piece) const {
+    if (auto result = suite::result_of(piece.answer)) return std::move(*result);
+    const Case& one = all_[mine_[piece.piece]];
+    suite::Result crashed;
+    crashed.name = *one.name;
+    crashed.speed = one.speed;
+    crashed.messages = suite::message_lines(piece.words);
+    return crashed;
+  }
+
+  /// Shows the results that are next in the order of the suite.
+  void show(const suite::Results& results) {
+    for (; shown_ < mine_.size() && results.has(mine_[shown_]); ++shown_) {
+      const suite::Result result = results.read(mine_[shown_]);
+      suite::write_result(result, context_.out);
+      context_.out.flush();
+      counts_.add(result);
+    }
+  }
+
+  const TestOptions& options_;
+  const suite::Suite& suite_;
+  Context& context_;
+  std::vector<Case> all_;          ///< of the whole suite
+  std::vector<std::size_t> mine_;  ///< those of this part
+  std::size_t shown_ = 0;
+  suite::Counts counts_;
+};
+
+void merge(const TestOptions& options, Context& context) {
+  suite::Header header;
+  std::string error = suite::read_results(options.merged, header, [](std::size_t, const suite::Result&) { return ""; });
+  if (!error.empty()) return fail_test(context, error, host::kBadInput);
+  suite::Results results(header, options.output, error);
+  suite::Counts counts;
+  const auto take = [&](std::size_t number, const suite::Result& result) { return results.add(number, result); };
+  if (error.empty()) error = suite::read_results(options.merged, header, take);
+  if (!error.empty()) return fail_test(context, error, host::kEnvironment);
+  for (std::size_t number = 0; number < header.count; ++number) {
+    if (!results.has(number)) {
+      ++counts.missing;
+      continue;
+    }
+    const suite::Result result = results.read(number);
+    if (result.verdict != suite::Result::Verdict::passed) suite::write_result(result, context.out);
+    counts.add(result);
+  }
+  end_test(options, results, counts, true, context);
+}
+
+void test(const TestOptions& options, Context& context) {
+  if (!options.merged.empty()) return merge(options, context);
+  if (options.folder.empty())
+    return fail_test(context, "give the folder of a suite, or `--merge FILE...`", host::kBadInput);
+  const suite::ReadSuite read = suite::read_suite(options.folder);
+  for (const std::string& fault : read.errors) context.err << diag::visible(fault) << "\n";
+  if (!read.suite) {
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  std::optional<Compiled> compiled = compile_for(context, read.suite->plant, options.plant);
+  if (!compiled) return;
+  const PreparedPlant prepared(std::move(*compiled), read.suite->plant);
+  compiled.reset();
+  SuiteRun(options, *read.suite, context).run(prepared);
+}
+
+void read_plants(const std::string& text, TestOptions& options) {
+  options.speeds.clear();
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto speed = suite::speed_of(std::string_view(text).substr(begin, end - begin));
+    if (!speed) throw CLI::ValidationError("--plants", "`" + text + "` is not a list of normal, fast, slow");
+    options.speeds.push_back(*speed);
+    begin = end + 1;
+  }
+}
+
+void read_shard(const std::string& text, TestOptions& options) {
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  const auto index = std::from_chars(at, end, options.shard.index);
+  const bool has_slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = has_slash ? std::from_chars(index.ptr + 1, end, options.shard.count) : index;
+  if (!has_slash || count.ec != std::errc() || count.ptr != end || options.shard.index < 1 ||
+      options.shard.index > options.shard.count) {
+    throw CLI::ValidationError("--shard", "`" + text + "` is not a part such as 1/8: I from 1 to N");
+  }
+}
+
+}  // namespace
+
+void add_test(CLI::App& app, Context& context) {
+  auto options = std::make_shared<TestOptions>();
+  CLI::App* command = app.add_subcommand("test", "Run a suite of scenarios, and compare each with its reference trace");
+  command->add_option("DIR", options->folder, "a folder with suite.json and a scenario for each case");
+  command->add_option("--program", options->programs, "PLC programs instead of those of the suite; may be repeated")
+      ->type_name("[CONTROLLER=]FILE")
+      ->allow_extra_args(false);
+  command->add_option("--link", options->links, "test the PLC at this link, in real time, one case at a time")
+      ->type_name("[CONTROLLER=]URL")
+      ->allow_extra_args(false);
+  command
+      ->add_option_function<std::string>(
+          "--plants", [options](const std::string& text) { read_plants(text, *options); },
+          "run each case on these plants: normal (default); fast: travel times a fifth; slow: three times")
+      ->type_name("normal,fast,slow");
+  CLI::Option* update = command->add_flag("--update", options->update, "write the reference traces of cases that pass");
+  command->add_option("--jobs", options->jobs, "processes that run cases (default: the number of processors)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option_function<std::string>(
+          "--shard", [options](const std::string& text) { read_shard(text, *options); },
+          "run only each N-th case, from the I-th on: part I of N")
+      ->type_name("I/N");
+  command
+      ->add_option("--merge", options->merged, "join the results of parts, files written by `-o`, instead of running")
+      ->type_name("FILE")
+      ->excludes(update)
+      ->check(CLI::ExistingFile);
+  command->add_option("-o,--output", options->output, "write each result to this file as soon as it is there")
+      ->type_name("FILE");
+  command->add_option("--junit", options->junit, "write the results for build servers")->type_name("FILE");
+  command->add_option("--html", options->html, "write the results as a page, with a chart of each difference")
+      ->type_name("FILE");
+  add_plant_options(*command, options->plant);
+  command->footer(
+      "Exit codes: 0 all cases passed; 1 a case failed or is an error; 2 bad input or usage; 3 environment.\n"
+      "Examples:\n  symplant test suite --program cell.so --junit report.xml --html report.html\n"
+      "  symplant test suite --update\n  symplant test suite --plants normal,fast,slow\n"
+      "  symplant test suite --shard 1/8 -o part1.jsonl\n  symplant test --merge part*.jsonl --junit report.xml");
+  command->callback([options, &context] { test(*options, context); });
+}
+
+}  // namespace symplant::app

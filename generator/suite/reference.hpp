@@ -1,0 +1,22 @@
+// Reference traces: what of a run's trace they have.
+#pragma once
+
+#include <istream>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+namespace symplant::suite {
+
+/// Which symbols and locations a reference trace has.
+struct Chosen {
+  const std::vector<std::string>* only;             ///< patterns of names; empty: operations
+  std::unordered_set<std::string_view> operations;  ///< their names
+};
+
+/// A trace with the header and the lines of what is chosen, without what changes from build to build (the digests of
+/// programs). Empty if the trace has no header. O(trace).
+std::string reference_text(std::istream& trace, const Chosen& chosen);
+
+}  // namespace symplant::suite

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Test suites: reference traces, parts, results that are joined, crashes, and what must never pass.
+# usage: suites.sh EXAMPLES SYMPLANT CELL_PROGRAM CC INCLUDE
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+examples=$1 symplant=$2 cell=$3 cc=$4 include=$5
+
+says() { # CODE TEXT COMMAND...: the command ends with the exit code and prints the text
+  local wanted=$1 text=$2 code=0
+  shift 2
+  "$@" >"$work/out" 2>"$work/err" || code=$?
+  ((code == wanted)) || fail "exit code $code, not $wanted: $*"
+  cat "$work/out" "$work/err" | grep -qF -- "$text" || fail "no \`$text\` from: $*"
+}
+changed() { # NAME SED_SCRIPT: the cell's program, changed
+  sed "$2" "$examples/excell/program/cell.c" >"$work/$1.c"
+  cmp -s "$examples/excell/program/cell.c" "$work/$1.c" && fail "$1: the script changes nothing"
+  "$cc" -std=c99 -O1 -shared -fPIC -I"$include" "$work/$1.c" -o "$work/$1.so"
+}
+
+# The example's suite passes, also in parts; a changed program does not.
+suite=$examples/excell/suite
+says 0 "4 cases: 4 passed, 0 failed" "$symplant" test "$suite" --program "$cell" --junit "$work/all.xml" --html "$work/all.html"
+grep -q 'tests="4" failures="0" errors="0"' "$work/all.xml" || fail "the JUnit file has not four cases"
+changed slow 's/WORK_MS 300/WORK_MS 1500/'
+says 1 "late by 1.2 s" "$symplant" test "$suite" --program "$work/slow.so"
+# The same results by one process, by four, and by parts.
+cp -r "$examples/excell" "$work/excell"
+suite=$work/excell/suite
+"$symplant" test "$suite" --program "$work/slow.so" --jobs 1 >"$work/one" || true
+"$symplant" test "$suite" --program "$work/slow.so" --jobs 4 >"$work/four" || true
+cmp "$work/one" "$work/four" || fail "the number of processes shows"
+for part in 1 2 3; do
+  "$symplant" test "$suite" --program "$work/slow.so" --shard $part/3 -o "$work/part$part.jsonl" >"$work/part$part" || true
+done
+(($(cat "$work"/part? | grep -c '^FAILED') == 4)) || fail "the parts are not the whole suite"
+grep -q '^FAILED blind-sensor' "$work/part1" && grep -q '^FAILED sluggish' "$work/part1" || fail "part 1 of 3 has not cases 1 and 4"
+says 1 "4 cases: 0 passed, 4 failed" "$symplant" test --merge "$work"/part?.jsonl --junit "$work/merged.xml"
+cmp <(grep '^FAILED' "$work/one") <(grep '^FAILED' "$work/out") || fail "joined results differ"
+says 1 "without a result" "$symplant" test --merge "$work/part1.jsonl" "$work/part3.jsonl"
+says 2 "is not a part such as 1/8" "$symplant" test "$suite" --shard 0/3
+says 2 "is not a part such as 1/8" "$symplant" test "$suite" --shard 4/3
+
+# --update accepts a change, and shows it; never a case that fails.
+says 0 "4 reference traces written" "$symplant" test "$suite" --program "$work/slow.so" --update
+grep -q "late by 1.2 s" "$work/out" || fail "--update does not show what changes"
+says 0 "4 cases: 4 passed" "$symplant" test "$suite" --program "$work/slow.so"
+says 0 "4 cases: 4 passed, 0 failed" "$symplant" test "$suite" --program "$work/slow.so" --update
+grep -q "written" "$work/out" && fail "--update writes what is there already"
+mkdir "$work/strict"
+cat >"$work/strict/plant.json" <<'END'
+{ "symplant": 1, "symbols": ["../excell/excell.csv"],
+  "requirements": [ { "name": "the machine waits", "never": "EXLINE_MB_MC.RUN2" } ] }
+END
+echo '{ "symplant-suite": 1, "plant": "plant.json" }' >"$work/strict/suite.json"
+echo '{ "symplant-scenario": 1, "steps": [ { "at": "10s" } ] }' >"$work/strict/case.json"
+says 1 "requirement violated: \`the machine waits\`" "$symplant" test "$work/strict" --program "$cell" --update
+[[ ! -e $work/strict/case.reference.jsonl ]] || fail "--update has accepted a violated requirement"
+echo '{ "symplant-scenario": 1, "steps": [ { "at": "1s", "expect": "EXLINE_MB_MC.RUN2" } ] }' >"$work/strict/case.json"
+says 1 'error: expected `EXLINE_MB_MC.RUN2` at 1 s' "$symplant" test "$work/strict" --program "$cell" --update
+[[ ! -e $work/strict/case.reference.jsonl ]] || fail "--update has accepted a failed expectation"
+
+# What is no result: limits, crashes, programs that do not return, bad cases. The other cases go on.
+echo '{ "symplant-suite": 1, "plant": "../excell/excell.csv", "limit": "20s" }' >"$work/strict/suite.json"
+echo '{ "symplant-scenario": 1, "steps": [ { "at": "30s" } ] }' >"$work/strict/case.json"
+says 1 "the scenario is not over after its limit of 20 s" "$symplant" test "$work/strict" --program "$cell"
+changed crash 's/^  switch (cell->phase) {/  if (now_ns == 8120000000) *(volatile int *)0 = 1;\n&/'
+echo '{ "symplant-scenario": 1, "steps": [ { "at": "5s" } ] }' >"$work/strict/early.json"
+says 1 "program \`cell\` ended by SIGSEGV in scan 812 (8.12 s)" "$symplant" test "$work/strict" --program "$work/crash.so" --jobs 1
+grep -q '^passed early' "$work/out" || fail "a crash ends the other cases"
+changed hangs 's/^  switch (cell->phase) {/  while (now_ns == 8120000000) {}\n&/'
+says 1 "program \`cell\` does not return in scan 812 (8.12 s) after 10 s" "$symplant" test "$work/strict" --program "$work/hangs.so"
+echo '{' >"$work/strict/bad.json"
+says 1 "ERROR  bad" "$symplant" test "$work/strict" --program "$cell"
+says 2 "cannot read" "$symplant" test "$work"
+says 2 "give the folder of a suite" "$symplant" test
+says 2 "does not exist" "$symplant" test --merge "$work/nothing.jsonl"
+
+# Slow plants have their own reference traces.
+says 0 "4 without a reference trace" "$symplant" test "$examples/excell/suite" --program "$cell" --plants normal,slow
+says 2 "normal, fast, slow" "$symplant" test "$suite" --plants quick
+
+# Ctrl-C leaves the results that are there.
+echo '{ "symplant-suite": 1, "plant": "../excell/excell.csv", "limit": "100000h" }' >"$work/strict/suite.json"
+rm "$work/strict/bad.json"
+echo '{ "symplant-scenario": 1, "steps": [ { "at": "90000h" } ] }' >"$work/strict/long.json"
+"$symplant" test "$work/strict" --program "$cell" --jobs 1 -o "$work/cut.jsonl" >"$work/cut" 2>&1 &
+plant=$!
+wait_until "the first cases have results" grep -q early "$work/cut"
+kill -INT "$plant"
+code=0
+wait "$plant" || code=$?
+plant=""
+((code == 1)) || fail "exit code $code after Ctrl-C"
+grep -q "without a result" "$work/cut" || fail "the missing case is not counted"
+says 1 "1 without a result" "$symplant" test --merge "$work/cut.jsonl"
