@@ -5,19 +5,17 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <charconv>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/prepared_plant.hpp"
+#include "app/suite_command.hpp"
 #include "diag/visible_text.hpp"
 #include "suite/plants.hpp"
 #include "suite/report.hpp"
@@ -30,29 +28,6 @@ namespace symplant::app {
 namespace {
 
 using suite::Speed;
-
-/// One part of several: `2/8`.
-struct Shard {
-  std::size_t index = 1;  ///< from 1
-  std::size_t count = 1;
-
-  bool has(std::size_t number) const { return number % count == index - 1; }
-};
-
-struct TestOptions {
-  std::string folder;
-  std::vector<std::string> programs;
-  std::vector<std::string> links;
-  std::vector<Speed> speeds{Speed::normal};
-  bool update = false;
-  std::size_t jobs = 0;  ///< 0: the processors
-  Shard shard;
-  std::vector<std::string> merged;
-  std::string output;
-  std::string junit;
-  std::string html;
-  PlantOptions plant;
-};
 
 /// The plants of a suite, by their speed.
 class SuitePlants {
@@ -75,28 +50,6 @@ class SuitePlants {
   std::map<Speed, Tables> tables_;
 };
 
-/// A folder for the traces of cases, which is gone at the end.
-class TraceFolder {
- public:
-  TraceFolder()
-      : path_(std::filesystem::temp_directory_path() / fmt::format("symplant-{:08x}", std::random_device()())) {
-    std::filesystem::create_directory(path_, error_);
-  }
-  TraceFolder(const TraceFolder&) = delete;
-  TraceFolder& operator=(const TraceFolder&) = delete;
-  ~TraceFolder() { std::filesystem::remove_all(path_, error_); }
-
-  /// Empty, or why there is none.
-  std::string error() const {
-    return error_ ? fmt::format("cannot make the folder `{}`: {}", path_.string(), error_.message()) : "";
-  }
-  std::string trace(std::size_t number) const { return (path_ / fmt::format("{}.jsonl", number)).string(); }
-
- private:
-  std::filesystem::path path_;
-  std::error_code error_;
-};
-
 /// Writes the reports. False, with a message and the exit code, if that fails.
 bool write_reports(const TestOptions& options, const suite::Results& results, const suite::Counts& counts,
                    Context& context) {
@@ -104,11 +57,6 @@ bool write_reports(const TestOptions& options, const suite::Results& results, co
   if (!options.junit.empty() && !write_result(context, options.junit, base::whole(junit), {})) return false;
   const base::TextSource page = [&](base::TextSink& sink) { suite::write_html(results, counts, sink); };
   return options.html.empty() || write_result(context, options.html, page, {});
-}
-
-void fail_test(Context& context, const std::string& message, int code) {
-  context.err << "error: " << diag::visible(message) << "\n";
-  context.exit_code = code;
 }
 
 /// Sums up what there is.
@@ -133,7 +81,7 @@ class SuiteRun {
 
   void run(const PreparedPlant& prepared) {
     const SuitePlants plants(prepared, options_.speeds);
-    const TraceFolder traces;
+    const CaseFolder traces;
     std::string error = traces.error();
     suite::Results results({suite_.folder, all_.size()}, options_.output, error);
     if (!error.empty()) return fail_test(context_, error, host::kEnvironment);
@@ -153,7 +101,7 @@ class SuiteRun {
     };
     host::catch_signals();
     const auto stop = [&] { return host::stop_requested().load() || !error.empty(); };
-    const std::string failed = suite::do_in_processes(mine_.size(), jobs(), work, done, stop);
+    const std::string failed = suite::do_in_processes(mine_.size(), jobs_of(options_), work, done, stop);
     if (!failed.empty() && error.empty()) error = failed;
     if (!error.empty()) return fail_test(context_, error, host::kEnvironment);
     const bool complete = !host::stop_requested().load();
@@ -169,11 +117,6 @@ class SuiteRun {
     const std::string* name;
     Speed speed;
   };
-
-  std::size_t jobs() const {
-    if (!options_.links.empty()) return 1;  // there is one PLC
-    return options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
-  }
 
   suite::Result result_of(const suite::Done& piece) const {
     if (auto result = suite::result_of(piece.answer)) return std::move(*result);
@@ -239,7 +182,11 @@ void test(const TestOptions& options, Context& context) {
   if (!compiled) return;
   const PreparedPlant prepared(std::move(*compiled), read.suite->plant);
   compiled.reset();
-  SuiteRun(options, *read.suite, context).run(prepared);
+  if (options.base.empty()) {
+    SuiteRun(options, *read.suite, context).run(prepared);
+  } else {
+    propose_cases(options, *read.suite, prepared, context);
+  }
 }
 
 void read_plants(const std::string& text, TestOptions& options) {
@@ -270,7 +217,8 @@ void read_shard(const std::string& text, TestOptions& options) {
 void add_test(CLI::App& app, Context& context) {
   auto options = std::make_shared<TestOptions>();
   CLI::App* command = app.add_subcommand("test", "Run a suite of scenarios, and compare each with its reference trace");
-  command->add_option("DIR", options->folder, "a folder with suite.json and a scenario for each case");
+  CLI::Option* folder =
+      command->add_option("DIR", options->folder, "a folder with suite.json and a scenario for each case");
   command->add_option("--program", options->programs, "PLC programs instead of those of the suite; may be repeated")
       ->type_name("[CONTROLLER=]FILE")
       ->allow_extra_args(false);
@@ -291,6 +239,19 @@ void add_test(CLI::App& app, Context& context) {
           "--shard", [options](const std::string& text) { read_shard(text, *options); },
           "run only each N-th case, from the I-th on: part I of N")
       ->type_name("I/N");
+  CLI::Option* fresh =
+      command->add_option("--new", options->folder, "propose cases for this suite instead of running it")
+          ->type_name("DIR")
+          ->excludes(folder)
+          ->excludes(update);
+  CLI::Option* base = command->add_option("--base", options->base, "what all proposed cases do, a case of the suite")
+                          ->type_name("CASE")
+                          ->needs(fresh);
+  fresh->needs(base);
+  command->add_option("--most", options->most, "propose at most so many (default: 50)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000))
+      ->needs(fresh);
   command
       ->add_option("--merge", options->merged, "join the results of parts, files written by `-o`, instead of running")
       ->type_name("FILE")
@@ -306,7 +267,8 @@ void add_test(CLI::App& app, Context& context) {
       "Exit codes: 0 all cases passed; 1 a case failed or is an error; 2 bad input or usage; 3 environment.\n"
       "Examples:\n  symplant test suite --program cell.so --junit report.xml --html report.html\n"
       "  symplant test suite --update\n  symplant test suite --plants normal,fast,slow\n"
-      "  symplant test suite --shard 1/8 -o part1.jsonl\n  symplant test --merge part*.jsonl --junit report.xml");
+      "  symplant test --new suite --base first_cycle\n  symplant test suite --shard 1/8 -o part1.jsonl\n  symplant "
+      "test --merge part*.jsonl --junit report.xml");
   command->callback([options, &context] { test(*options, context); });
 }
 

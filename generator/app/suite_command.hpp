@@ -1,0 +1,70 @@
+// What the command test works with.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "app/context.hpp"
+#include "app/options.hpp"
+#include "app/prepared_plant.hpp"
+#include "suite/suite.hpp"
+
+namespace symplant::app {
+
+/// One part of several: `2/8`.
+struct Shard {
+  std::size_t index = 1;  ///< from 1
+  std::size_t count = 1;
+
+  bool has(std::size_t number) const { return number % count == index - 1; }
+};
+
+struct TestOptions {
+  std::string folder;
+  std::vector<std::string> programs;
+  std::vector<std::string> links;
+  std::vector<suite::Speed> speeds{suite::Speed::normal};
+  bool update = false;
+  std::size_t jobs = 0;  ///< 0: the processors
+  Shard shard;
+  std::string base;       ///< the case of which others are proposed; empty: none are
+  std::size_t most = 50;  ///< cases that are proposed
+  std::vector<std::string> merged;
+  std::string output;
+  std::string junit;
+  std::string html;
+  PlantOptions plant;
+};
+
+/// A folder for files of cases, which is gone at the end.
+class CaseFolder {
+ public:
+  CaseFolder();
+  CaseFolder(const CaseFolder&) = delete;
+  CaseFolder& operator=(const CaseFolder&) = delete;
+  ~CaseFolder();
+
+  /// Empty, or why there is none.
+  std::string error() const;
+  std::string path() const { return path_.string(); }
+  std::string trace(std::size_t number) const;
+
+ private:
+  std::filesystem::path path_;
+  std::error_code error_;
+};
+
+/// How many processes run cases.
+std::size_t jobs_of(const TestOptions& options);
+
+/// Shows an error, and sets the exit code.
+void fail_test(Context& context, const std::string& message, int code);
+
+/// Writes cases into the folder of a suite: what the base case does, and one thing more.
+void propose_cases(const TestOptions& options, const suite::Suite& suite, const PreparedPlant& prepared,
+                   Context& context);
+
+}  // namespace symplant::app
