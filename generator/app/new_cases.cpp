@@ -37,14 +37,6 @@ std::vector<std::uint64_t> numbers_of(const std::string& text) {
   return numbers;
 }
 
-/// At most so many, evenly from all.
-std::vector<suite::Proposal> spread(std::vector<suite::Proposal> all, std::size_t most) {
-  if (all.size() <= most) return all;
-  std::vector<suite::Proposal> some;
-  for (std::size_t i = 0; i < most; ++i) some.push_back(std::move(all[i * all.size() / most]));
-  return some;
-}
-
 }  // namespace
 
 void propose_cases(const TestOptions& options, const suite::Suite& suite, const PreparedPlant& prepared,
@@ -73,7 +65,7 @@ void propose_cases(const TestOptions& options, const suite::Suite& suite, const 
   std::vector<suite::Proposal> proposals = suite::proposals_of(base, options.base, plant.tables, with_program);
   std::erase_if(proposals, [&](const suite::Proposal& one) { return context.files.exists(suite.scenario(one.name)); });
   const std::size_t all = proposals.size();
-  proposals = spread(std::move(proposals), kTried * options.most);
+  proposals = suite::spread(std::move(proposals), kTried * options.most);
 
   std::vector<std::vector<std::uint64_t>> pairs(proposals.size());
   const auto work = [&](std::size_t piece) {

@@ -29,6 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using TraceJson = nlohmann::json;
 
+constexpr std::size_t kPrime = 7919;
 constexpr tables::Time kPress = 500 * tables::kMillisecond;
 
 /// Reads what a scenario did, and when the operations of programs changed.
@@ -70,7 +71,10 @@ class BaseReader {
 
   void change(const TraceJson& json, tables::Time time) {
     const std::string name = json["symbol"];
-    if (!operations_.contains(name)) return;
+    if (!operations_.contains(name)) {
+      if (json["value"].is_boolean()) base_.toggles[name].push_back(time);
+      return;
+    }
     if (!written_.contains(name)) {
       base_.acts.push_back({time, fmt::format("\"set\":{{{}:{}}}", trace::json_string(name), json["value"].dump())});
     }
@@ -137,15 +141,23 @@ class Proposer {
       const std::string name(names_.symbol(symbol));
       const auto set = [&](bool on) { return fmt::format("\"set\":{{{}:{}}}", trace::json_string(name), on); };
       each_phase([&](std::size_t phase, tables::Time time) {
-        add(fmt::format("press {} in phase {}", name, phase),
-            {{time, set(!row.inverted())}, {time + kPress, set(row.inverted())}});
+        const bool on = is_on(name, time);
+        add(Proposal::Kind::press, fmt::format("press {} in phase {}", name, phase),
+            {{time, set(!on)}, {time + kPress, set(on)}});
       });
     }
   }
 
+  /// What an input has in the base case.
+  bool is_on(const std::string& event, tables::Time time) const {
+    const auto found = base_.toggles.find(event);
+    if (found == base_.toggles.end()) return false;
+    return (std::upper_bound(found->second.begin(), found->second.end(), time) - found->second.begin()) % 2 != 0;
+  }
+
   void restarts() {
     each_phase([&](std::size_t phase, tables::Time time) {
-      add(fmt::format("restart in phase {}", phase), {{time, "\"restart\":true"}});
+      add(Proposal::Kind::restart, fmt::format("restart in phase {}", phase), {{time, "\"restart\":true"}});
     });
   }
 
@@ -155,7 +167,7 @@ class Proposer {
         if (state == tables_.units[unit].initial) continue;
         const std::string device(names_.unit(unit));
         const std::string name(names_.state(unit, state));
-        add(fmt::format("start with {} in {}", device, name),
+        add(Proposal::Kind::state, fmt::format("start with {} in {}", device, name),
             {{0, fmt::format("\"state\":{{{}:{}}}", trace::json_string(device), trace::json_string(name))}});
       }
     }
@@ -168,7 +180,7 @@ class Proposer {
     for (std::uint32_t number = 0; number < count; ++number) {
       if (!numbers.exists(number)) continue;
       const std::string name = names_.malfunction(number);
-      add(name, {{0, fmt::format("\"start\":{}", trace::json_string(name))}});
+      add(Proposal::Kind::malfunction, name, {{0, fmt::format("\"start\":{}", trace::json_string(name))}});
     }
   }
 
@@ -177,7 +189,7 @@ class Proposer {
     for (std::size_t i = 0; i < base_.phases.size(); ++i) act(i + 1, base_.phases[i]);
   }
 
-  void add(const std::string& words, std::vector<BaseRun::Act> acts) {
+  void add(Proposal::Kind kind, const std::string& words, std::vector<BaseRun::Act> acts) {
     std::string name = file_name(words);
     if (!taken_.insert(name).second) {
       name += fmt::format("-{}", proposals_.size());
@@ -191,7 +203,7 @@ class Proposer {
       if (act.time <= base_.end) text += fmt::format("    {{ \"at\": \"{}ns\", {} }},\n", act.time, act.members);
     }
     text += fmt::format("    {{ \"at\": \"{}ns\" }}\n  ]\n}}\n", base_.end);
-    proposals_.push_back({std::move(name), words, std::move(text)});
+    proposals_.push_back({kind, std::move(name), words, std::move(text)});
   }
 
   const BaseRun& base_;
@@ -243,6 +255,29 @@ bool run_base(const Setup& setup, const host::PlantProgram& plant, const std::st
 std::vector<Proposal> proposals_of(const BaseRun& base, const std::string& name, const tables::PlantTables& tables,
                                    bool with_program) {
   return Proposer(base, name, tables).run(with_program);
+}
+
+std::vector<Proposal> spread(std::vector<Proposal> all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::map<Proposal::Kind, std::vector<std::size_t>> kinds;
+  for (std::size_t i = 0; i < all.size(); ++i) kinds[all[i].kind].push_back(i);
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto& [kind, group] : kinds) groups.push_back(std::move(group));
+  std::sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  std::vector<std::size_t> kept;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::vector<std::size_t>& group = groups[g];
+    const std::size_t share = std::min(group.size(), (most - kept.size()) / (groups.size() - g));
+    for (std::size_t i = 0; i < share; ++i) {  // one of each span, at different places, as neighbors are alike
+      const std::size_t begin = i * group.size() / share;
+      const std::size_t width = (i + 1) * group.size() / share - begin;
+      kept.push_back(group[begin + i * kPrime % width]);
+    }
+  }
+  std::sort(kept.begin(), kept.end());
+  std::vector<Proposal> some;
+  for (const std::size_t i : kept) some.push_back(std::move(all[i]));
+  return some;
 }
 
 std::vector<std::uint64_t> new_pairs(const Setup& setup, const host::PlantProgram& plant, const Proposal& proposal,

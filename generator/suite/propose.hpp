@@ -37,11 +37,14 @@ struct Proposal {
 bool run_base(const Setup& setup, const host::PlantProgram& plant, const std::string& scenario,
               const std::string& folder, BaseRun& base, std::string& error);
 
-/// All cases that are proposed for a base case, in a fixed order: each input that no device drives pressed for 500 ms
+/// All cases that are proposed for a base case, in a fixed order: each input that no device drives changed for 500 ms
 /// in each phase, the program restarted in each phase (`with_program`), each device at first in each other state, each
 /// malfunction alone.
 std::vector<Proposal> proposals_of(const BaseRun& base, const std::string& name, const tables::PlantTables& tables,
                                    bool with_program);
+
+/// At most so many, evenly from all of each kind; a kind with few keeps them.
+std::vector<Proposal> spread(std::vector<Proposal> all, std::size_t most);
 
 /// The pairs of a proposed scenario that the base case does not have; of one that fails in another way than by
 /// expectations none. In this process, which a program may end.

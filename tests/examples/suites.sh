@@ -76,6 +76,18 @@ says 2 "cannot read" "$symplant" test "$work"
 says 2 "give the folder of a suite" "$symplant" test
 says 2 "does not exist" "$symplant" test --merge "$work/nothing.jsonl"
 
+# Cases that are proposed: the same each time, none that is there already, and all of them run.
+says 0 "18 of 18 possible cases written" "$symplant" test --new "$suite" --base cycles --program "$cell"
+grep -q '^new    restart-in-phase-2: ' "$work/out" || fail "no restart in phase 2 is proposed"
+grep -q '"restart":true' "$suite/restart-in-phase-2.json" || fail "the proposed case does not restart the program"
+says 0 "0 of 0 possible cases written" "$symplant" test --new "$suite" --base cycles --program "$cell"
+cp -r "$examples/excell/suite" "$work/excell/few"
+says 0 "3 of 18 possible cases written" "$symplant" test --new "$work/excell/few" --base cycles --program "$cell" --most 3
+says 0 "18 reference traces written" "$symplant" test "$suite" --program "$work/slow.so" --update
+says 0 "22 cases: 22 passed" "$symplant" test "$suite" --program "$work/slow.so"
+says 2 "the suite has no case \`none\`" "$symplant" test --new "$suite" --base none --program "$cell"
+says 2 "requires --base" "$symplant" test --new "$suite"
+
 # Slow plants have their own reference traces.
 says 0 "4 without a reference trace" "$symplant" test "$examples/excell/suite" --program "$cell" --plants normal,slow
 says 2 "normal, fast, slow" "$symplant" test "$suite" --plants quick
