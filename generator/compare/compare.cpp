@@ -377,7 +377,8 @@ std::optional<double> parse_tolerance(std::string_view text) {
   if (percent) text.remove_suffix(1);
   double share = 0;
   const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), share);
-  if (error != std::errc() || at != text.data() + text.size() || !std::isfinite(share) || share < 0) return std::nullopt;
+  if (error != std::errc() || at != text.data() + text.size() || !std::isfinite(share) || share < 0)
+    return std::nullopt;
   if (!percent && share != 0) return std::nullopt;
   return share / 100;
 }

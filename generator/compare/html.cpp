@@ -142,8 +142,9 @@ void write_chart_page(const std::string& title, const base::TextSource& data, ba
 }
 
 void write_html(const Comparison& comparison, base::TextSink& sink) {
-  write_chart_page(comparison.actual->name + " compared with " + comparison.expected->name,
-                   [&](base::TextSink& out) { out.put(diag::script_json(chart_data(comparison))); }, sink);
+  write_chart_page(
+      comparison.actual->name + " compared with " + comparison.expected->name,
+      [&](base::TextSink& out) { out.put(diag::script_json(chart_data(comparison))); }, sink);
 }
 
 }  // namespace symplant::compare

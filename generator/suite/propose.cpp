@@ -87,7 +87,7 @@ class BaseReader {
     patterns_.back() = on_;
   }
 
-  /// A phase is a pattern of operations that are on; the middle of the first span of time with it stands for it.
+  /// A phase is a pattern of operations that are on; it is represented by the middle of the first span of time with it.
   void find_phases() {
     std::set<std::set<std::string>> seen;
     for (std::size_t i = 0; i < patterns_.size(); ++i) {

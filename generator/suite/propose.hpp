@@ -46,8 +46,8 @@ std::vector<Proposal> proposals_of(const BaseRun& base, const std::string& name,
 /// At most so many, evenly from all of each kind; a kind with few keeps them.
 std::vector<Proposal> spread(std::vector<Proposal> all, std::size_t most);
 
-/// The pairs of a proposed scenario that the base case does not have; of one that fails in another way than by
-/// expectations none. In this process, which a program may end.
+/// The pairs of a proposed scenario that the base case does not have; none of one that
+/// cannot run. In this process, which a program may end.
 std::vector<std::uint64_t> new_pairs(const Setup& setup, const host::PlantProgram& plant, const Proposal& proposal,
                                      const BaseRun& base, const std::string& folder);
 

@@ -20,9 +20,10 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 22> kGenerator = {
-    "base",  "text",    "diag",  "address", "read",     "name", "description", "naming", "pairing", "infer",   "model",
-    "score", "convert", "lower", "check",   "findings", "emit", "view",        "diff",   "map",     "compare", "app"};
+constexpr std::array<std::string_view, 23> kGenerator = {
+    "base",    "text",  "diag",  "address", "read",    "name",  "description", "naming",
+    "pairing", "infer", "model", "score",   "convert", "lower", "check",       "findings",
+    "emit",    "view",  "diff",  "map",     "compare", "suite", "app"};
 constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "plant", "condition", "json",
                                                        "share",    "exec",    "link",  "trace",     "why",
                                                        "scenario", "program", "panel", "host"};
@@ -52,6 +53,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"diff", " tables "},
     RuntimeUse{"map", " tables link trace why "},
     RuntimeUse{"compare", " tables trace "},
+    RuntimeUse{"suite", " tables json trace why program host "},
     RuntimeUse{"app", " tables json link trace why scenario program panel host "},
 };
 

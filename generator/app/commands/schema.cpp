@@ -25,10 +25,8 @@ struct Schema {
   std::string_view (*text)();
 };
 constexpr std::array kSchemas{
-    Schema{"plant", &description::plant_schema},
-    Schema{"scenario", &scenario::scenario_schema},
-    Schema{"naming", &naming::naming_schema},
-    Schema{"model", &view::model_schema},
+    Schema{"plant", &description::plant_schema}, Schema{"scenario", &scenario::scenario_schema},
+    Schema{"naming", &naming::naming_schema},    Schema{"model", &view::model_schema},
     Schema{"suite", &suite::suite_schema},
 };
 

@@ -162,10 +162,10 @@ TEST_CASE("schema prints the schema of plant.json, and reports an unknown name")
 }
 
 TEST_CASE("schema prints each format that its help and its message name") {
-  const std::string formats = "plant, scenario, naming or model";
+  const std::string formats = "plant, scenario, naming, model or suite";
   CHECK(contains(run_tool({"schema", "--help"}).out, formats));
   CHECK(contains(run_tool({"schema", "links"}).err, ": write " + formats + "\n"));
-  for (const char* format : {"plant", "scenario", "naming", "model"}) {
+  for (const char* format : {"plant", "scenario", "naming", "model", "suite"}) {
     INFO(format);
     CHECK(json::parse(run_tool({"schema", format}).out).contains("$schema"));
   }

@@ -12,7 +12,7 @@ using test::TemporaryFolder;
 
 constexpr const char* kScenario = R"({"symplant-scenario":1,"steps":[]})";
 
-TEST_CASE("A case is each scenario in the folder, other files, folders and `before` are none") {
+TEST_CASE("A case is each scenario in the folder, without other files, folders and `before`") {
   const TemporaryFolder folder;
   folder.write("suite.json", R"({"symplant-suite":1,"plant":"../plant.json","before":"home.json",
     "programs":[{"file":"cell.so"},{"file":"../b.so","controller":"PLC2"}],
