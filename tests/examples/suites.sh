@@ -92,6 +92,16 @@ says 2 "requires --base" "$symplant" test --new "$suite"
 says 0 "4 without a reference trace" "$symplant" test "$examples/excell/suite" --program "$cell" --plants normal,slow
 says 2 "normal, fast, slow" "$symplant" test "$suite" --plants quick
 
+# A run that cannot begin leaves no earlier results, and no result replaces an input.
+cp "$work/all.xml" "$work/old.xml"
+mkdir "$work/broken"
+echo '{ "symplant-suite": 1, "plant": "nothing.csv" }' >"$work/broken/suite.json"
+echo '{ "symplant-scenario": 1, "steps": [ { "at": "1s" } ] }' >"$work/broken/case.json"
+says 2 "nothing.csv" "$symplant" test "$work/broken" --junit "$work/old.xml"
+grep -q "the run has not ended" "$work/old.xml" || fail "a run that cannot begin leaves earlier results"
+says 2 "case.json" "$symplant" test "$work/broken" --junit "$work/broken/case.json"
+grep -q symplant-scenario "$work/broken/case.json" || fail "a result replaces a case"
+
 # Ctrl-C leaves the results that are there.
 echo '{ "symplant-suite": 1, "plant": "../excell/excell.csv", "limit": "100000h" }' >"$work/strict/suite.json"
 rm "$work/strict/bad.json"

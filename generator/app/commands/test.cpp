@@ -23,6 +23,7 @@
 #include "suite/workers.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/signals.hpp"
+#include "symplant/trace/junit_xml.hpp"
 
 namespace symplant::app {
 namespace {
@@ -49,6 +50,28 @@ class SuitePlants {
   const PreparedPlant& prepared_;
   std::map<Speed, Tables> tables_;
 };
+
+/// Replaces earlier results by ones that say that this run has not ended, so that whatever ends it leaves no green
+/// ones. False, with a message and the exit code, if that fails.
+bool begin_reports(const TestOptions& options, const std::vector<std::string>& inputs, Context& context) {
+  if (!options.junit.empty()) {
+    const std::vector<trace::TestCase> cases = {{"symplant test", 0, "", "the run has not ended"}};
+    if (!write_result(context, options.junit, base::whole(trace::junit_xml("symplant test", cases, 0)), inputs))
+      return false;
+  }
+  const base::TextSource page = base::whole("<!DOCTYPE html><title>symplant test</title>The run has not ended.\n");
+  return options.html.empty() || write_result(context, options.html, page, inputs);
+}
+
+/// What the results may not replace.
+std::vector<std::string> inputs_of(const suite::Suite& suite) {
+  std::vector<std::string> inputs = {suite.folder + "/suite.json", suite.plant, suite.before};
+  for (const std::string& name : suite.cases) {
+    inputs.push_back(suite.scenario(name));
+    for (const Speed speed : {Speed::normal, Speed::fast, Speed::slow}) inputs.push_back(suite.reference(name, speed));
+  }
+  return inputs;
+}
 
 /// Writes the reports. False, with a message and the exit code, if that fails.
 bool write_reports(const TestOptions& options, const suite::Results& results, const suite::Counts& counts,
@@ -148,6 +171,7 @@ class SuiteRun {
 };
 
 void merge(const TestOptions& options, Context& context) {
+  if (!begin_reports(options, options.merged, context)) return;
   suite::Header header;
   std::string error = suite::read_results(options.merged, header, [](std::size_t, const suite::Result&) { return ""; });
   if (!error.empty()) return fail_test(context, error, host::kBadInput);
@@ -174,6 +198,10 @@ void test(const TestOptions& options, Context& context) {
     return fail_test(context, "give the folder of a suite, or `--merge FILE...`", host::kBadInput);
   const suite::ReadSuite read = suite::read_suite(options.folder);
   for (const std::string& fault : read.errors) context.err << diag::visible(fault) << "\n";
+  if (!begin_reports(options, read.suite ? inputs_of(*read.suite) : std::vector{options.folder + "/suite.json"},
+                     context)) {
+    return;
+  }
   if (!read.suite) {
     context.exit_code = host::kBadInput;
     return;
