@@ -23,7 +23,7 @@ struct Difference {
     expected_ends,  ///< ACTUAL has changes after the end of EXPECTED
     actual_ends,    ///< EXPECTED has changes after the end of ACTUAL
   };
-  Kind kind;
+  Kind kind = Kind::missing;
   const Series* of = nullptr;  ///< whose; null: of the whole trace
   tables::Time time = 0;       ///< of EXPECTED's change; unexpected: of ACTUAL's; ends: of the last line
   tables::Time by = 0;         ///< late, early: the difference; deviates, a pulse: how long
@@ -55,8 +55,8 @@ std::optional<double> parse_tolerance(std::string_view text);
 
 /// Both traces must outlive it.
 struct Comparison {
-  const Recorded* expected;
-  const Recorded* actual;
+  const Recorded* expected = nullptr;
+  const Recorded* actual = nullptr;
   tables::Time window = 0;
   std::vector<const Series*> compared;      ///< EXPECTED's, then those that only ACTUAL has
   std::vector<const Series*> not_recorded;  ///< elements that one trace, a recording, does not have

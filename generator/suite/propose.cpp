@@ -262,6 +262,7 @@ std::vector<Proposal> spread(std::vector<Proposal> all, std::size_t most) {
   std::map<Proposal::Kind, std::vector<std::size_t>> kinds;
   for (std::size_t i = 0; i < all.size(); ++i) kinds[all[i].kind].push_back(i);
   std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(kinds.size());
   for (auto& [kind, group] : kinds) groups.push_back(std::move(group));
   std::sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
   std::vector<std::size_t> kept;
@@ -276,6 +277,7 @@ std::vector<Proposal> spread(std::vector<Proposal> all, std::size_t most) {
   }
   std::sort(kept.begin(), kept.end());
   std::vector<Proposal> some;
+  some.reserve(kept.size());
   for (const std::size_t i : kept) some.push_back(std::move(all[i]));
   return some;
 }

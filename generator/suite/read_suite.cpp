@@ -68,15 +68,15 @@ class SuiteReader {
     errors_.push_back(fmt::format("{}:{}:{}: {}", path_, at.line, at.column, fault.message));
   }
 
-  std::string beside(const std::string& file) const { return (fs::path(suite_.folder) / file).string(); }
+  std::string in_folder(const std::string& file) const { return (fs::path(suite_.folder) / file).string(); }
 
   void take(const Json& root) {
-    suite_.plant = beside(root["plant"].get<std::string>());
+    suite_.plant = in_folder(root["plant"].get<std::string>());
     if (root.contains("programs")) {
       for (const Json& program : root["programs"]) {
         const std::string controller = program.value("controller", "");
         suite_.programs.push_back((controller.empty() ? "" : controller + "=") +
-                                  beside(program["file"].get<std::string>()));
+                                  in_folder(program["file"].get<std::string>()));
       }
     }
     if (root.contains("window")) suite_.how.window = duration(root, "window");
@@ -92,7 +92,7 @@ class SuiteReader {
       suite_.how.tolerance = tolerance.value_or(0);
     }
     if (root.contains("only")) suite_.how.only = root["only"].get<std::vector<std::string>>();
-    if (root.contains("before")) suite_.before = beside(root["before"].get<std::string>());
+    if (root.contains("before")) suite_.before = in_folder(root["before"].get<std::string>());
   }
 
   void fault(const char* key, const std::string& what, const Json& root) {

@@ -140,7 +140,7 @@ int open_programs(const ProgramChoices& choices, const trace::PlantNames& names,
       continue;
     }
     OpenProgram one{choice, std::get<std::unique_ptr<program::Library>>(std::move(opened)), {}, {}, {}};
-    const symplant_program& program = one.library->program();
+    const symplant_program& program = one.loaded->program();
     one.times = program::times_of(program, choice.options);
     one.binding = program::bind(program, names, choice.options.controller, choice.options.ignore);
     one.digest = program::file_digest(choice.file);
@@ -157,7 +157,7 @@ int open_programs(const ProgramChoices& choices, const trace::PlantNames& names,
 
 void add_written(const Programs& programs, const tables::PlantTables& tables, std::vector<bool>& carried) {
   for (const OpenProgram& one : programs) {
-    const std::vector<bool> written = program::written_symbols(one.library->program(), one.binding, tables);
+    const std::vector<bool> written = program::written_symbols(one.loaded->program(), one.binding, tables);
     for (std::size_t i = 0; i < written.size(); ++i) {
       if (written[i]) carried[i] = true;
     }
@@ -167,8 +167,8 @@ void add_written(const Programs& programs, const tables::PlantTables& tables, st
 std::vector<trace::PlantNames::Program> named_programs(const Programs& programs, const tables::PlantTables& tables) {
   std::vector<trace::PlantNames::Program> named;
   for (const OpenProgram& one : programs) {
-    named.push_back({one.library->program().name, one.choice.options.controller, one.digest, one.times.period,
-                     one.times.delay, program::written_symbols(one.library->program(), one.binding, tables)});
+    named.push_back({one.loaded->program().name, one.choice.options.controller, one.digest, one.times.period,
+                     one.times.delay, program::written_symbols(one.loaded->program(), one.binding, tables)});
   }
   return named;
 }
@@ -176,7 +176,7 @@ std::vector<trace::PlantNames::Program> named_programs(const Programs& programs,
 std::string program_lines(std::span<const OpenProgram> programs, const tables::PlantTables& tables) {
   std::string text;
   for (const OpenProgram& one : programs) {
-    const symplant_program& program = one.library->program();
+    const symplant_program& program = one.loaded->program();
     const auto bound = [&](bool writes) {
       std::size_t count = 0;
       for (std::uint32_t i = 0; i < program.count; ++i) {

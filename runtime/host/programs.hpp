@@ -39,7 +39,7 @@ std::string link_beside_program(const ProgramChoices& programs, const LinkChoice
 /// A program with its binding.
 struct OpenProgram {
   ProgramChoice choice;
-  std::unique_ptr<program::Library> library;
+  std::unique_ptr<program::Library> loaded;
   program::Binding binding;
   program::Times times;
   std::string digest;  ///< of its file

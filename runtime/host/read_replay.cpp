@@ -176,7 +176,9 @@ class ReplayReader {
   std::string quality(const Json& quality) {
     if (!quality.is_object()) return "`quality` is not an object";
     const auto& units = names_.tables().behaviour_units;
-    for (const auto& [name, well] : quality.items()) {
+    for (const auto& member : quality.items()) {
+      const std::string& name = member.key();
+      const Json& well = member.value();
       const auto found =
           std::find_if(units.begin(), units.end(), [&](const auto& unit) { return names_.unit(unit.unit) == name; });
       if (found == units.end() || !well.is_boolean()) {

@@ -118,7 +118,7 @@ std::string save_end(const Stage& stage, const RunOptions& options) {
 void add_programs(const Programs& programs, bool real, Stage& stage) {
   stage.programs.emplace(stage.plant, &stage.recorder);
   if (real) stage.programs->share_events();
-  for (const OpenProgram& one : programs) stage.programs->add(one.library->program(), one.choice.options);
+  for (const OpenProgram& one : programs) stage.programs->add(one.loaded->program(), one.choice.options);
   stage.stepper(nullptr);
   if (stage.player) stage.player->control(&*stage.programs);
 }

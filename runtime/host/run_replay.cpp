@@ -9,6 +9,7 @@
 
 #include "symplant/host/signals.hpp"
 #include "symplant/scenario/act.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/tables/tables.hpp"

@@ -148,6 +148,7 @@ void add_compare(CLI::App& app, Context& context) {
       ->type_name("PATTERN")
       ->allow_extra_args(false);
   std::vector<std::string> names;
+  names.reserve(kCompareFormats.size());
   for (const CompareFormat& format : kCompareFormats) names.emplace_back(format.name);
   command
       ->add_option(

@@ -46,7 +46,7 @@ std::string aligned(const std::vector<Row>& rows) {
 }
 
 std::string table_of(const host::OpenProgram& open, const trace::PlantNames& names) {
-  const symplant_program& program = open.library->program();
+  const symplant_program& program = open.loaded->program();
   std::vector<Row> rows{{"variable", "does", "bits", "symbol", "address", "row"}};
   for (std::uint32_t i = 0; i < program.count; ++i) {
     const symplant_variable& variable = program.variables[i];
