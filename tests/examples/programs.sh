@@ -141,5 +141,14 @@ END
 says 0 "a scan every 0.05 s, its outputs after 0.02 s" "$symplant" run "$work/plant.json" --until 1s
 says 0 "name.so): reads 3 events" "$symplant" run "$work/plant.json" --program "$work/name.so" --until 1s
 says 0 "own.so" "$symplant" program "$work/plant.json"
+cat >"$work/width.json" <<'END'
+{ "symplant": 1, "symbols": ["excell.csv"], "programs": [ { "file": "width.so", "ignore": ["*_I_RUN2"] } ],
+  "malfunctions": [ { "name": "gone", "lose": true } ] }
+END
+says 0 "reads 3 events" "$symplant" run "$work/width.json" --until 1s
+grep -q "no effect" "$work/out" && fail "a program's controller cannot be lost in virtual time"
+# A program sees at its scans what changes within a cycle.
+says 0 "ended at 1 s" run_cell "$cell" --clock real --cycle 500ms --until 1s
+grep -q "too short" "$work/out" "$work/err" && fail "an event that a scan has read is too short"
 sed -i 's/"file": "own.so"/"file": "own.so", "controller": "PLC1"/' "$work/plant.json"
 says 2 "controller \`PLC1\` not found" "$symplant" run "$work/plant.json" --until 1s
