@@ -42,7 +42,7 @@ class Text {
     size_ += size;
   }
   void add(std::uint64_t number) {
-    std::array<char, 20> digits;
+    std::array<char, 20> digits{};
     std::size_t at = digits.size();
     do {
       digits[--at] = static_cast<char>('0' + number % 10);
@@ -78,7 +78,7 @@ class Text {
   }
 
  private:
-  std::array<char, 512> bytes_;
+  std::array<char, 512> bytes_{};
   std::size_t size_ = 0;
 };
 

@@ -96,7 +96,7 @@ std::string file_digest(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return {};
   std::uint64_t hash = 0xCBF2'9CE4'8422'2325U;  // FNV-1a
-  std::array<char, 1 << 16> bytes;
+  std::array<char, 1 << 16> bytes{};
   while (file) {
     file.read(bytes.data(), bytes.size());
     for (std::streamsize i = 0; i < file.gcount(); ++i) {

@@ -23,7 +23,7 @@ LockStep::LockStep(plant::Plant& plant, engine::Observer* observer)
 }
 
 std::string LockStep::add(const symplant_program& program, const Options& options) {
-  if (const std::string fault = program_fault(&program); !fault.empty()) return fault;
+  if (std::string fault = program_fault(&program); !fault.empty()) return fault;
   const Times times = times_of(program, options);
   auto binding = std::make_unique<Binding>(bind(program, names_, options.controller, options.ignore));
   std::string errors = times.error;
