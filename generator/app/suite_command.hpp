@@ -47,7 +47,7 @@ class CaseFolder {
   CaseFolder& operator=(const CaseFolder&) = delete;
   ~CaseFolder();
 
-  /// Empty, or why there is none.
+  /// Empty, or why it could not be made.
   std::string error() const;
   std::string path() const { return path_.string(); }
   std::string trace(std::size_t number) const;
