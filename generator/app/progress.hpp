@@ -16,10 +16,10 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void stage(const std::string& what);
-
- private:
+  /// Removes the line, before something else is written to the terminal.
   void clear();
 
+ private:
   std::ostream& err_;
   bool terminal_;
   bool shown_ = false;

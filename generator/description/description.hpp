@@ -126,9 +126,9 @@ struct DeviceDescription {
   }
 };
 
-/// A condition that must `never` hold, or one to `expect` `within` a time `after` another began to hold. Either `never`
-/// or the other two conditions are given. In texts of one for a pattern, and of an entry under one, names in braces
-/// refer to the matched device.
+/// A condition that must `never` hold, or one to `expect` `within` a time `after` another began to hold, and not before
+/// the `earliest` time. Either `never` or the other two conditions are given. In texts of one for a pattern, and of an
+/// entry under one, names in braces refer to the matched device.
 struct GivenRequirement {
   std::string name;
   std::string never;
@@ -136,6 +136,7 @@ struct GivenRequirement {
   std::string expect;
   tables::Time within = 0;
   std::string of = {};  ///< `for`: a pattern of devices, each of which has such a requirement; empty: it is one
+  tables::Time earliest = 0;
 };
 
 /// An input that no device drives and that follows a condition.

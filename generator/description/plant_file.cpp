@@ -238,11 +238,13 @@ class PlantFileReader {
     for (std::size_t i = 0; i < requirements->size(); ++i) {
       const Json& value = (*requirements)[i];
       const Pointer here = Pointer("/requirements") / i;
-      const auto within = time_member(value, "within", here, faults_);
+      const auto within = duration_member(value, "within", here, faults_).value_or(Duration::fixed(0));
+      const bool between = within.kind == Duration::Kind::uniform;
       check_text(text_or_empty(value, "name"), here / "name", faults_);
       file_.description.requirements.push_back({text_or_empty(value, "name"), text_or_empty(value, "never"),
                                                 text_or_empty(value, "after"), text_or_empty(value, "expect"),
-                                                within.value_or(0), text_or_empty(value, "for")});
+                                                between ? within.b : within.a, text_or_empty(value, "for"),
+                                                between ? within.a : 0});
     }
   }
 

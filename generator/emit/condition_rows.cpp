@@ -106,8 +106,9 @@ std::string requirement_rows(const lower::EngineTables& tables, const model::Pla
     const tables::RequirementRow& row = tables.requirements[i];
     rows.text("    {tables::RequirementRow::Kind::");
     rows.text(row.kind == tables::RequirementRow::Kind::never ? "never, " : "expect, ");
-    rows.numbers(row.condition, row.expected, row.within).text("},  // ").comment(plant.requirements[i].name);
-    rows.text("\n");
+    rows.numbers(row.condition, row.expected, row.within);
+    if (row.earliest != 0) rows.text(", ").number(row.earliest);
+    rows.text("},  // ").comment(plant.requirements[i].name).text("\n");
   }
   return rows.take();
 }

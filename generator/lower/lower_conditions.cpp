@@ -54,7 +54,7 @@ class ConditionLowering {
 
   void lower_requirement(std::uint32_t r) {
     const model::Requirement& requirement = plant_.requirements[r];
-    tables::RequirementRow row{requirement.kind, next_condition(), 0, requirement.within};
+    tables::RequirementRow row{requirement.kind, next_condition(), 0, requirement.within, requirement.earliest};
     add_condition(requirement.condition, tables::ReaderKind::requirement, r, 0);
     if (requirement.kind == tables::RequirementRow::Kind::expect) {
       row.expected = next_condition();

@@ -146,7 +146,8 @@ struct Requirement {
   condition::Tree condition;  ///< of `never`, or of `after`
   condition::Tree expected;   ///< of `expect`
   tables::Time within = 0;
-  std::uint32_t given = 0;  ///< index in Description::requirements
+  tables::Time earliest = 0;  ///< when `expected` may hold at the earliest, counted as `within`
+  std::uint32_t given = 0;    ///< index in Description::requirements
 };
 
 /// A BOOL event that no unit drives and that follows a condition.

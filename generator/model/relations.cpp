@@ -282,6 +282,7 @@ class Relations {
     requirement.given = index;
     requirement.kind = given.never.empty() ? tables::RequirementRow::Kind::expect : tables::RequirementRow::Kind::never;
     requirement.within = given.within;
+    requirement.earliest = given.earliest;
     requirement.name = given.name;
     if (matched != nullptr && text::has_braces(given.name)) {
       auto name = make(given.name, *matched, here / "name");

@@ -223,6 +223,7 @@ void write_requirement(const model::Requirement& requirement, const model::Plant
   } else {
     json.member("after", condition);
     json.member("expect", model::condition_text(requirement.expected, plant));
+    if (requirement.earliest != 0) json.member("earliest", requirement.earliest);
     json.member("within", requirement.within);
   }
   json.end_object();

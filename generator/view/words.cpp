@@ -191,7 +191,11 @@ std::vector<std::pair<std::uint32_t, bool>> switched(const model::Unit& unit, st
 std::string requirement_text(const model::Requirement& requirement, const model::PlantModel& plant) {
   const std::string condition = model::condition_text(requirement.condition, plant);
   if (requirement.kind == tables::RequirementRow::Kind::never) return "never " + condition;
-  return fmt::format("after {}, expect {} within {}", condition, model::condition_text(requirement.expected, plant),
+  const std::string expected = model::condition_text(requirement.expected, plant);
+  if (requirement.earliest == 0) {
+    return fmt::format("after {}, expect {} within {}", condition, expected, time_text(requirement.within));
+  }
+  return fmt::format("after {}, expect {} within {} to {}", condition, expected, time_text(requirement.earliest),
                      time_text(requirement.within));
 }
 

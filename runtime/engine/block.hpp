@@ -54,7 +54,7 @@ struct Record {
 };
 
 struct MonitorState {
-  tables::Time deadline;
+  tables::Time started;  ///< valid if `running`
   std::uint32_t running;
   std::uint32_t held;  ///< 1: its condition held at the end of the last instant
 };

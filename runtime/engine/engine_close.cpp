@@ -77,16 +77,15 @@ bool Engine::close_requirement(std::uint32_t requirement) noexcept {
   const std::uint32_t entry = wheel_entry_of_requirement(requirement);
   if (begins && monitor.running == 0) {
     monitor.running = 1;
-    monitor.deadline = later(head_->now, row.within);
-    if (monitor.deadline > head_->now) set_wheel(entry, monitor.deadline);
+    monitor.started = head_->now;
+    if (row.within > 0) set_wheel(entry, later(head_->now, row.within));
   }
   if (monitor.running == 0) return false;
   const bool met = truth(row.expected);
-  if (!met && head_->now < monitor.deadline) return false;
+  if (!met && head_->now < later(monitor.started, row.within)) return false;
   clear_wheel(entry);
   monitor.running = 0;
-  monitor.deadline = 0;
-  return !met;
+  return !met || head_->now < later(monitor.started, row.earliest);
 }
 
 /// Whether an operation of the word may have a finding: it rose and no transition fired on it, or it fell without

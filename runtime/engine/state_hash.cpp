@@ -122,7 +122,7 @@ std::uint64_t Engine::state_hash() const noexcept {
   }
   for (std::size_t r = 0; r < tables_.requirements.size(); ++r) {
     hash.byte(monitors_[r].running != 0 ? 1 : 0);
-    hash.time(monitors_[r].deadline);
+    hash.time(monitors_[r].running != 0 ? later(monitors_[r].started, tables_.requirements[r].within) : 0);
     hash.byte(monitors_[r].held != 0 ? 1 : 0);
   }
   flow_.hash(hash);

@@ -128,6 +128,7 @@ void add(Fnv1a64& hash, const RequirementRow& requirement) noexcept {
   hash.u32(requirement.condition);
   hash.u32(requirement.expected);
   hash.time(requirement.within);
+  if (requirement.earliest != 0) hash.time(requirement.earliest);
 }
 
 void add(Fnv1a64& hash, const FollowRow& row) noexcept {

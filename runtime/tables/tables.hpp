@@ -186,6 +186,7 @@ struct RequirementRow {
   std::uint32_t condition;  ///< of `never`, or of `after`
   std::uint32_t expected;   ///< the condition of `expect`; unused for `never`
   Time within;              ///< >= 0
+  Time earliest = 0;        ///< `expected` must not hold before; 0 to `within`
 };
 
 /// A BOOL event that no unit drives and that is on while a condition holds.

@@ -324,7 +324,6 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const plant
 }
 
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history) {
-  if (found.kind == FindingKind::requirement_violated) return requirement_words(found.of.front(), names);
   if (found.kind == FindingKind::part_blocked) return of_transfer(found, names, history);
   if (found.kind == FindingKind::request_refused && is_of_client(found.value)) return of_client_refusal(found, names);
   if (found.kind == FindingKind::symbol_left_out) return of_left_out(found, names);
@@ -338,12 +337,13 @@ std::string finding_words(const FoundThing& found, const PlantNames& names, cons
   return is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history);
 }
 
-std::string requirement_words(std::uint32_t requirement, const PlantNames& names) {
+std::string requirement_words(std::uint32_t requirement, bool early, const PlantNames& names) {
   const tables::RequirementRow& row = names.tables().requirements[requirement];
-  return fmt::format("requirement violated: `{}`, {}", names.requirement(requirement),
-                     row.kind == tables::RequirementRow::Kind::never
-                         ? "its condition must never hold and now holds"
-                         : "the expected condition did not become true within " + seconds(row.within));
+  const std::string what =
+      row.kind == tables::RequirementRow::Kind::never ? "its condition must never hold and now holds"
+      : early ? "the expected condition became true before " + seconds(row.earliest) + " had passed"
+              : "the expected condition did not become true within " + seconds(row.within);
+  return fmt::format("requirement violated: `{}`, {}", names.requirement(requirement), what);
 }
 
 }  // namespace symplant::trace

@@ -43,10 +43,11 @@ std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
 /// `P1`, `P1->P2`, followed by `, stopped midway`, `, disabled` or `, frozen`.
 std::string state_words(std::uint32_t unit, const PlantNames& names, const plant::UnitView& view);
 
-/// What happened, which operations led to it, what to check: one sentence, without the time. What led to the violation
-/// of a requirement is explained by why::Explainer.
+/// What happened, which operations led to it, what to check: one sentence, without the time. Not of a violated
+/// requirement, whose words are those of why::Explainer.
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
-/// "requirement violated: `NAME`, its condition must never hold and now holds".
-std::string requirement_words(std::uint32_t requirement, const PlantNames& names);
+/// "requirement violated: `NAME`, its condition must never hold and now holds". `early`: what is expected holds, but
+/// too early.
+std::string requirement_words(std::uint32_t requirement, bool early, const PlantNames& names);
 
 }  // namespace symplant::trace

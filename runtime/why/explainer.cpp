@@ -74,7 +74,6 @@ std::vector<Explanation> Explainer::why_not(const condition::Tree& condition, co
 
 Explanation Explainer::violation(std::uint32_t requirement, const StateView& view) const {
   Explanation explanation = Walk(index(), names_, behaviours_, view).violation(requirement);
-  explanation.sentence = trace::requirement_words(requirement, names_);
   add_malfunctions(explanation, names_, view.malfunctions());
   return explanation;
 }

@@ -206,7 +206,8 @@ Explanation Walk::requirement(std::uint32_t requirement) {
   } else if (view_.is_pending(requirement).value_or(false)) {
     const Network expected = index_.conditions.network(row.expected);
     result.sentence += " waits for its expected condition";
-    add_need(result, fmt::format(" within {}, which", trace::seconds(row.within)), expected);
+    const std::string earliest = row.earliest > 0 ? trace::seconds(row.earliest) + " to " : "";
+    add_need(result, fmt::format(" within {}{}, which", earliest, trace::seconds(row.within)), expected);
   } else {
     result.sentence += " expects nothing now";
     add_need(result, ": its `after`", network);
@@ -218,14 +219,17 @@ Explanation Walk::requirement(std::uint32_t requirement) {
 
 Explanation Walk::violation(std::uint32_t requirement) {
   const tables::RequirementRow& row = tables_.requirements[requirement];
-  Explanation result{{}, {{Reference::Kind::requirement, requirement}}, {}};
-  if (row.kind == tables::RequirementRow::Kind::expect) {
-    const Network expected = index_.conditions.network(row.expected);
-    if (!holds(expected, view_)) result.because = causes_of(changes_of(expected, view_));
+  const bool never = row.kind == tables::RequirementRow::Kind::never;
+  const Network network = index_.conditions.network(never ? row.condition : row.expected);
+  const bool early = row.earliest > 0 && holds(network, view_);
+  Explanation result{
+      trace::requirement_words(requirement, early, names_), {{Reference::Kind::requirement, requirement}}, {}};
+  if (!never && !early) {
+    if (!holds(network, view_)) result.because = causes_of(changes_of(network, view_));
     return result;
   }
   std::vector<condition::Atom> atoms;
-  for (const condition::Atom& atom : atoms_of(changes_of(index_.conditions.network(row.condition), view_))) {
+  for (const condition::Atom& atom : atoms_of(changes_of(network, view_))) {
     const auto same = [&](const condition::Atom& other) { return reference_of(other) == reference_of(atom); };
     if (std::none_of(atoms.begin(), atoms.end(), same)) atoms.push_back(atom);
   }

@@ -3,10 +3,10 @@
 # and its broken interlock is found, compiled and interpreted. Bodies act on all their sensors. The table of inputs in the
 # README is complete. The pictures of both are those of docs/pictures;
 # SYMPLANT_UPDATE_GOLDENS=1 regenerates them. usage: body_shop.sh FOLDER SYMPLANT PLANT PICTURES
-#        PROGRAM
+#        PROGRAM CC INCLUDE
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-folder=$1 tool=$2 binary=$3 pictures=$4 program=$5
+folder=$1 tool=$2 binary=$3 pictures=$4 program=$5 cc=$6 include=$7
 
 awk -f "$folder/list.awk" /dev/null | cmp - "$folder/body-shop.csv" || fail "list.awk writes another list"
 awk -f "$folder/plant.awk" "$folder/body-shop.csv" | cmp - "$folder/plant.json" || fail "plant.awk writes another description"
@@ -21,6 +21,18 @@ for plant in "$binary" "$tool run $folder/plant.json"; do
   (($(grep -o 'BODY_[A-Z0-9]*_ROBOT1_I_DONE3","value":true' "$work/hour.jsonl" | sort -u | wc -l) == 36)) || fail "a station never works"
   ! grep -q 'HORN_O_ON","value":true' "$work/hour.jsonl" || fail "a station reports a fault"
 done
+
+# Its suite: the program passes, one that waits too long for a clamp does not.
+"$tool" test "$folder/suite" --program "$program" >"$work/suite.log" || fail "the suite fails"
+grep -q '^5 cases: 5 passed, 0 failed$' "$work/suite.log" || fail "a case has no reference trace"
+cp "$folder/program/table.h" "$work"
+sed 's/kMost = INT64_C(60000000000)/kMost = INT64_C(62000000000)/' "$folder/program/line.c" >"$work/late.c"
+"$cc" -std=c99 -O1 -shared -fPIC -I"$include" "$work/late.c" -o "$work/late.so"
+code=0
+"$tool" test "$folder/suite" --program "$work/late.so" >"$work/late.log" || code=$?
+((code == 1)) || fail "the suite does not find a program that waits too long"
+grep -q '^FAILED stuck-clamp' "$work/late.log" && grep -q 'BODY_UNDER10_LIGHTRED_O_ON` late by 2 s' "$work/late.log" ||
+  fail "the red light is not reported as late"
 
 for plant in body-shop.csv plant.json; do
   "$tool" check --fail-on warning "$folder/$plant" >"$work/check.log" || fail "check finds more than notes in $plant"

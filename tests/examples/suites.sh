@@ -69,7 +69,10 @@ echo '{ "symplant-scenario": 1, "steps": [ { "at": "5s" } ] }' >"$work/strict/ea
 says 1 "program \`cell\` ended by SIGSEGV in scan 812 (8.12 s)" "$symplant" test "$work/strict" --program "$work/crash.so" --jobs 1
 grep -q '^passed early' "$work/out" || fail "a crash ends the other cases"
 changed hangs 's/^  switch (cell->phase) {/  while (now_ns == 8120000000) {}\n&/'
-says 1 "program \`cell\` does not return in scan 812 (8.12 s) after 10 s" "$symplant" test "$work/strict" --program "$work/hangs.so"
+# On a terminal a line shows how many cases are done.
+TERM=xterm says 1 "program \`cell\` does not return in scan 812 (8.12 s) after 10 s" \
+  script -qec "$symplant test $work/strict --program $work/hangs.so --jobs 1" /dev/null </dev/null
+grep -q '1 of 2 cases \.\.\.' "$work/out" || fail "a terminal does not show how many cases are done"
 echo '{' >"$work/strict/bad.json"
 says 1 "ERROR  bad" "$symplant" test "$work/strict" --program "$cell"
 says 2 "cannot read" "$symplant" test "$work"

@@ -51,8 +51,12 @@ symplant_planted_bug(engine no_round_after_enabling
   "      suspects_ |= suspect(tables::FindingKind::started_on_enabling); if (BUG) continue;")
 
 symplant_planted_bug(engine watch_expires_one_instant_late
-  "  if (!met && head_->now < monitor.deadline) return false;"
-  "  if (!met && head_->now - (BUG ? 1 : 0) < monitor.deadline) return false;")
+  "  if (!met && head_->now < later(monitor.started, row.within)) return false;"
+  "  if (!met && head_->now - (BUG ? 1 : 0) < later(monitor.started, row.within)) return false;")
+
+symplant_planted_bug(engine watch_is_met_too_early
+  "  return !met || head_->now < later(monitor.started, row.earliest);"
+  "  return !met || (!BUG && head_->now < later(monitor.started, row.earliest));")
 
 # Of the fast path (engine_fast.cpp) and of what it needs.
 symplant_planted_bug(engine fast_departure_with_several_operations

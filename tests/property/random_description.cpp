@@ -203,6 +203,7 @@ description::GivenRequirement random_requirement(Dice& dice, const PlannedPlant&
   given.after = random_condition(dice, plan, own);
   given.expect = random_condition(dice, plan, own);
   given.within = random_time(dice);
+  if (dice.percent(30)) given.earliest = std::min(given.within, random_time(dice));
   return given;
 }
 

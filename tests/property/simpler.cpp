@@ -77,7 +77,8 @@ class Edits {
       condition(given.never, false);
       condition(given.after, false);
       condition(given.expect, false);
-      if (given.within != 0) edit([&] { given.within = 0; });
+      if (given.earliest != 0) edit([&] { given.earliest = 0; });
+      if (given.within != given.earliest) edit([&] { given.within = given.earliest; });
     }
     each_condition(plant.description.material, [this](std::string& text, bool none) { condition(text, none); });
     each_edit(plant.description.material, [this](const std::function<void()>& make) { edit(make); });
@@ -157,7 +158,8 @@ std::size_t plant_size(const PlantText& plant) {
           malfunctions_size(plant.description.malfunctions);
   for (const description::GivenFollow& given : plant.description.follow) size += 5 + given.condition.size();
   for (const description::GivenRequirement& given : plant.description.requirements) {
-    size += 10 + given.never.size() + given.after.size() + given.expect.size() + (given.within == 0 ? 0 : 1);
+    size += 10 + given.never.size() + given.after.size() + given.expect.size() + (given.within == 0 ? 0 : 1) +
+            (given.earliest == 0 ? 0 : 1);
   }
   return size;
 }

@@ -43,6 +43,7 @@ class Writer {
     line("  after " + given.after);
     line("  expect " + given.expect);
     line("  within " + std::to_string(given.within));
+    if (given.earliest != 0) line("  earliest " + std::to_string(given.earliest));
   }
 
  private:

@@ -61,8 +61,8 @@ class Reader {
  private:
   void of_requirement(const std::string& word, Line& line) {
     description::GivenRequirement& given = result.plant.description.requirements.back();
-    if (word == "within") {
-      given.within = line.number<tables::Time>();
+    if (word == "within" || word == "earliest") {
+      (word == "within" ? given.within : given.earliest) = line.number<tables::Time>();
       return;
     }
     if (word != "never" && word != "after" && word != "expect") throw std::runtime_error("`" + word + "`");

@@ -15,6 +15,7 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/prepared_plant.hpp"
+#include "app/progress.hpp"
 #include "app/suite_command.hpp"
 #include "diag/visible_text.hpp"
 #include "suite/plants.hpp"
@@ -93,7 +94,7 @@ void end_test(const TestOptions& options, const suite::Results& results, const s
 class SuiteRun {
  public:
   SuiteRun(const TestOptions& options, const suite::Suite& suite, Context& context)
-      : options_(options), suite_(suite), context_(context) {
+      : options_(options), suite_(suite), context_(context), progress_(context.err, context.progress) {
     for (const Speed speed : options.speeds) {
       for (const std::string& name : suite.cases) all_.push_back({&name, speed});
     }
@@ -121,10 +122,12 @@ class SuiteRun {
       std::string failed = results.add(mine_[piece.piece], result_of(piece));
       if (!failed.empty() && error.empty()) error = std::move(failed);
       show(results);
+      progress_.stage(fmt::format("{} of {} cases", ++done_, mine_.size()));
     };
     host::catch_signals();
     const auto stop = [&] { return host::stop_requested().load() || !error.empty(); };
     const std::string failed = suite::do_in_processes(mine_.size(), jobs_of(options_), work, done, stop);
+    progress_.clear();
     if (!failed.empty() && error.empty()) error = failed;
     if (!error.empty()) return fail_test(context_, error, host::kEnvironment);
     const bool complete = !host::stop_requested().load();
@@ -155,6 +158,7 @@ class SuiteRun {
   void show(const suite::Results& results) {
     for (; shown_ < mine_.size() && results.has(mine_[shown_]); ++shown_) {
       const suite::Result result = results.read(mine_[shown_]);
+      progress_.clear();
       suite::write_result(result, context_.out);
       context_.out.flush();
       counts_.add(result);
@@ -167,7 +171,9 @@ class SuiteRun {
   std::vector<Case> all_;          ///< of the whole suite
   std::vector<std::size_t> mine_;  ///< those of this part
   std::size_t shown_ = 0;
+  std::size_t done_ = 0;
   suite::Counts counts_;
+  Progress progress_;
 };
 
 void merge(const TestOptions& options, Context& context) {

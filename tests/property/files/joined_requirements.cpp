@@ -19,7 +19,7 @@ constexpr std::string GivenRequirement::*kTexts[] = {&GivenRequirement::name, &G
 
 bool same(const GivenRequirement& a, const GivenRequirement& b) {
   return std::all_of(std::begin(kTexts), std::end(kTexts), [&](auto text) { return a.*text == b.*text; }) &&
-         a.within == b.within;
+         a.within == b.within && a.earliest == b.earliest;
 }
 
 /// The paths of all units, in the order of their first symbols.
@@ -152,6 +152,7 @@ void add_joinable_requirements(Dice& dice, PlantText& plant, const std::string& 
       given.after = random_condition_of(dice, path, states);
       given.expect = random_condition_of(dice, path, states);
       given.within = static_cast<tables::Time>(dice.below(30)) * 100 * tables::kMillisecond;
+      if (dice.percent(30)) given.earliest = given.within / 2;
     }
     given.of = requirement_pattern(dice, path);
     for (const auto text : kTexts) {

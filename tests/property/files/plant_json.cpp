@@ -124,7 +124,10 @@ void make_sayable(PlantText& plant, std::uint64_t seed) {
   description::Description& description = plant.description;
   clip(description.defaults.travel);
   clip(description.defaults.dwell);
-  for (description::GivenRequirement& requirement : description.requirements) clip(requirement.within);
+  for (description::GivenRequirement& requirement : description.requirements) {
+    clip(requirement.within);
+    clip(requirement.earliest);
+  }
   for (description::GivenSource& source : description.material.sources) {
     clip(source.every);
     clip(source.first);

@@ -197,7 +197,11 @@ json Sayer::requirement(const description::GivenRequirement& given) {
   } else {
     said["after"] = condition(given.after);
     said["expect"] = condition(given.expect);
-    said["within"] = time(given.within);
+    if (given.earliest == 0) {
+      said["within"] = time(given.within);
+    } else {
+      said["within"] = {{"min", time(given.earliest)}, {"max", time(given.within)}};
+    }
   }
   return said;
 }

@@ -65,6 +65,7 @@ const std::array<std::string_view, kCounted> kCountedNames = {
     "set_state on a frozen unit",
     "watch started",
     "watch met",
+    "watch met too early",
     "watch violated",
     "`never` violated",
     "behaviour woken",

@@ -72,6 +72,7 @@ enum class Counted : std::size_t {
   set_state_frozen,
   watch_started,
   watch_met,
+  watch_met_early,
   watch_violated,
   never_violated,
   woken,

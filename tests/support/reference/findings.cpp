@@ -180,11 +180,14 @@ void find_of_requirement(Finder& finder, std::uint32_t i) {
     ++finder.counters[Counted::watch_started];
     monitor.running = true;
     const Time now = finder.world.time;
+    monitor.started = now;
     monitor.deadline = rules.within > tables::kNever - now ? tables::kNever : now + rules.within;
   }
   if (!monitor.running) return;
   if (holds(rules.expected, finder.world)) {
-    ++finder.counters[Counted::watch_met];
+    const bool early = finder.world.time - monitor.started < rules.earliest;
+    ++finder.counters[early ? Counted::watch_met_early : Counted::watch_met];
+    if (early) finder.add(FindingKind::requirement_violated, i, Counted::found_requirement_violated);
   } else if (finder.world.time >= monitor.deadline) {
     ++finder.counters[Counted::watch_violated];
     finder.add(FindingKind::requirement_violated, i, Counted::found_requirement_violated);

@@ -76,6 +76,7 @@ struct SymbolWorld {
 
 struct MonitorWorld {
   bool running = false;
+  Time started = 0;
   Time deadline = 0;
   bool truth = false;
 };

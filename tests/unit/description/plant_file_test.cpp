@@ -139,16 +139,20 @@ TEST_CASE("A device's keys are read") {
 
 TEST_CASE("Requirements and the settings of check are read") {
   const description::Description description = sound(R"(
-    "requirements": [{"name": "n", "never": "A"}, {"name": "w", "after": "A", "expect": "B", "within": "500ms"}],
+    "requirements": [{"name": "n", "never": "A"}, {"name": "w", "after": "A", "expect": "B", "within": "500ms"},
+                     {"name": "m", "after": "A", "expect": "B", "within": {"min": "1s", "max": "2s"}}],
     "check": {"ignore": [{"rule": "SP402", "symbols": "*_SPARE*", "why": "spare", "until": "2027-06-30"},
                          {"rule": "no-address", "why": "later"}],
               "severity": {"event-not-driven": "error"}})")
                                                    .description;
-  REQUIRE(description.requirements.size() == 2);
+  REQUIRE(description.requirements.size() == 3);
   CHECK(description.requirements[0].never == "A");
   CHECK(description.requirements[1].after == "A");
   CHECK(description.requirements[1].expect == "B");
   CHECK(description.requirements[1].within == 500 * tables::kMillisecond);
+  CHECK(description.requirements[1].earliest == 0);
+  CHECK(description.requirements[2].earliest == tables::kSecond);
+  CHECK(description.requirements[2].within == 2 * tables::kSecond);
   REQUIRE(description.check.ignore.size() == 2);
   CHECK(description.check.ignore[0].symbols == "*_SPARE*");
   CHECK(description.check.ignore[0].until == "2027-06-30");
@@ -313,7 +317,15 @@ TEST_CASE("Names may contain anything except control characters") {
 TEST_CASE("A requirement is a `never`, or an `after` with `expect` and `within`") {
   CHECK(shape(R"("requirements": [{"name": "a", "never": "A", "within": "1s"}])") != "");
   CHECK(shape(R"("requirements": [{"name": "a", "after": "A", "expect": "B"}])") ==
-        "/requirements/0: the key `within` is missing here; it holds a duration such as `500ms`");
+        "/requirements/0: the key `within` is missing here; it holds a duration such as `500ms`, or an object with "
+        "`min` and `max`");
+  CHECK(
+      shape(R"("requirements": [{"name": "a", "after": "A", "expect": "B", "within": {"min": "2s", "max": "1s"}}])") ==
+      "/requirements/0/within/max: `max` (`1s`) is less than `min`; exchange the two");
+  CHECK(
+      shape(
+          R"("requirements": [{"name": "a", "after": "A", "expect": "B", "within": {"mean": "2s", "sigma": "1s"}}])") !=
+      "");
   CHECK(shape(R"("requirements": [{"never": "A"}])") ==
         "/requirements/0: the key `name` is missing here; it holds the requirement's name");
 }

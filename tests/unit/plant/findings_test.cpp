@@ -83,6 +83,22 @@ TEST_CASE("An instant with only a finding is reported") {
   CHECK(plant.reported() == "25:violated answer");
 }
 
+TEST_CASE("An expectation that comes true too early is violated once, and its watch ends") {
+  Reported reported;
+  reported.description.requirements.push_back({"answer", "", "L_P_AGV_O_P2", "L_P_BUS_O_P2", 20 * kMs, "", 10 * kMs});
+  const BenchTables tables(kTwoAgvs, reported);
+  const auto answers_after = [&](int ms) {
+    BenchPlant plant(tables);
+    plant.to(0).set("AGV_O_P2", 1).to(5).set("BUS_O_P2", 1).to(5 + ms).to(100);
+    return plant.findings();
+  };
+  CHECK(answers_after(0) == "5:violated answer");
+  CHECK(answers_after(9) == "14:violated answer");
+  CHECK(answers_after(10) == "");
+  CHECK(answers_after(20) == "");
+  CHECK(answers_after(21) == "25:violated answer");
+}
+
 /// While GO is on, `FLIP` changes state forever without time passing, `FLOP` follows it; `CALM` is a machine of 1 s.
 std::vector<Row> loop_rows() {
   std::vector<Row> list =

@@ -195,6 +195,7 @@ TEST_CASE("Every field of every row changes the hash") {
       [](Sample& s) { s.requirements[0].condition = 1; },
       [](Sample& s) { s.requirements[0].expected = 0; },
       [](Sample& s) { s.requirements[0].within = 8; },
+      [](Sample& s) { s.requirements[0].earliest = 1; },
       [](Sample& s) { s.behaviours[0].unit = 1; },
       [](Sample& s) { s.behaviours[0].name = 1; },
       [](Sample& s) { s.behaviours[0].first_input = 1; },

@@ -130,18 +130,6 @@ TEST_CASE("An event within one instant is too short for a PLC") {
   CHECK(contains(reporter.reported, "L_P_A is in P3; operations: %QX3 (P2 of L_P_A) on since 0.1 s"));
 }
 
-TEST_CASE("A violated requirement is reported as one that must never hold, or that did not come in time") {
-  Reported reported;
-  reported.description.requirements.push_back({"soon", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 500 * kMs});
-  reported.description.requirements.push_back({"never", "L_P_AGV.moving", "", "", 0});
-  const BenchTables tables(kAgv, reported);
-  Reporter reporter(tables);
-  reporter.to(100).set("AGV_O_P2", true).to(200).to(1000);
-  CHECK(reporter.reported ==
-        "0.2 s: requirement violated: `never`, its condition must never hold and now holds\n"
-        "0.7 s: requirement violated: `soon`, the expected condition did not become true within 0.5 s\n");
-}
-
 TEST_CASE("What a PLC refuses is reported with the request, its address and the code in words") {
   using Side = tables::Refusal::Side;
   const BenchTables tables(kAgv);

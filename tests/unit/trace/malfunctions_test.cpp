@@ -64,7 +64,9 @@ class FaultyRun {
   /// The findings of an instant, with the state at its end.
   void report() {
     for (const trace::FoundThing& thing : now_) {
-      const std::string text = trace::finding_words(thing, names_, history_);
+      const bool violated = thing.kind == tables::FindingKind::requirement_violated;
+      const std::string text = violated ? trace::requirement_words(thing.of.front(), false, names_)
+                                        : trace::finding_words(thing, names_, history_);
       found_.write(thing, text, history_);
       words += text + "\n";
     }

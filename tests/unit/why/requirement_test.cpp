@@ -6,7 +6,8 @@ namespace {
 
 const std::string kRequirements = R"("requirements": [
     {"name": "apart", "never": "L_P_AGV.moving and L_P_MC.RUN2"},
-    {"name": "soon", "after": "L_P_AGV_O_P2", "expect": "L_P_AGV.P2", "within": "500ms"}])";
+    {"name": "soon", "after": "L_P_AGV_O_P2", "expect": "L_P_AGV.P2", "within": "500ms"},
+    {"name": "in_time", "after": "L_P_AGV_O_P2", "expect": "L_P_AGV.P2", "within": {"min": "1.1s", "max": "2s"}}])";
 
 std::string violation(const Asked& asked, std::uint32_t requirement) {
   return why::in_one_line(
@@ -33,6 +34,17 @@ TEST_CASE("A requirement whose expectation did not come names what that lacks") 
   CHECK(violation(asked, 1) ==
         "requirement violated: `soon`, the expected condition did not become true within 0.5 s; L_P_AGV has been in "
         "P1->P2 since 0.2 s, %QX3 (operation P2, symbols.csv:5) has been on since 0.2 s");
+}
+
+TEST_CASE("A requirement whose expectation came too early names what led to it") {
+  const DescribedPlant cell(with_prefix(kCell), kRequirements);
+  Asked asked(cell);
+  asked.set("AGV_O_P2").to(200).to(1100);
+  CHECK(contains(asked.why("in_time"), "waits for its expected condition within 1.1 s to 2 s, which needs L_P_AGV.P2"));
+  asked.to(1300);
+  CHECK(violation(asked, 2) ==
+        "requirement violated: `in_time`, the expected condition became true before 1.1 s had passed; L_P_AGV has been "
+        "in P2 since 1.2 s, %QX3 (operation P2, symbols.csv:5) has been on since 0.2 s");
 }
 
 TEST_CASE("A requirement that is not violated names what it waits for") {
