@@ -49,7 +49,8 @@ class Maker:
             return self.members(schema, depth)
         if kind == "array":
             count = dice.randint(schema.get("minItems", 0), min(schema.get("maxItems", 3), 3))
-            return [self.value(schema.get("items", True), depth + 1) for _ in range(count + (dice.random() < self.wrong))]
+            more = dice.random() < 5 * self.wrong
+            return [self.value(schema.get("items", True), depth + 1) for _ in range(count + more)]
         if kind == "string":
             return "ABCDEFGHIJKLMNOPQRST"[: max(schema.get("minLength", 0), dice.randint(0, schema.get("maxLength", 5)))]
         if kind in ("integer", "number"):
@@ -63,6 +64,8 @@ class Maker:
         known = schema.get("properties", {})
         result = {}
         for key, member in known.items():
+            if member is False and dice.random() >= self.wrong:
+                continue
             needed = key in schema.get("required", [])
             if (needed and dice.random() >= self.wrong) or (not needed and dice.random() < (0.5 if depth < 2 else 0.2)):
                 result[key] = self.value(member, depth + 1)
@@ -83,7 +86,7 @@ def main():
         maker = Maker(schema, random.Random(1))
         documents = []
         for _ in range(count):
-            maker.wrong = maker.dice.choice([0.0, 0.0, 0.02, 0.1, 0.3])
+            maker.wrong = maker.dice.choice([0.0, 0.0, 0.02, 0.05, 0.3])
             documents.append(maker.value(schema))
         lines = "".join(json.dumps(document) + "\n" for document in documents)
         answer = subprocess.run([tool, path], input=lines, capture_output=True, text=True, check=True).stdout.split()
