@@ -1,10 +1,9 @@
 // Rows of the material flow.
 #include "emit/material_rows.hpp"
 
-#include <array>
 #include <string_view>
 
-#include "emit/row_writer.hpp"
+#include "emit/row_text.hpp"
 #include "text/identifier.hpp"
 
 namespace symplant::emit {
@@ -12,20 +11,6 @@ namespace {
 
 std::string_view location_name(const model::Material& material, std::uint32_t location) {
   return location == tables::kOut ? std::string_view("out") : std::string_view(material.location_name(location));
-}
-
-RowWriter& index(RowWriter& rows, std::uint32_t value) {
-  return value == tables::kNone ? rows.text("tables::kNone") : rows.number(value);
-}
-
-RowWriter& location(RowWriter& rows, const tables::PartLocation& at) {
-  rows.text("{");
-  (at.location == tables::kOut ? rows.text("tables::kOut") : rows.number(at.location)).text(", ");
-  return (at.at == tables::kWhole ? rows.text("tables::kWhole") : rows.number(at.at)).text("}");
-}
-
-RowWriter& range(RowWriter& rows, const tables::Rows& of) {
-  return rows.text("{").numbers(of.first, of.count).text("}");
 }
 
 /// The track of each of its rows, for comments.
@@ -53,7 +38,7 @@ std::string constant_rows(std::size_t count, NameOf name_of) {
 std::string part_kind_rows(const model::Material& material) {
   RowWriter rows;
   for (const model::PartKind& kind : material.kinds) {
-    rows.text("    {").numbers(kind.length, kind.code).text("},  // ").comment(kind.name).text("\n");
+    row_text(rows, tables::KindRow{kind.length, kind.code}).comment(kind.name).text("\n");
   }
   return rows.take();
 }
@@ -61,10 +46,7 @@ std::string part_kind_rows(const model::Material& material) {
 std::string track_rows(const lower::EngineTables& tables, const model::Material& material) {
   RowWriter rows;
   for (std::size_t t = 0; t < material.tracks.size(); ++t) {
-    const tables::TrackRow& row = tables.material.tracks[t];
-    rows.text("    {").numbers(row.length, row.gap);
-    for (const tables::Rows& of : {row.drives, row.stops, row.sensors, row.ends}) range(rows.text(", "), of);
-    rows.text("},  // ").comment(material.tracks[t].name).text("\n");
+    row_text(rows, tables.material.tracks[t]).comment(material.tracks[t].name).text("\n");
   }
   return rows.take();
 }
@@ -75,10 +57,7 @@ std::string drive_rows(const lower::EngineTables& tables, const model::PlantMode
       tables, [](const tables::TrackRow& row) { return row.drives; },
       [&](std::uint32_t track, std::uint32_t r) {
         const tables::DriveRow& row = tables.material.drives[r];
-        rows.text("    {").number(row.until).text(", ");
-        index(rows, row.forward).text(", ");
-        index(rows, row.backward).text(", ");
-        index(rows, row.symbol).text(", ").number(row.speed).text("},  // ").comment(plant.material.tracks[track].name);
+        row_text(rows, row).comment(plant.material.tracks[track].name);
         if (row.symbol != tables::kNone) rows.text(", speed of ").comment(plant.symbols[row.symbol].name());
         rows.text("\n");
       });
@@ -90,12 +69,7 @@ std::string stop_rows(const lower::EngineTables& tables, const model::Material& 
   for_tracks(
       tables, [](const tables::TrackRow& row) { return row.stops; },
       [&](std::uint32_t track, std::uint32_t r) {
-        const tables::StopRow& row = tables.material.stops[r];
-        rows.text("    {")
-            .numbers(row.at, row.condition)
-            .text("},  // ")
-            .comment(material.tracks[track].name)
-            .text("\n");
+        row_text(rows, tables.material.stops[r]).comment(material.tracks[track].name).text("\n");
       });
   return rows.take();
 }
@@ -106,21 +80,16 @@ std::string end_rows(const lower::EngineTables& tables, const model::Material& m
       tables, [](const tables::TrackRow& row) { return row.ends; },
       [&](std::uint32_t track, std::uint32_t r) {
         const tables::EndRow& row = tables.material.ends[r];
-        rows.text("    {");
-        (row.to == tables::kOut ? rows.text("tables::kOut") : rows.number(row.to)).text(", ");
-        index(rows, row.condition).text("},  // ").comment(material.tracks[track].name).text(" to ");
+        row_text(rows, row).comment(material.tracks[track].name).text(" to ");
         rows.comment(location_name(material, row.to)).text("\n");
       });
   return rows.take();
 }
 
 std::string part_sensor_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  static constexpr std::array<std::string_view, 3> kReads{"part", "code", "number"};
   RowWriter rows;
   for (const tables::SensorRow& row : tables.material.sensors) {
-    rows.text("    {").numbers(row.symbol, row.location, row.at).text(", ");
-    range(rows, row.kinds).text(", tables::SensorReads::").text(kReads[static_cast<std::size_t>(row.reads)]);
-    rows.text("},  // ").comment(plant.symbols[row.symbol].name()).text(" at ");
+    row_text(rows, row).comment(plant.symbols[row.symbol].name()).text(" at ");
     rows.comment(plant.material.location_name(row.location)).text("\n");
   }
   return rows.take();
@@ -129,9 +98,7 @@ std::string part_sensor_rows(const lower::EngineTables& tables, const model::Pla
 std::string place_rows(const lower::EngineTables& tables, const model::Material& material) {
   RowWriter rows;
   for (std::size_t p = 0; p < material.places.size(); ++p) {
-    const tables::PlaceRow& row = tables.material.places[p];
-    range(rows.text("    {").number(row.holds).text(", "), row.sensors).text("},  // ");
-    rows.comment(material.places[p].name).text("\n");
+    row_text(rows, tables.material.places[p]).comment(material.places[p].name).text("\n");
   }
   return rows.take();
 }
@@ -140,11 +107,8 @@ std::string transfer_rows(const lower::EngineTables& tables, const model::Materi
   RowWriter rows;
   for (std::size_t t = 0; t < material.transfers.size(); ++t) {
     const tables::TransferRow& row = tables.material.transfers[t];
-    location(rows.text("    {"), row.from).text(", ");
-    location(rows, row.to).text(", ");
-    index(rows, row.condition).text(row.once ? ", true},  // " : ", false},  // ");
-    rows.comment(material.transfers[t].name).text(": ").comment(location_name(material, row.from.location));
-    rows.text(" to ").comment(location_name(material, row.to.location)).text("\n");
+    row_text(rows, row).comment(material.transfers[t].name).text(": ");
+    rows.comment(location_name(material, row.from.location)).text(" to ").comment(location_name(material, row.to.location)).text("\n");
   }
   return rows.take();
 }
@@ -153,8 +117,7 @@ std::string work_rows(const lower::EngineTables& tables, const model::Material& 
   RowWriter rows;
   for (std::size_t w = 0; w < material.work.size(); ++w) {
     const tables::WorkRow& row = tables.material.work[w];
-    location(rows.text("    {"), row.at).text(", ").numbers(row.condition, row.from, row.to).text("},  // ");
-    rows.comment(material.work[w].name).text(": ").comment(material.kinds[row.from].name).text(" to ");
+    row_text(rows, row).comment(material.work[w].name).text(": ").comment(material.kinds[row.from].name).text(" to ");
     rows.comment(material.kinds[row.to].name).text("\n");
   }
   return rows.take();
@@ -163,11 +126,7 @@ std::string work_rows(const lower::EngineTables& tables, const model::Material& 
 std::string source_rows(const lower::EngineTables& tables, const model::Material& material) {
   RowWriter rows;
   for (std::size_t s = 0; s < material.sources.size(); ++s) {
-    const tables::SourceRow& row = tables.material.sources[s];
-    location(rows.text("    {"), row.to).text(", ");
-    range(rows, row.kinds).text(", ").numbers(row.first, row.every).text(", ");
-    (row.count == tables::kAnyNumber ? rows.text("tables::kAnyNumber") : rows.number(row.count)).text(", ");
-    index(rows, row.condition).text("},  // ").comment(material.sources[s].name).text("\n");
+    row_text(rows, tables.material.sources[s]).comment(material.sources[s].name).text("\n");
   }
   return rows.take();
 }
@@ -183,8 +142,7 @@ std::string kind_number_rows(const std::vector<std::uint32_t>& kinds, const mode
 std::string part_counter_rows(const lower::EngineTables& tables, const model::Material& material) {
   RowWriter rows;
   for (const tables::PartCounterRow& row : tables.material.counters) {
-    index(rows.text("    {").number(row.location).text(", "), row.kind).text("},  // ");
-    rows.comment(material.location_name(row.location)).text(row.kind == tables::kNone ? ".parts" : ".");
+    row_text(rows, row).comment(material.location_name(row.location)).text(row.kind == tables::kNone ? ".parts" : ".");
     if (row.kind != tables::kNone) rows.comment(material.kinds[row.kind].name);
     rows.text("\n");
   }

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "emit/model_text.hpp"
-#include "emit/row_writer.hpp"
+#include "emit/row_text.hpp"
 #include "text/identifier.hpp"
 
 namespace symplant::emit {
@@ -75,7 +75,9 @@ void unit_rows(RowWriter& rows, const lower::EngineTables& tables) {
 std::string time_rows(const lower::EngineTables& tables) {
   RowWriter rows;
   for (const tables::TransitionTimes& row : tables.times) {
-    rows.text("    {").number(row.after).text(", ").number(row.takes).text("},\n");
+    rows.text("    ");
+    FieldText(rows)(row);
+    rows.text(",\n");
   }
   return rows.take();
 }
@@ -131,17 +133,15 @@ std::string list_rows(const lower::EngineTables& tables, const model::PlantModel
 
 void initial_rows(RowWriter& rows, const lower::EngineTables& tables, const model::PlantModel& plant) {
   for (const tables::InitialValue& row : tables.initial_values) {
-    rows.text("    {").number(row.symbol).text(", ").number(row.value).text("U},  // ");
-    rows.comment(plant.symbols[row.symbol].name()).text("\n");
+    row_text(rows, row).comment(plant.symbols[row.symbol].name()).text("\n");
   }
 }
 
 std::string shared_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   for (const tables::SharedAddress& row : tables.shared_addresses) {
-    rows.text("    {").numbers(row.symbol, row.leader).text("},  // ");
-    rows.comment(plant.symbols[row.symbol].name()).text(" follows ").comment(plant.symbols[row.leader].name());
-    rows.text("\n");
+    row_text(rows, row).comment(plant.symbols[row.symbol].name()).text(" follows ");
+    rows.comment(plant.symbols[row.leader].name()).text("\n");
   }
   return rows.take();
 }
@@ -164,10 +164,7 @@ std::string random_rows(const lower::EngineTables& tables, const model::PlantMod
   RowWriter rows;
   const std::vector<std::string> readers = random_time_readers(tables, plant);
   for (std::size_t i = 0; i < tables.random_times.size(); ++i) {
-    const tables::RandomTime& row = tables.random_times[i];
-    rows.text("    {tables::RandomTime::Kind::")
-        .text(row.kind == tables::RandomTime::Kind::uniform ? "uniform" : "normal");
-    rows.text(", ").numbers(row.a, row.b).text("},  // -").number(i + 1).text(": ").comment(readers[i]).text("\n");
+    row_text(rows, tables.random_times[i]).text("-").number(i + 1).text(": ").comment(readers[i]).text("\n");
   }
   return rows.take();
 }
@@ -176,8 +173,8 @@ std::string disable_rows(const lower::EngineTables& tables, const model::PlantMo
   RowWriter rows;
   for (const tables::DisableRow& row : tables.disables) {
     const model::Unit& by = plant.units[row.by];
-    rows.text("    {").numbers(row.by, row.unit, unsigned{row.state}).text("},  // l_disable of ").comment(by.path);
-    rows.text(" in ").comment(by.states[row.state].name).text(": ").comment(plant.units[row.unit].path).text("\n");
+    row_text(rows, row).text("l_disable of ").comment(by.path).text(" in ");
+    rows.comment(by.states[row.state].name).text(": ").comment(plant.units[row.unit].path).text("\n");
   }
   return rows.take();
 }

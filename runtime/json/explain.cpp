@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "symplant/json/compiled_schema.hpp"
 #include "symplant/tables/nearest.hpp"
 
 namespace symplant::json {
@@ -70,9 +71,7 @@ class Explainer {
       if (own == false) add(pointer, "no value is allowed here; remove it");
       return;
     }
-    for (const char* key : {"anyOf", "oneOf"}) {
-      if (own.contains(key)) return walk_best(own, own[key], value, pointer);
-    }
+    if (own.contains("anyOf")) return walk_best(own, own["anyOf"], value, pointer);
     if (!type_fits(own, value)) return wrong_type(own, value, pointer);
     if (own.contains("const") && own["const"] != value) {
       return add(pointer, "expected " + wanted(own, own["const"].dump()) + ", but found " + what_is_there(value));
@@ -199,19 +198,23 @@ class Explainer {
 
   void bounds(const Json& schema, const Json& value, const std::string& pointer) {
     const auto size = [&]() -> std::size_t {
-      return value.is_string() ? value.get_ref<const std::string&>().size() : value.size();
+      return value.is_string() ? length(value.get_ref<const std::string&>()) : value.size();
     };
+    const auto above = [&](const char* key) { return schema.contains(key) && size() > schema[key].get<std::size_t>(); };
     const auto below = [&](const char* key) { return schema.contains(key) && size() < schema[key].get<std::size_t>(); };
     const bool short_text = value.is_string() && below("minLength");
     const bool short_array = value.is_array() && below("minItems");
     if (short_text || short_array) {
       add(pointer, "expected " + wanted(schema, short_text ? "a longer text" : "more items") + ", but found " +
-                       (short_text      ? "an empty text"
-                        : value.empty() ? "an empty array"
-                                        : "an array of too few items"));
+                       (value.is_array() ? (value.empty() ? "an empty array" : "an array of too few items")
+                        : size() == 0    ? "an empty text"
+                                         : what_is_there(value)));
     }
-    if (value.is_array() && schema.contains("maxItems") && size() > schema["maxItems"].get<std::size_t>()) {
+    if (value.is_array() && above("maxItems")) {
       add(pointer, "expected " + wanted(schema, "fewer items") + ", but found an array of too many items");
+    }
+    if (value.is_string() && above("maxLength")) {
+      add(pointer, "expected " + wanted(schema, "a shorter text") + ", but found " + what_is_there(value));
     }
     if (!value.is_number()) return;
     if ((schema.contains("minimum") && value < schema["minimum"]) ||

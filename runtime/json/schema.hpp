@@ -11,11 +11,11 @@
 namespace symplant::json {
 
 /// A built-in schema. Such schemas use only type, enum, const, properties, additionalProperties, required, items, the
-/// lengths and bounds, anyOf, oneOf and $ref within the schema; `title` has the words for what is expected ("a duration
+/// lengths and bounds, anyOf and $ref within the schema; `title` has the words for what is expected ("a duration
 /// such as `1s`"). Immutable; several threads may use it.
 class Schema {
  public:
-  /// Aborts if the text is not a valid schema, as it is part of the program.
+  /// Aborts if the text is no JSON or has other keywords, as it is part of the program.
   explicit Schema(std::string_view schema);
   Schema(Schema&&) noexcept;
   Schema& operator=(Schema&&) noexcept;

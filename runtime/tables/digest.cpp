@@ -1,38 +1,48 @@
-// The digest of a plant's tables, field by field: padding and byte order have no effect on it.
+// The digest of a plant's tables, field by field (fields.hpp): padding and byte order have no effect on it.
 #include "symplant/tables/digest.hpp"
 
 #include <initializer_list>
+#include <type_traits>
 
+#include "symplant/tables/fields.hpp"
 #include "symplant/tables/version.hpp"
 
 namespace symplant::tables {
 namespace {
 
-template <class Enumeration>
-void add_enumerator(Fnv1a64& hash, Enumeration value) noexcept {
-  hash.byte(static_cast<std::uint8_t>(value));
-}
+/// Adds the fields of a row, each with the width of its type.
+struct Add {
+  Fnv1a64& hash;
 
-void add(Fnv1a64& hash, const Transition& transition) noexcept {
-  hash.byte(transition.from);
-  hash.byte(transition.to);
-  hash.byte(transition.on);
-  hash.byte(transition.once ? 1 : 0);
-  hash.u32(transition.when);
-  hash.byte(transition.timed ? 1 : 0);
-  hash.u32(transition.dt);
-  hash.u32(transition.during);
-  hash.u32(transition.weight);
-}
+  void operator()(bool value) const noexcept { hash.byte(value ? 1 : 0); }
+  void operator()(std::uint8_t value) const noexcept { hash.byte(value); }
+  void operator()(std::uint16_t value) const noexcept { hash.u32(value); }
+  void operator()(std::uint32_t value) const noexcept { hash.u32(value); }
+  void operator()(std::uint64_t value) const noexcept { hash.u64(value); }
+  void operator()(std::int64_t value) const noexcept { hash.u64(static_cast<std::uint64_t>(value)); }
+  void operator()(Index index) const noexcept { hash.u32(index.value); }
+  void operator()(Location location) const noexcept { hash.u32(location.value); }
+  void operator()(Position position) const noexcept { (*this)(position.value); }
+  void operator()(Bits bits) const noexcept { hash.u64(bits.value); }
+  void operator()(Word word) const noexcept { hash.u64(word.value); }
+  void operator()(Count count) const noexcept { hash.u64(count.value); }
+  void operator()(UnitPosition state) const noexcept { hash.byte(state.value); }
+  void operator()(Optional time) const noexcept {
+    if (time.value != 0) hash.time(time.value);
+  }
+  template <class Other>
+  void operator()(const Other& value) const noexcept {
+    if constexpr (std::is_enum_v<Other>) {
+      hash.byte(static_cast<std::uint8_t>(value));
+    } else {
+      fields(value, *this);
+    }
+  }
+};
 
-void add(Fnv1a64& hash, const EventMasks& masks) noexcept {
-  hash.u64(masks.on);
-  hash.u64(masks.off);
-}
-
-void add(Fnv1a64& hash, const TransitionTimes& times) noexcept {
-  hash.time(times.after);
-  hash.time(times.takes);
+template <class Row>
+void add(Fnv1a64& hash, const Row& row) noexcept {
+  Add{hash}(row);
 }
 
 void add(Fnv1a64& hash, const TypeRow& type) noexcept {
@@ -40,7 +50,7 @@ void add(Fnv1a64& hash, const TypeRow& type) noexcept {
   hash.byte(type.events);
   hash.byte(type.states);
   hash.byte(type.rest);
-  add_enumerator(hash, type.actuation);
+  hash.byte(static_cast<std::uint8_t>(type.actuation));
   hash.u32(static_cast<std::uint32_t>(type.transitions.size()));
   for (const Transition& transition : type.transitions) add(hash, transition);
   for (const EventMasks& masks : type.enter) add(hash, masks);
@@ -60,12 +70,6 @@ void add(Fnv1a64& hash, const UnitRow& unit) noexcept {
   hash.byte(unit.general);
 }
 
-void add(Fnv1a64& hash, const RandomTime& random) noexcept {
-  add_enumerator(hash, random.kind);
-  hash.time(random.a);
-  hash.time(random.b);
-}
-
 void add(Fnv1a64& hash, const SymbolRow& symbol) noexcept {
   hash.u32(symbol.index);
   hash.u32(symbol.unit);
@@ -73,185 +77,14 @@ void add(Fnv1a64& hash, const SymbolRow& symbol) noexcept {
   hash.u32(static_cast<std::uint32_t>(symbol.kind));
 }
 
-void add(Fnv1a64& hash, const InitialValue& initial) noexcept {
-  hash.u32(initial.symbol);
-  hash.u64(initial.value);
-}
-
-void add(Fnv1a64& hash, const SharedAddress& shared) noexcept {
-  hash.u32(shared.symbol);
-  hash.u32(shared.leader);
-}
-
-void add(Fnv1a64& hash, const DisableRow& row) noexcept {
-  hash.u32(row.by);
-  hash.u32(row.unit);
-  hash.byte(row.state);
-}
-
-void add(Fnv1a64& hash, const ConditionRow& condition) noexcept {
-  hash.u64(condition.truth);
-  hash.u32(condition.reader);
-  hash.byte(condition.reader_input);
-  add_enumerator(hash, condition.reader_kind);
-}
-
-void add(Fnv1a64& hash, const ConditionedUnit& row) noexcept {
-  hash.u32(row.unit);
-  hash.u32(row.first_condition);
-}
-
-void add(Fnv1a64& hash, const UnitWatch& watch) noexcept {
-  hash.u32(watch.unit);
-  hash.u32(watch.condition);
-  hash.byte(watch.state);
-  hash.byte(watch.input);
-}
-
-void add(Fnv1a64& hash, const BitWatch& watch) noexcept {
-  hash.u32(watch.bit);
-  hash.u32(watch.condition);
-  hash.byte(watch.input);
-}
-
-void add(Fnv1a64& hash, const ValueWatch& watch) noexcept {
-  hash.u64(watch.operand);
-  hash.u32(watch.slot);
-  hash.u32(watch.condition);
-  hash.byte(watch.input);
-  add_enumerator(hash, watch.comparison);
-  add_enumerator(hash, watch.kind);
-}
-
-void add(Fnv1a64& hash, const RequirementRow& requirement) noexcept {
-  add_enumerator(hash, requirement.kind);
-  hash.u32(requirement.condition);
-  hash.u32(requirement.expected);
-  hash.time(requirement.within);
-  if (requirement.earliest != 0) hash.time(requirement.earliest);
-}
-
-void add(Fnv1a64& hash, const FollowRow& row) noexcept {
-  hash.u32(row.symbol);
-  hash.u32(row.condition);
-}
-
-void add(Fnv1a64& hash, const OverrunRow& row) noexcept {
-  hash.u32(row.unit);
-  hash.time(row.after);
-}
-
-void add(Fnv1a64& hash, const Rows& rows) noexcept {
-  hash.u32(rows.first);
-  hash.u32(rows.count);
-}
-
-void add(Fnv1a64& hash, const PartLocation& location) noexcept {
-  hash.u32(location.location);
-  hash.u64(static_cast<std::uint64_t>(location.at));
-}
-
-void add_length(Fnv1a64& hash, std::int64_t length) noexcept { hash.u64(static_cast<std::uint64_t>(length)); }
-
-void add(Fnv1a64& hash, const KindRow& row) noexcept {
-  add_length(hash, row.length);
-  hash.u32(row.code);
-}
-
-void add(Fnv1a64& hash, const TrackRow& row) noexcept {
-  add_length(hash, row.length);
-  add_length(hash, row.gap);
-  for (const Rows& rows : {row.drives, row.stops, row.sensors, row.ends}) add(hash, rows);
-}
-
-void add(Fnv1a64& hash, const DriveRow& row) noexcept {
-  add_length(hash, row.until);
-  hash.u32(row.forward);
-  hash.u32(row.backward);
-  hash.u32(row.symbol);
-  add_length(hash, row.speed);
-}
-
-void add(Fnv1a64& hash, const StopRow& row) noexcept {
-  add_length(hash, row.at);
-  hash.u32(row.condition);
-}
-
-void add(Fnv1a64& hash, const EndRow& row) noexcept {
-  hash.u32(row.to);
-  hash.u32(row.condition);
-}
-
-void add(Fnv1a64& hash, const SensorRow& row) noexcept {
-  hash.u32(row.symbol);
-  hash.u32(row.location);
-  add_length(hash, row.at);
-  add(hash, row.kinds);
-  add_enumerator(hash, row.reads);
-}
-
-void add(Fnv1a64& hash, const PlaceRow& row) noexcept {
-  hash.u32(row.holds);
-  add(hash, row.sensors);
-}
-
-void add(Fnv1a64& hash, const TransferRow& row) noexcept {
-  add(hash, row.from);
-  add(hash, row.to);
-  hash.u32(row.condition);
-  hash.byte(row.once ? 1 : 0);
-}
-
-void add(Fnv1a64& hash, const WorkRow& row) noexcept {
-  add(hash, row.at);
-  hash.u32(row.condition);
-  hash.u32(row.from);
-  hash.u32(row.to);
-}
-
-void add(Fnv1a64& hash, const SourceRow& row) noexcept {
-  add(hash, row.to);
-  add(hash, row.kinds);
-  hash.time(row.first);
-  hash.time(row.every);
-  hash.u64(row.count);
-  hash.u32(row.condition);
-}
-
-void add(Fnv1a64& hash, const PartCounterRow& row) noexcept {
-  hash.u32(row.location);
-  hash.u32(row.kind);
-}
-
 void add(Fnv1a64& hash, const MalfunctionRow& row) noexcept {
-  add_enumerator(hash, row.kind);
+  hash.byte(static_cast<std::uint8_t>(row.kind));
   add(hash, row.of);
   hash.u32(row.factor);
   hash.u32(row.subject);
   for (const Time time : {row.every, row.shows, row.chance, row.lasts, row.after}) hash.time(time);
   for (const std::uint32_t index : {row.condition, row.unless, row.next}) hash.u32(index);
 }
-
-void add(Fnv1a64& hash, const MalfunctionUnit& row) noexcept {
-  hash.u32(row.unit);
-  hash.byte(row.state);
-}
-
-void add(Fnv1a64& hash, const MalfunctionForce& row) noexcept {
-  hash.u32(row.symbol);
-  hash.u64(row.value);
-}
-
-void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {
-  hash.u32(row.unit);
-  hash.u32(row.name);
-  hash.u32(row.first_input);
-  hash.u32(row.input_count);
-  hash.u32(row.first_value);
-  hash.u32(row.value_count);
-}
-
-void add(Fnv1a64& hash, std::uint32_t value) noexcept { hash.u32(value); }
 
 /// Which symbols belong to which controller: one entry each time that the controller changes. The distribution of a
 /// controller's symbols over lists has no effect.

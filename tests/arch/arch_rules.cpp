@@ -69,7 +69,6 @@ constexpr std::array kThirdParties = {
     ThirdParty{"<boost/lockfree", {"runtime/panel/operate/"}},
     ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
     ThirdParty{"<kainjow/", {"generator/emit/"}},
-    ThirdParty{"<valijson/", {"runtime/json/"}},
     ThirdParty{"<uchardet", {"generator/text/"}},
     ThirdParty{"<zlib.h>", {"runtime/panel/web/"}},
     ThirdParty{"<zip.h>", {"generator/read/cells/", "generator/convert/"}},

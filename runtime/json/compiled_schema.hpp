@@ -1,6 +1,7 @@
-// Accepts valid values quickly.
+// A schema in a form that validates values without a store.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -11,20 +12,22 @@
 
 namespace symplant::json {
 
-/// A schema in a form that accepts the usual valid value without a store. It answers only what it is sure of: a value
-/// that it does not accept, or a schema with other keywords, is for the validator. The text of the schema must outlive
-/// it.
-class QuickSchema {
+/// How many characters a UTF-8 text has.
+std::size_t length(std::string_view text);
+
+/// A schema of the keywords listed at class Schema. Its text must outlive it.
+class CompiledSchema {
  public:
-  explicit QuickSchema(const nlohmann::json& root);
-  /// Whether the value is certainly valid. O(value).
-  bool surely_fits(const nlohmann::json& value) const { return fits(root_, value); }
+  /// Throws std::invalid_argument for other keywords, and for `anyOf` next to keywords that restrict the value.
+  explicit CompiledSchema(const nlohmann::json& root);
+  /// As draft-07 defines it, but that 1.0 is no integer. O(value).
+  bool fits(const nlohmann::json& value) const { return fits(root_, value); }
 
  private:
   using Json = nlohmann::json;
   using Index = std::uint32_t;
   static constexpr Index kAny = std::numeric_limits<Index>::max();  ///< fits every value
-  static constexpr Index kNone = kAny - 1;                          ///< is sure of no value
+  static constexpr Index kNone = kAny - 1;                          ///< fits no value
 
   struct Node {
     std::vector<const Json*> types;  ///< their names; empty: all
@@ -35,6 +38,7 @@ class QuickSchema {
     const Json* required = nullptr;
     Index items = kAny;
     std::size_t least_length = 0;
+    std::size_t most_length = std::numeric_limits<std::size_t>::max();
     std::size_t least_items = 0;
     std::size_t most_items = std::numeric_limits<std::size_t>::max();
     const Json* minimum = nullptr;
@@ -43,7 +47,7 @@ class QuickSchema {
   };
 
   Index node_of(const Json& schema);
-  bool take(Node& node, std::string_view keyword, const Json& value);
+  void take(Node& node, std::string_view keyword, const Json& value);
   bool fits(Index schema, const Json& value) const;
   bool members_fit(const Node& node, const Json& value) const;
 

@@ -1,9 +1,10 @@
-// Accepts valid values quickly.
-#include "symplant/json/quick_schema.hpp"
+// A schema in a form that validates values without a store.
+#include "symplant/json/compiled_schema.hpp"
 
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 namespace symplant::json {
@@ -31,19 +32,16 @@ bool is_a(const Json& value, std::string_view type) {
   }
 }
 
-/// Not for 1 and 1.0, on which validators disagree.
-bool same(const Json& a, const Json& b) { return a.type() == b.type() && a == b; }
+}  // namespace
 
-std::size_t letters(std::string_view text) {
+std::size_t length(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
 }
 
-}  // namespace
+CompiledSchema::CompiledSchema(const Json& root) : text_(root), root_(node_of(root)) {}
 
-QuickSchema::QuickSchema(const Json& root) : text_(root), root_(node_of(root)) {}
-
-QuickSchema::Index QuickSchema::node_of(const Json& schema) {
+CompiledSchema::Index CompiledSchema::node_of(const Json& schema) {
   if (schema.is_boolean()) return schema.get<bool>() ? kAny : kNone;
   if (const auto reference = schema.find("$ref"); reference != schema.end()) {
     return node_of(text_.at(Json::json_pointer(reference->get_ref<const std::string&>().substr(1))));
@@ -53,15 +51,15 @@ QuickSchema::Index QuickSchema::node_of(const Json& schema) {
   const Index index = at->second;
   nodes_.emplace_back();
   Node node;
-  bool understood = true;
-  for (const auto& [keyword, value] : schema.items()) understood = take(node, keyword, value) && understood;
+  for (const auto& [keyword, value] : schema.items()) take(node, keyword, value);
+  if (!node.choices.empty() && (!node.types.empty() || !node.properties.empty() || node.required != nullptr)) {
+    throw std::invalid_argument("`anyOf` with other keywords is not supported");
+  }
   nodes_[index] = std::move(node);
-  if (!understood) nodes_[index].choices = {kNone};
   return index;
 }
 
-/// Whether the keyword is supported.
-bool QuickSchema::take(Node& node, std::string_view keyword, const Json& value) {
+void CompiledSchema::take(Node& node, std::string_view keyword, const Json& value) {
   static constexpr std::array<std::string_view, 7> kWithoutMeaning{"$schema",     "$id",     "title",     "description",
                                                                    "definitions", "default", "deprecated"};
   if (keyword == "type") {
@@ -84,6 +82,8 @@ bool QuickSchema::take(Node& node, std::string_view keyword, const Json& value) 
     node.items = node_of(value);
   } else if (keyword == "minLength") {
     node.least_length = value.get<std::size_t>();
+  } else if (keyword == "maxLength") {
+    node.most_length = value.get<std::size_t>();
   } else if (keyword == "minItems") {
     node.least_items = value.get<std::size_t>();
   } else if (keyword == "maxItems") {
@@ -94,24 +94,26 @@ bool QuickSchema::take(Node& node, std::string_view keyword, const Json& value) 
     node.maximum = &value;
   } else if (keyword == "anyOf") {
     for (const Json& choice : value) node.choices.push_back(node_of(choice));
-  } else {
-    return std::find(kWithoutMeaning.begin(), kWithoutMeaning.end(), keyword) != kWithoutMeaning.end();
+  } else if (std::find(kWithoutMeaning.begin(), kWithoutMeaning.end(), keyword) == kWithoutMeaning.end()) {
+    throw std::invalid_argument("the keyword `" + std::string(keyword) + "` is not supported");
   }
-  return true;
 }
 
-bool QuickSchema::fits(Index schema, const Json& value) const {
+bool CompiledSchema::fits(Index schema, const Json& value) const {
   if (schema >= kNone) return schema == kAny;
   const Node& node = nodes_[schema];
   const auto is_of = [&](const Json* type) { return is_a(value, type->get_ref<const std::string&>()); };
   if (!node.types.empty() && std::none_of(node.types.begin(), node.types.end(), is_of)) return false;
-  if (node.constant != nullptr && !same(value, *node.constant)) return false;
-  const auto is_value = [&](const Json& one) { return same(value, one); };
-  if (node.values != nullptr && std::none_of(node.values->begin(), node.values->end(), is_value)) return false;
+  if (node.constant != nullptr && value != *node.constant) return false;
+  if (node.values != nullptr && std::find(node.values->begin(), node.values->end(), value) == node.values->end()) {
+    return false;
+  }
   const auto fits_choice = [&](Index choice) { return fits(choice, value); };
   if (!node.choices.empty() && std::none_of(node.choices.begin(), node.choices.end(), fits_choice)) return false;
   if (value.is_string()) {
-    return node.least_length == 0 || letters(value.get_ref<const std::string&>()) >= node.least_length;
+    const auto& text = value.get_ref<const std::string&>();
+    if (node.least_length <= 1 && text.size() <= node.most_length) return text.size() >= node.least_length;
+    return length(text) >= node.least_length && length(text) <= node.most_length;
   }
   if (value.is_object()) return members_fit(node, value);
   if (value.is_array()) {
@@ -123,7 +125,7 @@ bool QuickSchema::fits(Index schema, const Json& value) const {
   return (node.minimum == nullptr || value >= *node.minimum) && (node.maximum == nullptr || value <= *node.maximum);
 }
 
-bool QuickSchema::members_fit(const Node& node, const Json& value) const {
+bool CompiledSchema::members_fit(const Node& node, const Json& value) const {
   if (node.required != nullptr) {
     const auto is_there = [&](const Json& key) { return value.contains(key.get_ref<const std::string&>()); };
     if (!std::all_of(node.required->begin(), node.required->end(), is_there)) return false;

@@ -1,0 +1,84 @@
+// Writes rows of tables as C++, from their fields.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+#include "emit/row_writer.hpp"
+#include "symplant/tables/fields.hpp"
+
+namespace symplant::emit {
+
+/// `tables::Comparison::less`
+std::string_view enumerator(tables::Comparison value);
+std::string_view enumerator(tables::MalfunctionKind value);
+std::string_view enumerator(tables::NumberKind value);
+std::string_view enumerator(tables::RandomTime::Kind value);
+std::string_view enumerator(tables::ReaderKind value);
+std::string_view enumerator(tables::RequirementRow::Kind value);
+std::string_view enumerator(tables::SensorReads value);
+
+/// Writes each field that it gets, with commas between.
+class FieldText {
+ public:
+  explicit FieldText(RowWriter& rows) : rows_(rows) {}
+
+  template <std::integral Number>
+  void operator()(Number value) {
+    next().number(value);
+  }
+  void operator()(bool value) { next().text(value ? "true" : "false"); }
+  void operator()(std::uint8_t value) { next().number(unsigned{value}); }
+  void operator()(tables::Index index) { or_name(index.value, tables::kNone, "tables::kNone"); }
+  void operator()(tables::Location location) { or_name(location.value, tables::kOut, "tables::kOut"); }
+  void operator()(tables::Position position) { or_name(position.value, tables::kWhole, "tables::kWhole"); }
+  void operator()(tables::Count count) { or_name(count.value, tables::kAnyNumber, "tables::kAnyNumber"); }
+  void operator()(tables::Bits bits) { next().hex(bits.value); }
+  void operator()(tables::Word word) { next().number(word.value).text("U"); }
+  void operator()(tables::UnitPosition state) {
+    if (state.value == tables::kNoState) {
+      next().text("tables::kNoState");
+    } else {
+      or_name(unsigned{state.value}, unsigned{tables::kMovingState}, "tables::kMovingState");
+    }
+  }
+  void operator()(tables::Optional time) {
+    if (time.value != 0) next().number(time.value);
+  }
+  template <class Other>
+  void operator()(const Other& value) {
+    if constexpr (std::is_enum_v<Other>) {
+      next().text(enumerator(value));
+    } else {
+      next().text("{");
+      FieldText inner(rows_);
+      fields(value, std::ref(inner));
+      rows_.text("}");
+    }
+  }
+
+ private:
+  RowWriter& next() {
+    if (!first_) rows_.text(", ");
+    first_ = false;
+    return rows_;
+  }
+  template <class Number>
+  void or_name(Number value, Number named, std::string_view name) {
+    value == named ? next().text(name) : next().number(value);
+  }
+
+  RowWriter& rows_;
+  bool first_ = true;
+};
+
+/// `    {1, 2},  // `: the row, and the beginning of its comment.
+template <class Row>
+RowWriter& row_text(RowWriter& rows, const Row& row) {
+  rows.text("    ");
+  FieldText(rows)(row);
+  return rows.text(",  // ");
+}
+
+}  // namespace symplant::emit
