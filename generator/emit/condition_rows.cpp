@@ -45,7 +45,11 @@ std::string unit_watch_rows(const lower::EngineTables& tables, const model::Plan
   for (const tables::UnitWatch& row : tables.unit_watches) {
     const model::Unit& unit = plant.units[row.unit];
     const bool moving = row.state == tables::kMovingState;
-    row_text(rows, row).comment(unit.path).text(".").comment(moving ? "moving" : unit.states[row.state].name).text("\n");
+    row_text(rows, row)
+        .comment(unit.path)
+        .text(".")
+        .comment(moving ? "moving" : unit.states[row.state].name)
+        .text("\n");
   }
   return rows.take();
 }
@@ -90,9 +94,7 @@ std::string requirement_rows(const lower::EngineTables& tables, const model::Pla
 std::string part_watch_rows(const lower::EngineTables& tables) {
   RowWriter rows;
   for (const tables::ValueWatch& row : tables.part_watches) {
-    rows.text("    ");
-    FieldText(rows)(row);
-    rows.text(",\n");
+    bare_row(rows, row).text("\n");
   }
   return rows.take();
 }

@@ -108,7 +108,10 @@ std::string transfer_rows(const lower::EngineTables& tables, const model::Materi
   for (std::size_t t = 0; t < material.transfers.size(); ++t) {
     const tables::TransferRow& row = tables.material.transfers[t];
     row_text(rows, row).comment(material.transfers[t].name).text(": ");
-    rows.comment(location_name(material, row.from.location)).text(" to ").comment(location_name(material, row.to.location)).text("\n");
+    rows.comment(location_name(material, row.from.location))
+        .text(" to ")
+        .comment(location_name(material, row.to.location))
+        .text("\n");
   }
   return rows.take();
 }

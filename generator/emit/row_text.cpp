@@ -41,10 +41,10 @@ std::string_view enumerator(tables::RandomTime::Kind value) {
 
 std::string_view enumerator(tables::ReaderKind value) {
   static constexpr std::array<std::string_view, 11> kNames{
-      "tables::ReaderKind::unit",        "tables::ReaderKind::condition", "tables::ReaderKind::requirement",
-      "tables::ReaderKind::follow",      "tables::ReaderKind::drive",     "tables::ReaderKind::stop",
-      "tables::ReaderKind::end",         "tables::ReaderKind::transfer",  "tables::ReaderKind::work",
-      "tables::ReaderKind::source",      "tables::ReaderKind::malfunction"};
+      "tables::ReaderKind::unit",   "tables::ReaderKind::condition",  "tables::ReaderKind::requirement",
+      "tables::ReaderKind::follow", "tables::ReaderKind::drive",      "tables::ReaderKind::stop",
+      "tables::ReaderKind::end",    "tables::ReaderKind::transfer",   "tables::ReaderKind::work",
+      "tables::ReaderKind::source", "tables::ReaderKind::malfunction"};
   return name_of(kNames, value);
 }
 

@@ -1,7 +1,6 @@
 // Writes rows of tables as C++, from their fields.
 #pragma once
 
-#include <concepts>
 #include <string_view>
 #include <type_traits>
 
@@ -24,10 +23,6 @@ class FieldText {
  public:
   explicit FieldText(RowWriter& rows) : rows_(rows) {}
 
-  template <std::integral Number>
-  void operator()(Number value) {
-    next().number(value);
-  }
   void operator()(bool value) { next().text(value ? "true" : "false"); }
   void operator()(std::uint8_t value) { next().number(unsigned{value}); }
   void operator()(tables::Index index) { or_name(index.value, tables::kNone, "tables::kNone"); }
@@ -50,10 +45,11 @@ class FieldText {
   void operator()(const Other& value) {
     if constexpr (std::is_enum_v<Other>) {
       next().text(enumerator(value));
+    } else if constexpr (std::is_integral_v<Other>) {
+      next().number(value);
     } else {
       next().text("{");
-      FieldText inner(rows_);
-      fields(value, std::ref(inner));
+      fields(value, FieldText(rows_));
       rows_.text("}");
     }
   }
@@ -73,12 +69,18 @@ class FieldText {
   bool first_ = true;
 };
 
+/// `    {1, 2},`
+template <class Row>
+RowWriter& bare_row(RowWriter& rows, const Row& row) {
+  rows.text("    ");
+  FieldText{rows}(row);
+  return rows.text(",");
+}
+
 /// `    {1, 2},  // `: the row, and the beginning of its comment.
 template <class Row>
 RowWriter& row_text(RowWriter& rows, const Row& row) {
-  rows.text("    ");
-  FieldText(rows)(row);
-  return rows.text(",  // ");
+  return bare_row(rows, row).text("  // ");
 }
 
 }  // namespace symplant::emit

@@ -75,9 +75,7 @@ void unit_rows(RowWriter& rows, const lower::EngineTables& tables) {
 std::string time_rows(const lower::EngineTables& tables) {
   RowWriter rows;
   for (const tables::TransitionTimes& row : tables.times) {
-    rows.text("    ");
-    FieldText(rows)(row);
-    rows.text(",\n");
+    bare_row(rows, row).text("\n");
   }
   return rows.take();
 }

@@ -163,7 +163,8 @@ TEST_CASE("A schema with keywords that are not supported is refused") {
     }
     return std::string();
   };
-  CHECK(refused(R"({"type": "array", "items": {"uniqueItems": true}})") == "the keyword `uniqueItems` is not supported");
+  CHECK(refused(R"({"type": "array", "items": {"uniqueItems": true}})") ==
+        "the keyword `uniqueItems` is not supported");
   CHECK(refused(R"({"oneOf": []})") == "the keyword `oneOf` is not supported");
   CHECK(refused(R"({"type": "string", "anyOf": [{"minLength": 1}]})") ==
         "`anyOf` with other keywords is not supported");
