@@ -14,9 +14,11 @@
 #include <vector>
 
 #include "description/duration.hpp"
-#include "description/links.hpp"
-#include "description/malfunctions.hpp"
-#include "description/material.hpp"
+#include "elements/follow/given.hpp"
+#include "elements/link/given.hpp"
+#include "elements/malfunction/given.hpp"
+#include "elements/material/given.hpp"
+#include "elements/requirement/given.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -124,25 +126,6 @@ struct DeviceDescription {
     const DeviceDescription* entry = from[static_cast<std::size_t>(key)];
     return entry == nullptr ? *this : *entry;
   }
-};
-
-/// A condition that must `never` hold, or one to `expect` `within` a time `after` another began to hold, and not before
-/// the `earliest` time. Either `never` or the other two conditions are given. In texts of one for a pattern, and of an
-/// entry under one, names in braces refer to the matched device.
-struct GivenRequirement {
-  std::string name;
-  std::string never;
-  std::string after;
-  std::string expect;
-  tables::Time within = 0;
-  std::string of = {};  ///< `for`: a pattern of devices, each of which has such a requirement; empty: it is one
-  tables::Time earliest = 0;
-};
-
-/// An input that no device drives and that follows a condition.
-struct GivenFollow {
-  std::string symbol;  ///< a name, or a pattern
-  std::string condition;
 };
 
 /// Where the panel shows a device.

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "description/json_entry.hpp"
-#include "description/malfunction_entry.hpp"
-#include "description/material_entry.hpp"
+#include "elements/follow/entry.hpp"
+#include "elements/malfunction/entry.hpp"
+#include "elements/material/entry.hpp"
+#include "elements/requirement/entry.hpp"
 #include "read/io_words.hpp"
 #include "read/readers.hpp"
 #include "symplant/json/document.hpp"
@@ -66,6 +68,53 @@ std::optional<DescriptionFault> why_none(const Json& root) {
   return fault("", "this is JSON, but not a plant description, which has `\"symplant\": 1` and `symbols`");
 }
 
+/// What the value of a key describes.
+struct Element {
+  std::string_view key;
+  void (*read)(const Json& value, ShapeFaults& faults, Description& description);
+};
+
+/// The entries of an array or an object, each read by `read`; nothing of a value of another type, which has a fault.
+template <class Read>
+void each(const Json& value, bool is_of_type, Read read) {
+  if (!is_of_type) return;
+  for (const auto& [key, entry] : value.items()) read(key, entry);
+}
+
+/// Faults are reported in this order.
+constexpr std::array kElements{
+    Element{"follow", [](const Json& value, ShapeFaults&,
+                         Description& description) { description.follow = follow_entries(value); }},
+    Element{"devices",
+            [](const Json& value, ShapeFaults& faults, Description& description) {
+              each(value, value.is_object(), [&](const std::string& path, const Json& entry) {
+                description.devices.push_back(device_entry(path, entry, faults));
+              });
+            }},
+    Element{"material", [](const Json& value, ShapeFaults& faults,
+                           Description& description) { description.material = material_entry(value, faults); }},
+    Element{"malfunctions",
+            [](const Json& value, ShapeFaults& faults, Description& description) {
+              description.malfunctions = malfunction_entries(value, faults);
+            }},
+    Element{"requirements",
+            [](const Json& value, ShapeFaults& faults, Description& description) {
+              description.requirements = requirement_entries(value, faults);
+            }},
+    Element{"links",
+            [](const Json& value, ShapeFaults& faults, Description& description) {
+              each(value, value.is_array(), [&](const std::string& index, const Json& entry) {
+                description.links.push_back(link_entry(entry, Pointer("/links") / index, faults));
+              });
+            }},
+    Element{"programs",
+            [](const Json& value, ShapeFaults& faults, Description& description) {
+              each(value, value.is_array(), [&](const std::string& index, const Json& entry) {
+                description.programs.push_back(program_entry(entry, Pointer("/programs") / index, faults));
+              });
+            }},
+};
+
 class PlantFileReader {
  public:
   PlantFileReader(Json& root, std::vector<DescriptionFault>& faults) : root_(root), all_(faults), faults_(faults) {}
@@ -79,20 +128,9 @@ class PlantFileReader {
     read_naming();
     read_defaults();
     read_symbol_patterns();
-    read_follow();
-    if (const Json* devices = member(root_, "devices"); devices != nullptr && devices->is_object()) {
-      file_.description.devices.reserve(devices->size());
-      for (const auto& [path, entry] : devices->items()) {
-        file_.description.devices.push_back(device_entry(path, entry, faults_));
-      }
+    for (const Element& element : kElements) {
+      if (const Json* value = member(root_, element.key)) element.read(*value, faults_, file_.description);
     }
-    if (const Json* material = member(root_, "material"))
-      file_.description.material = material_entry(*material, faults_);
-    if (const Json* malfunctions = member(root_, "malfunctions"))
-      file_.description.malfunctions = malfunction_entries(*malfunctions, faults_);
-    read_requirements();
-    read_links();
-    read_programs();
     read_check();
     read_view();
     return std::move(file_);
@@ -206,14 +244,6 @@ class PlantFileReader {
     }
   }
 
-  void read_follow() {
-    const Json* follow = member(root_, "follow");
-    if (follow == nullptr || !follow->is_object()) return;
-    for (const auto& [symbol, condition] : follow->items()) {
-      if (condition.is_string()) file_.description.follow.push_back({symbol, condition.get<std::string>()});
-    }
-  }
-
   void read_view() {
     const Json* view = member(root_, "view");
     if (view == nullptr || !view->is_object()) return;
@@ -229,38 +259,6 @@ class PlantFileReader {
       given.group = text_or_empty(entry, "group");
       check_text(given.group, Pointer("/view") / std::string_view(device), faults_);
       file_.description.view.push_back(std::move(given));
-    }
-  }
-
-  void read_requirements() {
-    const Json* requirements = member(root_, "requirements");
-    if (requirements == nullptr || !requirements->is_array()) return;
-    for (std::size_t i = 0; i < requirements->size(); ++i) {
-      const Json& value = (*requirements)[i];
-      const Pointer here = Pointer("/requirements") / i;
-      const auto within = duration_member(value, "within", here, faults_).value_or(Duration::fixed(0));
-      const bool between = within.kind == Duration::Kind::uniform;
-      check_text(text_or_empty(value, "name"), here / "name", faults_);
-      file_.description.requirements.push_back({text_or_empty(value, "name"), text_or_empty(value, "never"),
-                                                text_or_empty(value, "after"), text_or_empty(value, "expect"),
-                                                between ? within.b : within.a, text_or_empty(value, "for"),
-                                                between ? within.a : 0});
-    }
-  }
-
-  void read_links() {
-    const Json* links = member(root_, "links");
-    if (links == nullptr || !links->is_array()) return;
-    for (std::size_t i = 0; i < links->size(); ++i) {
-      file_.description.links.push_back(link_entry((*links)[i], Pointer("/links") / i, faults_));
-    }
-  }
-
-  void read_programs() {
-    const Json* programs = member(root_, "programs");
-    if (programs == nullptr || !programs->is_array()) return;
-    for (std::size_t i = 0; i < programs->size(); ++i) {
-      file_.description.programs.push_back(program_entry((*programs)[i], Pointer("/programs") / i, faults_));
     }
   }
 

@@ -11,9 +11,10 @@
 #include <utility>
 
 #include "description/description.hpp"
+#include "elements/malfunction/words.hpp"
+#include "elements/material/words.hpp"
+#include "elements/requirement/words.hpp"
 #include "model/condition_text.hpp"
-#include "view/malfunction_words.hpp"
-#include "view/material_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::diff {

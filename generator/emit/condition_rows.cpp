@@ -1,9 +1,9 @@
-// Rows of conditions, watches, requirements and behaviors.
+// Rows of conditions, watches and behaviors.
 #include "emit/condition_rows.hpp"
 
 #include <unordered_map>
 
-#include "emit/material_rows.hpp"
+#include "elements/material/rows.hpp"
 #include "emit/model_text.hpp"
 #include "emit/row_text.hpp"
 
@@ -83,26 +83,10 @@ std::string value_watch_rows(const lower::EngineTables& tables, const model::Pla
   return rows.take();
 }
 
-std::string requirement_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  RowWriter rows;
-  for (std::size_t i = 0; i < tables.requirements.size(); ++i) {
-    row_text(rows, tables.requirements[i]).comment(plant.requirements[i].name).text("\n");
-  }
-  return rows.take();
-}
-
 std::string part_watch_rows(const lower::EngineTables& tables) {
   RowWriter rows;
   for (const tables::ValueWatch& row : tables.part_watches) {
     bare_row(rows, row).text("\n");
-  }
-  return rows.take();
-}
-
-std::string follow_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  RowWriter rows;
-  for (const tables::FollowRow& row : tables.follows) {
-    row_text(rows, row).comment(plant.symbols[row.symbol].name()).text("\n");
   }
   return rows.take();
 }

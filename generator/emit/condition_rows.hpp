@@ -1,4 +1,4 @@
-// Rows of conditions, watches, requirements and behaviors.
+// Rows of conditions, watches and behaviors.
 #pragma once
 
 #include <string>
@@ -16,8 +16,6 @@ std::string bit_watch_rows(const lower::EngineTables& tables, const model::Plant
                            tables::Direction direction);
 std::string value_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
                              tables::Direction direction);
-std::string requirement_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
-std::string follow_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string overrun_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string behaviour_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string behaviour_value_rows(const lower::EngineTables& tables, const model::PlantModel& plant);

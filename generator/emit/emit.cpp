@@ -8,13 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "elements/link/rows.hpp"
+#include "elements/malfunction/rows.hpp"
+#include "elements/material/rows.hpp"
 #include "emit/accessors.hpp"
 #include "emit/behaviour_view.hpp"
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
-#include "emit/link_rows.hpp"
-#include "emit/malfunction_rows.hpp"
-#include "emit/material_rows.hpp"
 #include "emit/render.hpp"
 #include "emit/rows.hpp"
 #include "emit/table_views.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "emit/material_skeleton.hpp"
+#include "elements/material/skeleton.hpp"
 #include "emit/shapes.hpp"
 #include "model/condition_text.hpp"
 

@@ -7,10 +7,12 @@
 #include <string_view>
 #include <utility>
 
+#include "elements/follow/rows.hpp"
+#include "elements/malfunction/rows.hpp"
+#include "elements/material/rows.hpp"
+#include "elements/requirement/rows.hpp"
 #include "emit/condition_rows.hpp"
 #include "emit/encode.hpp"
-#include "emit/malfunction_rows.hpp"
-#include "emit/material_rows.hpp"
 #include "emit/rows.hpp"
 
 namespace symplant::emit {

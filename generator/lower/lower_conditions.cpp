@@ -2,16 +2,22 @@
 #include "lower/lower_conditions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "lower/lower_malfunctions.hpp"
-#include "lower/lower_material.hpp"
+#include "elements/follow/lower.hpp"
+#include "elements/malfunction/lower.hpp"
+#include "elements/material/lower.hpp"
+#include "elements/requirement/lower.hpp"
 #include "symplant/condition/truth_table.hpp"
 
 namespace symplant::lower {
 namespace {
+
+/// The elements with conditions, in the order of their rows.
+constexpr std::array kElements{lower_requirements, lower_follows, lower_material, lower_malfunctions};
 
 /// A table that reads another table of a network, and the input.
 struct Reader {
@@ -37,9 +43,7 @@ class ConditionLowering {
 
   void run() {
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) lower_unit(u);
-    for (std::uint32_t r = 0; r < plant_.requirements.size(); ++r) lower_requirement(r);
-    for (std::uint32_t f = 0; f < plant_.follows.size(); ++f) lower_follow(f);
-    lower_rest();
+    lower_elements();
     add_inner_tables();
     sort_watches();
   }
@@ -52,32 +56,14 @@ class ConditionLowering {
     for (const condition::Tree& tree : unit.conditions) add_condition(tree, tables::ReaderKind::unit, u, 0);
   }
 
-  void lower_requirement(std::uint32_t r) {
-    const model::Requirement& requirement = plant_.requirements[r];
-    tables::RequirementRow row{requirement.kind, next_condition(), 0, requirement.within, requirement.earliest};
-    add_condition(requirement.condition, tables::ReaderKind::requirement, r, 0);
-    if (requirement.kind == tables::RequirementRow::Kind::expect) {
-      row.expected = next_condition();
-      add_condition(requirement.expected, tables::ReaderKind::requirement, r, 1);
-    }
-    tables_.requirements.push_back(row);
-    tables_.requirement_names.append(requirement.name).push_back('\0');
-  }
-
-  void lower_follow(std::uint32_t f) {
-    tables_.follows.push_back({plant_.follows[f].symbol, next_condition()});
-    add_condition(plant_.follows[f].condition, tables::ReaderKind::follow, f, 0);
-  }
-
-  void lower_rest() {
+  void lower_elements() {
     const AddCondition add = [this](const condition::Tree& tree, tables::ReaderKind kind, std::uint32_t row,
                                     std::uint8_t input) {
       const std::uint32_t position = next_condition();
       add_condition(tree, kind, row, input);
       return position;
     };
-    if (!plant_.material.empty()) lower_material(plant_, add, tables_);
-    lower_malfunctions(plant_, add, tables_);
+    for (const auto lower : kElements) lower(plant_, add, tables_);
   }
 
   /// The counter of the parts at a location, of a kind or of all.

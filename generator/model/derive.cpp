@@ -5,17 +5,20 @@
 #include <utility>
 
 #include "base/large_memory.hpp"
+#include "elements/follow/resolve.hpp"
+#include "elements/link/resolve.hpp"
+#include "elements/malfunction/resolve.hpp"
+#include "elements/material/entries.hpp"
+#include "elements/material/resolve.hpp"
+#include "elements/requirement/resolve.hpp"
 #include "model/collect_symbols.hpp"
+#include "model/condition_reader.hpp"
 #include "model/derive_unit.hpp"
 #include "model/group_symbols.hpp"
 #include "model/layout.hpp"
-#include "model/links.hpp"
 #include "model/made_transitions.hpp"
 #include "model/match_entries.hpp"
-#include "model/material/entries.hpp"
-#include "model/material/resolve.hpp"
 #include "model/relations.hpp"
-#include "model/resolve_malfunctions.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
 #include "model/symbol_settings.hpp"
@@ -149,6 +152,16 @@ void prepare_material(Derived& derived, const description::GivenMaterial& given,
   mark_sensors(plant, derived.material, faults);
 }
 
+/// Resolves all that conditions of the description say.
+void resolve_conditions(PlantModel& plant, MadeNames& made, description::Faults& faults) {
+  const bool described = !plant.description->devices.empty() || plant.pairing != nullptr;
+  if (!described && plant.description->requirements.empty() && plant.follows.empty()) return;
+  ConditionReader conditions(plant, faults);
+  add_relations(plant, conditions, made, faults);
+  resolve_requirements(plant, conditions, made, faults);
+  resolve_follows(plant, conditions, made, faults);
+}
+
 }  // namespace
 
 Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
@@ -181,7 +194,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   evidence.decisions = match_entries(plant, faults);
   MadeNames made;
   derive_units(derived, made, faults);
-  add_relations(plant, made, faults);
+  resolve_conditions(plant, made, faults);
   report_made_names(plant, made, faults);
   report_lacks(plant, faults);
   evidence.driven_twice = find_shared_addresses(plant);

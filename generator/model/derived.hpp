@@ -1,8 +1,8 @@
 // The result of the derivation: the model and the evidence.
 #pragma once
 
+#include "elements/material/entries.hpp"
 #include "model/evidence.hpp"
-#include "model/material/entries.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::model {

@@ -6,9 +6,9 @@
 
 #include "address/address.hpp"
 #include "description/faults.hpp"
+#include "elements/link/resolve.hpp"
+#include "elements/link/symbol.hpp"
 #include "model/classify.hpp"
-#include "model/link_symbol.hpp"
-#include "model/links.hpp"
 #include "model/plant_model.hpp"
 #include "text/ascii.hpp"
 #include "text/pattern.hpp"

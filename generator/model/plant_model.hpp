@@ -13,9 +13,11 @@
 
 #include "address/address.hpp"
 #include "description/description.hpp"
-#include "model/controller_link.hpp"
-#include "model/malfunction.hpp"
-#include "model/material.hpp"
+#include "elements/follow/model.hpp"
+#include "elements/link/model.hpp"
+#include "elements/malfunction/model.hpp"
+#include "elements/material/model.hpp"
+#include "elements/requirement/model.hpp"
 #include "name/symbol_reader.hpp"
 #include "pairing/pairing.hpp"
 #include "read/symbol_table.hpp"
@@ -137,24 +139,6 @@ struct Transition {
 struct Outputs {
   std::vector<std::pair<std::uint32_t, bool>> enter;
   std::vector<std::pair<std::uint32_t, bool>> leave;
-};
-
-/// A requirement with resolved conditions: `never`, or `after` and `expect`.
-struct Requirement {
-  std::string name;
-  tables::RequirementRow::Kind kind = tables::RequirementRow::Kind::never;
-  condition::Tree condition;  ///< of `never`, or of `after`
-  condition::Tree expected;   ///< of `expect`
-  tables::Time within = 0;
-  tables::Time earliest = 0;  ///< when `expected` may hold at the earliest, counted as `within`
-  std::uint32_t given = 0;    ///< index in Description::requirements
-};
-
-/// A BOOL event that no unit drives and that follows a condition.
-struct Follow {
-  std::uint32_t symbol = kNone;
-  condition::Tree condition;
-  std::uint32_t given = 0;  ///< index in Description::follow
 };
 
 /// The rule that decided the initial state (docs/model.md, "What is inferred").

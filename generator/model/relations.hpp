@@ -1,14 +1,14 @@
-// Resolves the relations between units: conditions, disables, requirements.
+// Resolves the relations between units: conditions, disables.
 #pragma once
 
 #include "description/faults.hpp"
+#include "model/condition_reader.hpp"
 #include "model/matched_names.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::model {
 
-/// Fills in Unit::conditions, first_input, disables and values, the requirements and the conditions of
-/// PlantModel::follows. All units must be derived. O(symbols and description).
-void add_relations(PlantModel& plant, MadeNames& made, description::Faults& faults);
+/// Fills in Unit::conditions, first_input, disables and values. All units must be derived. O(symbols and description).
+void add_relations(PlantModel& plant, ConditionReader& conditions, MadeNames& made, description::Faults& faults);
 
 }  // namespace symplant::model

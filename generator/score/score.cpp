@@ -2,7 +2,7 @@
 #include "score/score.hpp"
 
 #include "base/large_memory.hpp"
-#include "model/part_words.hpp"
+#include "elements/material/part_words.hpp"
 #include "score/described_operations.hpp"
 #include "score/paired_by_task.hpp"
 

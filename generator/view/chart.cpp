@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "elements/requirement/words.hpp"
 #include "model/condition_text.hpp"
 #include "text/utf8.hpp"
 #include "view/words.hpp"

@@ -7,9 +7,10 @@
 #include <iterator>
 
 #include "diag/encode.hpp"
+#include "elements/material/words.hpp"
+#include "elements/requirement/words.hpp"
 #include "model/plant_model.hpp"
 #include "view/chart.hpp"
-#include "view/material_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {

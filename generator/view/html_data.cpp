@@ -10,14 +10,15 @@
 
 #include "diag/encode.hpp"
 #include "diag/visible_text.hpp"
+#include "elements/malfunction/words.hpp"
+#include "elements/material/html.hpp"
+#include "elements/requirement/words.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
 #include "symplant/tables/digest.hpp"
 #include "view/cross_references.hpp"
 #include "view/html_kinds.hpp"
-#include "view/html_material.hpp"
 #include "view/json_writer.hpp"
-#include "view/malfunction_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {

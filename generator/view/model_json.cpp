@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "elements/follow/json.hpp"
+#include "elements/malfunction/json.hpp"
+#include "elements/material/json.hpp"
+#include "elements/requirement/json.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
 #include "symplant/tables/digest.hpp"
 #include "view/cross_references.hpp"
 #include "view/duration_json.hpp"
 #include "view/json_writer.hpp"
-#include "view/malfunction_json.hpp"
-#include "view/material_json.hpp"
 #include "view/value_json.hpp"
 #include "view/words.hpp"
 
@@ -214,20 +218,8 @@ void write_list(const model::PlantList& list, const model::PlantModel& plant, Js
   json.end_object();
 }
 
-void write_requirement(const model::Requirement& requirement, const model::PlantModel& plant, JsonWriter& json) {
-  const std::string condition = model::condition_text(requirement.condition, plant);
-  json.begin_object();
-  json.member("name", requirement.name);
-  if (requirement.kind == tables::RequirementRow::Kind::never) {
-    json.member("never", condition);
-  } else {
-    json.member("after", condition);
-    json.member("expect", model::condition_text(requirement.expected, plant));
-    if (requirement.earliest != 0) json.member("earliest", requirement.earliest);
-    json.member("within", requirement.within);
-  }
-  json.end_object();
-}
+/// The elements that are not part of a device, in the order of their members.
+constexpr std::array kElements{write_requirements, write_follows, write_material, write_malfunctions};
 
 void write_model(const Scene& scene, JsonWriter& json) {
   const model::PlantModel& plant = scene.plant;
@@ -242,18 +234,7 @@ void write_model(const Scene& scene, JsonWriter& json) {
   json.array(scene.units, [&](std::uint32_t unit) {
     UnitWriter(plant.units[unit], plant, json).write(references.disabled_by[unit]);
   });
-  json.key("requirements");
-  json.array(plant.requirements,
-             [&](const model::Requirement& requirement) { write_requirement(requirement, plant, json); });
-  json.key("follow");
-  json.array(plant.follows, [&](const model::Follow& follow) {
-    json.begin_object();
-    json.member("symbol", plant.symbols[follow.symbol].name());
-    json.member("condition", model::condition_text(follow.condition, plant));
-    json.end_object();
-  });
-  write_material(plant, json);
-  write_malfunctions(plant, json);
+  for (const auto write : kElements) write(plant, json);
   json.key("symbols");
   json.array(plant.symbols, [&](const model::Symbol& symbol) { write_symbol(symbol, plant, json); });
   json.key("internal_rows");

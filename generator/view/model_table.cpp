@@ -7,10 +7,11 @@
 #include <iterator>
 
 #include "diag/visible_text.hpp"
+#include "elements/malfunction/words.hpp"
+#include "elements/material/words.hpp"
+#include "elements/requirement/words.hpp"
 #include "model/condition_text.hpp"
 #include "view/cross_references.hpp"
-#include "view/malfunction_words.hpp"
-#include "view/material_words.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "diag/encode.hpp"
+#include "elements/requirement/words.hpp"
 #include "model/condition_text.hpp"
 #include "text/identifier.hpp"
 #include "view/cross_references.hpp"

@@ -8,10 +8,11 @@
 
 #include "base/process.hpp"
 #include "diag/encode.hpp"
+#include "elements/material/drawing.hpp"
+#include "elements/requirement/words.hpp"
 #include "view/chart.hpp"
 #include "view/dot.hpp"
 #include "view/layout.hpp"
-#include "view/location_drawing.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {

@@ -188,17 +188,6 @@ std::vector<std::pair<std::uint32_t, bool>> switched(const model::Unit& unit, st
   return events;
 }
 
-std::string requirement_text(const model::Requirement& requirement, const model::PlantModel& plant) {
-  const std::string condition = model::condition_text(requirement.condition, plant);
-  if (requirement.kind == tables::RequirementRow::Kind::never) return "never " + condition;
-  const std::string expected = model::condition_text(requirement.expected, plant);
-  if (requirement.earliest == 0) {
-    return fmt::format("after {}, expect {} within {}", condition, expected, time_text(requirement.within));
-  }
-  return fmt::format("after {}, expect {} within {} to {}", condition, expected, time_text(requirement.earliest),
-                     time_text(requirement.within));
-}
-
 std::string value_text(tables::DataType type, std::uint64_t value) {
   using tables::DataType;
   switch (type) {

@@ -37,9 +37,6 @@ std::vector<std::string_view> inferences(const model::Unit& unit);
 /// All events that l_enter or l_leave of a state switches, in order: index in the unit, on or off.
 std::vector<std::pair<std::uint32_t, bool>> switched(const model::Unit& unit, std::uint32_t state, bool entering);
 
-/// "never COND", or "after COND, expect COND within 5 s".
-std::string requirement_text(const model::Requirement& requirement, const model::PlantModel& plant);
-
 /// A value, numeric or BOOL, as in the column Initial of a list.
 std::string value_text(tables::DataType type, std::uint64_t value);
 

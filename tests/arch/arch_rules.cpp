@@ -28,6 +28,18 @@ constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "p
                                                        "share",    "exec",    "link",  "trace",     "why",
                                                        "scenario", "program", "panel", "host"};
 
+/// What an element of plant.json needs lies in one folder, generator/elements/NAME: the files of these names belong to
+/// these layers, all others to `model`.
+struct ElementFile {
+  std::string_view stem;
+  std::string_view layer;
+};
+constexpr std::array kElementFiles = {
+    ElementFile{"given", "description"}, ElementFile{"entry", "description"}, ElementFile{"lower", "lower"},
+    ElementFile{"rows", "emit"},         ElementFile{"skeleton", "emit"},     ElementFile{"json", "view"},
+    ElementFile{"words", "view"},        ElementFile{"html", "view"},         ElementFile{"drawing", "view"},
+};
+
 /// In the root of the runtime, as C programs include it; of the layer `program`.
 constexpr std::string_view kProgramInterface = "program.h";
 
@@ -125,6 +137,17 @@ std::string_view behind_first_part(std::string_view path) {
   return slash == path.npos ? std::string_view() : path.substr(slash + 1);
 }
 
+/// The layer of a file of the generator, by its path in there.
+std::string_view generator_layer(std::string_view path) {
+  if (first_part(path) != "elements") return first_part(path);
+  std::string_view stem = path.substr(path.rfind('/') + 1);
+  stem = stem.substr(0, stem.find('.'));
+  for (const ElementFile& file : kElementFiles) {
+    if (file.stem == stem) return file.layer;
+  }
+  return "model";
+}
+
 bool may_use_of_runtime(std::string_view generator_floor, std::string_view used) {
   const std::string word = " " + std::string(used) + " ";
   return std::any_of(kRuntimeUse.begin(), kRuntimeUse.end(), [&](const RuntimeUse& use) {
@@ -138,7 +161,7 @@ std::string fault_of(std::string_view what, bool in_generator, std::string_view 
   const bool of_runtime = first_part(header) == "symplant";
   if (what.front() == '<') return of_runtime ? "is the project's own: write it in quotes" : "";
 
-  std::string_view used = first_part(of_runtime ? behind_first_part(header) : header);
+  std::string_view used = of_runtime ? first_part(behind_first_part(header)) : generator_layer(header);
   if (of_runtime && used == kProgramInterface) used.remove_suffix(2);
   const auto at = of_runtime ? index(kRuntime, used) : index(kGenerator, used);
   if (!at) return "is on no floor";
@@ -159,6 +182,12 @@ bool is_source(const fs::path& path) { return path.extension() == ".hpp" || path
 
 }  // namespace
 
+std::string layer_of(const std::string& path) {
+  const std::string_view rest = behind_first_part(path);
+  const bool in_generator = path.starts_with("generator/");
+  return std::string(first_part(path)) + "/" + std::string(in_generator ? generator_layer(rest) : first_part(rest));
+}
+
 Tree read_tree(const std::string& root, const std::vector<std::string>& folders) {
   Tree tree;
   for (const std::string& folder : folders) {
@@ -178,7 +207,8 @@ Faults climbing_includes(const Tree& tree) {
   for (const File& file : tree) {
     if (!in_house(file)) continue;
     const bool in_generator = file.path.starts_with("generator/");
-    const std::string_view floor = first_part(behind_first_part(file.path));
+    const std::string_view path = behind_first_part(file.path);
+    const std::string_view floor = in_generator ? generator_layer(path) : first_part(path);
     if (!(in_generator ? index(kGenerator, floor) : index(kRuntime, floor))) {
       faults.push_back(fault(file, 1, "stands on no floor"));
       continue;

@@ -20,6 +20,10 @@ using Faults = std::vector<std::string>;
 /// The .hpp and .cpp files below the given folders, sorted by path.
 Tree read_tree(const std::string& root, const std::vector<std::string>& folders);
 
+/// "generator/model" of "generator/model/derive.cpp", and of "generator/elements/link/resolve.cpp": the folder of an
+/// element has files of several layers.
+std::string layer_of(const std::string& path);
+
 /// Includes of a higher layer: a layer may include itself and the layers below it; a generator layer may include only
 /// the runtime layers that the rules allow. Checks generator/ and runtime/ only.
 Faults climbing_includes(const Tree& tree);

@@ -35,12 +35,6 @@ std::string path_of_include(const std::string& include) {
   return include.starts_with(kPrefix) ? "runtime/" + include.substr(kPrefix.size()) : "generator/" + include;
 }
 
-/// "generator/model" of "generator/model/derive.cpp".
-std::string layer_of(const std::string& path) {
-  const std::size_t slash = path.find('/', path.find('/') + 1);
-  return path.substr(0, slash);
-}
-
 template <class NodeOf>
 Graph graph_of(const Tree& tree, NodeOf&& node_of) {
   Graph graph;

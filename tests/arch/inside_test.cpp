@@ -57,7 +57,7 @@ std::size_t depth_of(const std::string& file) {
       "generator/name", "generator/description", "generator/pairing", "generator/model",   "generator/lower",
       "runtime/host",   "runtime/exec",          "runtime/plant",     "runtime/engine",    "runtime/link"};
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (file.starts_with(order[i] + "/")) return i;
+    if (layer_of(file) == order[i]) return i;
   }
   FAIL("`" + file + "` is in no layer of the walk");
   return 0;

@@ -1,7 +1,8 @@
-# Copies the sources of a folder with planted bugs. Bug number N is on while the variable `planted_bug` is N: the word BUG
-# in its text is replaced by that condition. Fails unless the text that a bug replaces occurs exactly once in the folder.
-# -DFOLDER=... -DCOPY=... -DBUGS=... -DNUMBERS=1,2,... BUGS is the folder of the texts N.from and N.to.
-file(GLOB_RECURSE files RELATIVE ${FOLDER} ${FOLDER}/*.cpp)
+# Copies the sources of a layer with planted bugs. Bug number N is on while the variable `planted_bug` is N: the word BUG
+# in its text is replaced by that condition. Fails unless the text that a bug replaces occurs exactly once in the layer.
+# -DFOLDER=... -DFILES=a.cpp,b.cpp,... -DCOPY=... -DBUGS=... -DNUMBERS=1,2,... FILES are relative to FOLDER, the copies to COPY.
+# BUGS is the folder of the texts N.from and N.to.
+string(REPLACE "," ";" files "${FILES}")
 foreach(file ${files})
   file(READ ${FOLDER}/${file} text_${file})
   set(original_${file} "${text_${file}}")

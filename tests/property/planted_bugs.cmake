@@ -19,6 +19,7 @@ function(symplant_planted_layer LAYER FOLDER)
   set(script ${PROJECT_SOURCE_DIR}/tests/property/plant_bugs.cmake)
   get_property(numbers DIRECTORY PROPERTY symplant_planted_in_${LAYER})
   get_target_property(sources symplant_${LAYER} SOURCES)
+  set(files "")
   set(originals "")
   set(copies "")
   set(others "")
@@ -28,6 +29,7 @@ function(symplant_planted_layer LAYER FOLDER)
       list(APPEND others ${source})
       continue()
     endif()
+    list(APPEND files ${source})
     list(APPEND originals ${FOLDER}/${source})
     list(APPEND copies ${copy}/${source})
     get_source_file_property(alone ${FOLDER}/${source} TARGET_DIRECTORY symplant_${LAYER} SKIP_UNITY_BUILD_INCLUSION)
@@ -39,10 +41,11 @@ function(symplant_planted_layer LAYER FOLDER)
     list(APPEND texts ${CMAKE_CURRENT_BINARY_DIR}/planted/${number}.from ${CMAKE_CURRENT_BINARY_DIR}/planted/${number}.to)
   endforeach()
   string(REPLACE ";" "," numbers "${numbers}")
+  string(REPLACE ";" "," files "${files}")
   add_custom_command(
     OUTPUT ${copies}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${FOLDER} -DCOPY=${copy} -DBUGS=${CMAKE_CURRENT_BINARY_DIR}/planted
-            "-DNUMBERS=${numbers}" -P ${script}
+            "-DFILES=${files}" "-DNUMBERS=${numbers}" -P ${script}
     DEPENDS ${originals} ${texts} ${script}
     VERBATIM)
   add_library(symplant_${LAYER}_planted OBJECT ${copies} ${others})

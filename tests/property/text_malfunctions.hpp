@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "description/malfunctions.hpp"
+#include "elements/malfunction/given.hpp"
 #include "property/text_line.hpp"
 
 namespace symplant::property {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "description/material.hpp"
+#include "elements/material/given.hpp"
 #include "property/text_line.hpp"
 
 namespace symplant::property {

@@ -5,7 +5,7 @@
 
 #include "check/rule.hpp"
 #include "check/words.hpp"
-#include "model/part_words.hpp"
+#include "elements/material/part_words.hpp"
 #include "text/ascii.hpp"
 #include "text/shape.hpp"
 

@@ -1,6 +1,6 @@
 // The material flow as the model has it: elements, sensors, and conditions about parts.
+#include "elements/material/part_words.hpp"
 #include "material_support.hpp"
-#include "model/part_words.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::test {

@@ -1,8 +1,7 @@
 // Tests of the drawings of tracks and places: everything is drawn to scale, and no text is covered.
-#include "view/location_drawing.hpp"
-
 #include <algorithm>
 
+#include "elements/material/drawing.hpp"
 #include "view/layout.hpp"
 #include "view_support.hpp"
 

@@ -1,6 +1,5 @@
 // Tests of the lines that describe a material flow.
-#include "view/material_words.hpp"
-
+#include "elements/material/words.hpp"
 #include "view_support.hpp"
 
 namespace symplant::test {

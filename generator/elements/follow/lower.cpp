@@ -1,0 +1,13 @@
+// Lowers the symbols that follow a condition.
+#include "elements/follow/lower.hpp"
+
+namespace symplant::lower {
+
+void lower_follows(const model::PlantModel& plant, const AddCondition& add_condition, EngineTables& tables) {
+  for (std::uint32_t f = 0; f < plant.follows.size(); ++f) {
+    const model::Follow& follow = plant.follows[f];
+    tables.follows.push_back({follow.symbol, add_condition(follow.condition, tables::ReaderKind::follow, f, 0)});
+  }
+}
+
+}  // namespace symplant::lower
