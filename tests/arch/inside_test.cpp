@@ -113,4 +113,19 @@ TEST_CASE("The walk in docs/inside.md names each file once, and goes down only")
   }
 }
 
+TEST_CASE("What docs/inside.md names in `How to add something` exists") {
+  const std::string text = between(page(), "<!-- how to add -->", "<!-- end of how to add -->");
+  std::size_t named = 0;
+  for (std::size_t at = text.find('`'); at != text.npos; at = text.find('`', at + 1)) {
+    const std::size_t end = text.find('`', at + 1);
+    const std::string path = text.substr(at + 1, end - at - 1);
+    at = end;
+    if (path.find('/') == path.npos) continue;
+    INFO(path);
+    CHECK(fs::exists(fs::path(SYMPLANT_ROOT) / path));
+    ++named;
+  }
+  CHECK(named > 20);
+}
+
 }  // namespace symplant::arch
