@@ -11,9 +11,9 @@
 
 namespace symplant::json {
 
-/// A schema in a form that accepts the usual valid value without a store. It answers only what it is sure of: a value
-/// that it does not accept, or a schema with other keywords, is for the validator. The text of the schema must outlive
-/// it.
+/// A schema in a form that checks the usual valid value without allocating memory. It only accepts: a value that it
+/// does not accept may still be valid, and the validator decides. A part of the schema with other keywords accepts no
+/// value. The text of the schema must outlive it.
 class QuickSchema {
  public:
   explicit QuickSchema(const nlohmann::json& root);
@@ -24,7 +24,7 @@ class QuickSchema {
   using Json = nlohmann::json;
   using Index = std::uint32_t;
   static constexpr Index kAny = std::numeric_limits<Index>::max();  ///< fits every value
-  static constexpr Index kNone = kAny - 1;                          ///< is sure of no value
+  static constexpr Index kNone = kAny - 1;                          ///< accepts no value
 
   struct Node {
     std::vector<const Json*> types;  ///< their names; empty: all
@@ -39,7 +39,7 @@ class QuickSchema {
     std::size_t most_items = std::numeric_limits<std::size_t>::max();
     const Json* minimum = nullptr;
     const Json* maximum = nullptr;
-    std::vector<Index> choices;  ///< of `anyOf`; empty: none is asked for
+    std::vector<Index> choices;  ///< of `anyOf`; empty: the schema has no `anyOf`
   };
 
   Index node_of(const Json& schema);
