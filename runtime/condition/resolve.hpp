@@ -32,11 +32,12 @@ class Names {
   virtual std::string path(std::uint32_t unit) const = 0;
   virtual std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const = 0;
   virtual std::optional<Symbol> symbol(std::string_view name) const = 0;
-  /// A track or place, by index. Its name is not that of a device. Only in a plant with material.
+  /// A track or place, by index. No device has the same name. Only in a plant with material.
   virtual std::optional<std::uint32_t> location(std::string_view) const { return {}; }
   virtual std::optional<std::uint32_t> part_kind(std::string_view) const { return {}; }
 
-  // For messages only: the nearest known name, empty if no name is near. Of devices: a location counts as one.
+  // For messages only: the nearest known name, empty if no name is near. In nearest_device() a location counts as a
+  // device.
   virtual std::string nearest_device(std::string_view device, std::string_view facet) const = 0;
   virtual std::string nearest_state(std::uint32_t unit, std::string_view name) const = 0;
   virtual std::string nearest_symbol(std::string_view name) const = 0;

@@ -70,7 +70,8 @@ struct OverrunState {
 inline constexpr std::uint8_t kFrozenBefore = 1;
 inline constexpr std::uint8_t kFrozenInThisInstant = 2;
 
-/// More instants of a track's own parts, or more starts and ends of malfunctions, within kLoopWindow are a loop.
+/// More instants caused by the parts of one track, or more starts and ends of malfunctions, within kLoopWindow are a
+/// loop.
 inline constexpr std::uint32_t kMostInLoopWindow = 10'000;
 inline constexpr tables::Time kLoopWindow = tables::kMillisecond;
 

@@ -29,8 +29,8 @@ namespace symplant::engine {
 
 class Engine {
   friend class BehaviourView;  // what a custom behavior sees and does is part of the engine
-  friend class Flow;           // so are the material flow
-  friend class Malfunctions;   // and malfunctions
+  friend class Flow;           // the material flow is part of the engine
+  friend class Malfunctions;   // malfunctions are part of the engine
 
  public:
   /// Constructs an engine and all its arrays in the memory of `arena`; null if the arena only counts.
@@ -60,7 +60,7 @@ class Engine {
   }
   bool restore(std::span<const std::byte> block) noexcept;
 
-  // What Plant shows; its comments define it. All symbols are after forces.
+  // For Plant, whose comments define these functions. All symbols are after forces.
   std::uint64_t model_hash() const noexcept { return head_->model; }
   std::uint64_t state_hash() const noexcept;
   tables::Time now() const noexcept { return head_->now; }
@@ -335,7 +335,7 @@ class Engine {
   std::uint32_t* queue_;                ///< capacity for every unit once
   std::uint32_t queued_;                ///< number of units in queue_ for the next round (from the second round on)
   std::uint32_t round_;                 ///< of this instant, from 1; 0 before its first round and between instants
-  List<std::uint32_t> touched_;         ///< units touched in this instant: those before its first round step in it
+  List<std::uint32_t> touched_;         ///< touched in this instant; those touched before its first round step in it
   List<std::uint32_t> moved_;           ///< general units that stepped in this round
   List<std::uint32_t> counted_;         ///< general units whose disabled_by changed in this round
   List<std::uint32_t> waiting_;         ///< conditions to evaluate
@@ -356,8 +356,7 @@ class Engine {
   bool unseen_events_;             ///< no event is forced, watched by a condition, or on a shared address
   bool reported_any_;              ///< this instant has a finding
   bool first_;                     ///< this is the first instant, and some symbols are inverted
-  bool closes_more_;  ///< some symbols are inverted, some units can overrun, there is material, or malfunctions are
-                      ///< written
+  bool closes_more_;  ///< the plant has inverted symbols, units that can overrun, material, or written malfunctions
   bool unpublished_;  ///< publish() has work to do
   bool active_;       ///< a unit stepped, or was disabled or enabled, in this round
   tables::Time now_;  ///< the time of this instant

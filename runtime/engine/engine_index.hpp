@@ -19,7 +19,7 @@ inline constexpr std::uint16_t kNoTransition = 0xFFFF;
 struct Departure {
   std::uint16_t transition;  ///< kNoTransition for a spring return
   std::uint16_t dt;          ///< its times, as Transition::dt
-  std::uint32_t to;  ///< the same state: it stays, and the operation leads there; kNoState: see the general path
+  std::uint32_t to;  ///< the same state: the operation leads there, so the unit stays; kNoState: see the general path
 };
 
 /// What a unit reads in one state of its type.
@@ -145,7 +145,7 @@ class OverrunIndex {
   void build(const tables::PlantTables& tables, Arena& arena) noexcept;
   bool empty() const noexcept { return positions_ == nullptr; }
   std::uint32_t operations() const noexcept { return operations_; }  ///< of all these units
-  /// The index of a unit's row, or kNone. Not if empty(). O(1).
+  /// The index of a unit's row, or kNone. Not to be called if empty(). O(1).
   std::uint32_t position_of(std::uint32_t unit) const noexcept { return positions_[unit]; }
   /// The first of the unit's operations among those of all these units.
   std::uint32_t first_operation(std::uint32_t position) const noexcept { return first_operations_[position]; }

@@ -53,7 +53,7 @@ class EventChanges {
     }
     return {of_instant_.items, kept};
   }
-  /// After close(), instead of what it returned: all events that are on.
+  /// To be called after close(), to replace its result by all events that are on.
   std::span<const WordChange> all_on(const BitWords& bits) noexcept {
     of_instant_.size = 0;
     for (std::uint32_t word = 0; word < bits.size(); ++word) {
@@ -74,7 +74,7 @@ class EventChanges {
     since_forgotten_.size = 0;
     first_kept_ = instant_;
   }
-  /// Between instants: as if all words had changed.
+  /// Notes all words as changed. Only between instants.
   void note_all(std::uint32_t words) noexcept {
     for (std::uint32_t word = 0; word < words; ++word) note(word, 0);
     next_instant();

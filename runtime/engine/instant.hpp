@@ -35,15 +35,15 @@ struct MalfunctionChange {
     condition,  ///< its `when` began to hold, or its `unless` held
     chance,
     becomes,  ///< another one became this one, or this one another
-    end,      ///< it has lasted as long as it lasts
+    end,      ///< its time `lasts` is over
   };
   std::uint32_t malfunction;  ///< as tables::MalfunctionNumbers numbers them
   bool active;                ///< it started
   By by;
 };
 
-/// Changes by hand between two instants that the engine reports at least, of parts and of malfunctions each. Others are
-/// missing in its Instant.
+/// The engine reports at least this many changes of parts by hand between two instants, and as many of malfunctions.
+/// Further changes are missing in its Instant.
 inline constexpr std::uint32_t kMostByHand = 1024;
 
 /// The net changes of one instant, after forces. Valid only during the call of the observer.
@@ -59,8 +59,8 @@ struct Instant {
   std::span<const MalfunctionChange> malfunctions;  ///< in the order in which they happened
 };
 
-/// Receives every instant with a change, every one that a further instant at the same time follows, and every finding.
-/// It is called during advance_to() and advance_before(): its functions must be bounded.
+/// Receives every instant with a change, every instant that is followed by another one at the same time, and every
+/// finding. It is called during advance_to() and advance_before(): its functions must be bounded.
 class Observer {
  public:
   /// It may read the plant and must not act on it.

@@ -9,7 +9,7 @@
 
 namespace symplant::engine {
 
-/// What a symbol is instead of what the link or the model made. A force of the user hides what malfunctions do.
+/// What replaces the value of a symbol that the link or the model made. A force of the user hides what malfunctions do.
 struct Override {
   enum class Kind : std::uint8_t {
     none,
@@ -27,7 +27,7 @@ struct ValuePlane {
   std::uint64_t effective(std::uint32_t slot) const noexcept {
     return (forced[slot / 64] & bit_in_word(slot)) != 0 ? forced_to[slot] : made[slot];
   }
-  /// `values` follow when dirty slots are examined.
+  /// `values` are updated when dirty slots are examined.
   void set(std::uint32_t slot, const Override& to) noexcept {
     const bool is_set = to.kind != Override::Kind::none;
     set_bit(forced[slot / 64], slot, is_set);
@@ -65,12 +65,12 @@ struct BitPlane {
     made_[word] = value;
     return effective(word);
   }
-  /// Changes the word before forces; `bits` follow when dirty words are examined.
+  /// Changes the word before forces; `bits` are updated when dirty words are examined.
   void make(std::uint32_t word, std::uint64_t value) noexcept {
     dirty.mark(word);
     made_[word] = value;
   }
-  /// Overrides a bit, or ends that; `bits` follow when dirty words are examined.
+  /// Overrides a bit, or ends that; `bits` are updated when dirty words are examined.
   void set(std::uint32_t bit, const Override& to) noexcept {
     const std::uint32_t word = bit / 64;
     make(word, made(word));
@@ -93,7 +93,7 @@ struct BitPlane {
   BlockSet dirty;            ///< words to examine when the next instant begins or this round ends
 
  private:
-  std::uint64_t* made_;  ///< only of words that are dirty or have a force; of the others `bits` are the same
+  std::uint64_t* made_;  ///< valid only for words that are dirty or have a force; `bits` has the value of the others
 };
 
 }  // namespace symplant::engine

@@ -17,7 +17,7 @@ class ShortEvents {
   void rose(std::uint32_t word, std::uint64_t bits, tables::Time now) noexcept;
   /// `bits` fall now; returns those that rose less than `cycle` ago. O(rises of that word within a cycle).
   std::uint64_t fell(std::uint32_t word, std::uint64_t bits, tables::Time now, tables::Time cycle) noexcept;
-  /// No rise so far counts any more. O(1).
+  /// Forgets all rises so far. O(1).
   void forget() noexcept { count_[1] = count_[0]; }
 
  private:

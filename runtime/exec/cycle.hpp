@@ -23,7 +23,8 @@ struct CycleOptions {
   tables::Time spin = 0;  ///< how long before a deadline the thread stops sleeping and polls the clock; up to `cycle`
 };
 
-/// Receives a standstill of a plant when it is over. Called in the cycle: bounded, without heap, lock or system call.
+/// Gets a report when a standstill of the plant is over. Called in the cycle, so it must be bounded, without heap, lock
+/// or system call.
 class StandstillWatch {
  public:
   /// `lost`: the plant time that was not caught up, ns.
@@ -44,7 +45,7 @@ struct CycleParts {
   StandstillWatch* standstill = nullptr;
 };
 
-/// How long a plant waits for a PLC at least before `CycleOptions::until` may end the run.
+/// The shortest time for which a plant waits for a PLC before `CycleOptions::until` may end the run.
 inline constexpr tables::Time kPatience = 5 * tables::kSecond;
 
 /// Runs the plant in real time from its current time until `parts.stop` or `options.until`.
@@ -56,8 +57,9 @@ inline constexpr tables::Time kPatience = 5 * tables::kSecond;
 /// time of the others slips.
 ///
 /// While a link freezes the plant, cycles continue with the links only; plant time does not run and is not caught up.
-/// `options.until` ends such a run, too: when the plant has waited without a break, by a link that freezes it or by a
-/// `plc_time` without its PLC, for the plant time that is left until then, and for kPatience.
+/// `options.until` ends such a run, too. The plant waits while a link freezes it, or while `plc_time` is without its
+/// PLC. The run ends when the plant has waited without a break for the plant time that is left until `options.until`,
+/// and for at least kPatience.
 ///
 /// With `plc_time` the clock only decides when cycles run. Plant time is that of `plc_time`, which `options.until`
 /// limits. Deadlines that have passed are skipped: nothing is caught up, and nothing slips.

@@ -15,12 +15,12 @@ namespace symplant::exec {
 /// The statistics of a run, so far or at its end. Times in nanoseconds.
 struct CycleStatistics {
   std::uint64_t cycles = 0;
-  std::uint64_t overruns = 0;                ///< cycles that were not finished when the next was due
-  tables::Time slipped = 0;                  ///< how much plant time fell behind the clock
-  tables::Time frozen = 0;                   ///< time during which plant time did not run, by the policy of a lost link
-  Durations lateness;                        ///< from a cycle's deadline to its start
-  Durations work;                            ///< from a cycle's start to its end: links and plant
-  Durations jitter;                          ///< absolute difference of the time between two starts from the cycle
+  std::uint64_t overruns = 0;  ///< cycles that were not finished when the next was due
+  tables::Time slipped = 0;    ///< how much plant time fell behind the clock
+  tables::Time frozen = 0;     ///< time during which plant time did not run, by the policy of a lost link
+  Durations lateness;          ///< from a cycle's deadline to its start
+  Durations work;              ///< from a cycle's start to its end: links and plant
+  Durations jitter;            ///< by how much the time between two starts differs from the cycle, absolute
   std::optional<PlcClockReading> plc_clock;  ///< only if plant time follows a PLC's clock
 };
 

@@ -47,12 +47,13 @@ class Histogram {
   /// Any thread may call it, also while another one counts. O(buckets).
   Durations durations() const noexcept;
 
-  /// How many durations are below a power of two, in ns, and not below the one before.
+  /// The number of durations from `upper` / 2 to below `upper`, a power of two, in ns. The octave with `upper` 1 is
+  /// that of 0 ns.
   struct Octave {
     std::uint64_t upper;
     std::uint64_t count;
   };
-  /// Those with durations, in ascending order. Any thread may call it. O(buckets).
+  /// The octaves that have durations, in ascending order. Any thread may call it. O(buckets).
   std::vector<Octave> by_octave() const;
 
  private:

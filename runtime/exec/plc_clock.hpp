@@ -37,14 +37,14 @@ class PlcClock {
   PlcClock(const PlcClockOptions& options, tables::Time begin) noexcept;
 
   /// A value of the counter, modulo its width. A repeated value changes nothing. Returns whether it is a restart: the
-  /// counter stepped over the limit, or back.
+  /// counter stepped by more than the limit, or back.
   bool arrive(std::uint64_t value) noexcept;
   /// Advances plant time by this many cycles, > 0; returns it.
   tables::Time step(std::int64_t cycles = 1) noexcept;
-  /// The PLC has reconnected: plant time goes on from where it is. Returns whether this is a restart: values had
-  /// arrived.
+  /// The PLC has reconnected: plant time goes on from where it is. Returns whether this counts as a restart, which
+  /// needs values that arrived before.
   bool restart() noexcept;
-  /// Plant time was stopped: it goes on from where it is, and this is no restart.
+  /// Plant time was stopped: it goes on from where it is. This does not count as a restart.
   void hold() noexcept;
 
   tables::Time now() const noexcept { return now_; }

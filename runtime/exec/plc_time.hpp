@@ -13,7 +13,8 @@ namespace symplant::exec {
 /// first one restarts the clock. For the cycle's thread.
 class PlcTime {
  public:
-  /// `slot`: of the operation. The link must outlive this object. The value that the plant has now is not the PLC's.
+  /// `slot`: of the operation. The link must outlive this object. The value that the operation has now does not count:
+  /// the PLC has not written it.
   PlcTime(const PlcClockOptions& options, const plant::Plant& plant, std::uint32_t slot, const Exchange& link) noexcept;
   PlcTime(const PlcTime&) = delete;
   PlcTime& operator=(const PlcTime&) = delete;

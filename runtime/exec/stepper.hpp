@@ -11,16 +11,16 @@ class Stepper {
   /// Advances the plant to `time`, including the instant at `time`. It may set the plant back to an earlier time
   /// instead: the next cycle goes on from there.
   virtual void advance_to(tables::Time time) noexcept = 0;
-  /// The same for a part of a cycle, after which more of it follows.
+  /// As advance_to(), for a part of a cycle; the rest of the cycle follows.
   virtual void advance_within(tables::Time time) noexcept { advance_to(time); }
-  /// Whether plant time does not run, apart from what links ask for.
+  /// Whether the stepper stops plant time. Links may stop it independently (Exchange::freezes_plant()).
   virtual bool frozen() const noexcept { return false; }
-  /// Instead of advance_to() in a cycle in which plant time does not run: what acts from outside may run further
-  /// instants of the plant's time.
+  /// Called instead of advance_to() in a cycle in which plant time does not run. Acts from outside, such as those of an
+  /// operator, may run further instants at the plant's time.
   virtual void hold() noexcept {}
-  /// Whether it has nothing left to do, so that the run may end.
+  /// Whether the stepper has nothing left to do, so that the run may end.
   virtual bool over() const noexcept = 0;
-  /// Whether it cannot go on, so that the run must end.
+  /// Whether the stepper cannot go on, so that the run must end.
   virtual bool failed() const noexcept { return false; }
 
  protected:

@@ -24,8 +24,8 @@ class Console {
   /// Removes the status line.
   void clear();
 
-  /// Whether a write to `out` would not block now, as far as known. False for a terminal stopped by Ctrl-S, for
-  /// example.
+  /// Whether a write to `out` would not block now, as far as known. It would block, for example, on a terminal stopped
+  /// by Ctrl-S.
   bool is_taken() const;
 
  private:

@@ -15,7 +15,7 @@ class LineLimit {
   static constexpr std::chrono::seconds kWindow{10};
   static constexpr std::uint64_t kMost = 5;
 
-  /// Whether a line is shown now; otherwise it is counted. take_hidden() comes first.
+  /// Whether a line is shown now; otherwise it is counted. Call take_hidden() first.
   bool admits(Clock::time_point now) noexcept {
     if (is_over(now)) {
       begin_ = now;

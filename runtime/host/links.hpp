@@ -31,14 +31,14 @@ std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program,
 /// Whether one of them is a link to a PLC, which needs real time.
 bool has_real_link(const LinkChoices& links);
 
-/// Whether one of them goes to a PLC, which is a server.
+/// Whether one of the links goes to a PLC: the PLC is the server, the plant its client.
 bool goes_to_plc(const LinkChoices& links);
 
 /// By symbol: whether it is an operation that a PLC writes through one of the links.
 std::vector<bool> carried_symbols(const LinkChoices& links, const tables::PlantTables& tables);
 
-/// "carries 2 of 4 I/O symbols: ...", with the first that is left out and why, if a real link leaves out a tenth or
-/// more of its controller's; else empty. O(symbols).
+/// "carries 2 of 4 I/O symbols: ...", with the first symbol that is left out and why, if a real link leaves out a tenth
+/// or more of its controller's symbols; else empty. O(symbols).
 std::string left_out_words(const link::LinkChoice& choice, const tables::PlantTables& tables);
 
 /// A link of a run.

@@ -30,7 +30,7 @@ struct ActText {
   std::string_view by;
 };
 
-/// That of a step.
+/// The act of a scenario's step.
 ActText act_of(const scenario::Scenario& scenario, std::uint64_t step, const trace::PlantNames& names);
 
 /// Drains a recorder: in virtual time after each step of the run, in real time on a separate thread, so that the cycle
@@ -41,19 +41,19 @@ class Outputs {
   Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder, trace::History& history,
           Report& report, std::ostream& out);
 
-  /// No PLC can miss an event that is on no link: `event too short` is reported of those symbols only.
+  /// `event too short` is reported of these symbols only: no PLC can miss an event that no link carries.
   void report_short_events_of(std::vector<bool> symbols) { carried_ = std::move(symbols); }
   /// A panel that gets every record, too. It must outlive the last drain().
   void show_on(panel::Panel& panel) { panel_ = &panel; }
   void hide() { panel_ = nullptr; }
-  /// What gives the text of an act by its index, as JSON, for traces: the steps of a scenario.
+  /// Sets the function that gives the text of an act for traces, by its index: that of a step of the scenario.
   void write_acts(std::function<ActText(std::uint64_t)> text_of) { act_text_ = std::move(text_of); }
   /// Opens the files; they also get earlier records. `cycle`: in real time; 0: virtual time. False, with a message on
   /// `err`, if one cannot be opened.
   bool open(std::uint64_t model_hash, tables::Time cycle, std::ostream& err);
 
-  /// The plant was set to another state, which the history has: a line of the trace; the VCD file, whose time cannot go
-  /// back, ends. `what` and `name` as for TraceFile::set_back().
+  /// Records that the plant was set to another state, which the history already has: writes a line to the trace, and
+  /// ends the VCD file, since its time cannot go back. `what` and `name` as for TraceFile::set_back().
   void set_back(std::string_view what, std::string_view name, tables::Time time);
   void drain();
   void start_thread();
@@ -84,12 +84,12 @@ class Outputs {
   std::optional<trace::TraceFile> trace_;
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;
-  std::vector<std::uint64_t> hands_;  ///< what failed by hand in the step whose failure is reported next
+  std::vector<std::uint64_t> hands_;  ///< actions that were refused in the step whose failure is reported next
   std::vector<trace::Record>
       later_;  ///< of parts and malfunctions, of the instant that is being drained: they come last
   std::vector<trace::FoundThing> found_;  ///< findings of the instant that is being drained
   std::vector<bool> carried_;             ///< by symbol; empty: all
-  std::uint64_t turn_ = 0;                ///< of the failed step that the next note is about
+  std::uint64_t turn_ = 0;                ///< the turn of the failed step in the next note
   bool loop_goes_on_ = false;
   tables::Time last_time_ = 0;  ///< of the last instant
   tables::Time vcd_end_ = -1;   ///< when the plant was set back, and the VCD file ended; -1: it goes on

@@ -30,8 +30,8 @@ struct PanelInput {
   Console& console;     ///< for messages while it serves
 };
 
-/// Opens the panel and prints its link on `out`; 0, or the exit code of a failure with a message on `err`. Nothing
-/// without the option.
+/// Opens the panel and prints its link on `out`; 0, or the exit code of a failure with a message on `err`. Without
+/// `--panel` it does nothing and returns 0.
 int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::ostream& err,
                std::unique_ptr<panel::Panel>& panel);
 

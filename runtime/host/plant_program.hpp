@@ -34,7 +34,7 @@ struct IgnoredFinding {
   std::string_view until;    ///< the last day, as 2027-06-30; empty: no end
 };
 
-/// All references must outlive the run. The header is a part of every generated program, so it stays light.
+/// All references must outlive the run. Every generated program includes this header, so it includes little.
 struct PlantProgram {
   const tables::PlantTables& tables;
   std::span<const engine::Behaviour> behaviours = {};  ///< as for plant::Plant
@@ -42,7 +42,7 @@ struct PlantProgram {
   std::span<const DefaultProgram> programs = {};       ///< programs of the description, used without --program
   /// By controller, for any URL of its link; empty: defaults for all.
   std::span<const link::LinkSettings> link_settings = {};
-  std::string_view default_link = {};           ///< as for --link, used without both of these; empty: no link
+  std::string_view default_link = {};  ///< as for --link, used if there are neither --link nor `links`; empty: no link
   std::span<const std::string_view> more = {};  ///< further lines of the summary at the start
   std::span<const IgnoredFinding> ignored = {};
   panel::View view = {};                          ///< where the panel shows the devices

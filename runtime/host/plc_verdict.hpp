@@ -1,4 +1,4 @@
-// What a run in real time shows of its PLCs: whether they came, and whether plant time ran.
+// The verdict on the PLCs of a run in real time: whether they connected, and whether plant time ran.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct PlcVerdict {
 };
 
 /// To be called once the cycle has ended, by the thread that ended it. A link whose PLC has exchanged nothing becomes
-/// the finding `no PLC`. `clock` may be null; `gave_up`: the end of the run came before its plant time.
+/// the finding `no PLC`. `clock` may be null; `gave_up`: the run ended before plant time reached its end.
 PlcVerdict judge_plcs(Stage& stage, const Links& links, const PlcClockChoice* clock,
                       const exec::CycleStatistics& cycles, bool gave_up);
 

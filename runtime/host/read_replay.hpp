@@ -1,4 +1,4 @@
-// Reads what a replay needs of a trace.
+// Reads from a trace what a replay needs.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Replay {
     Kind kind;
   };
   std::vector<Deed> deeds;
-  scenario::Scenario acts;         ///< a step for each act; its times mean nothing
+  scenario::Scenario acts;         ///< a step for each act; the times of the steps have no meaning
   std::vector<std::string> texts;  ///< of each act, as the trace has it
   std::vector<bool> by_hand;       ///< whether an act was done by hand, else by a scenario
   std::string model_hash;          ///< of the header

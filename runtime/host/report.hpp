@@ -40,8 +40,8 @@ class Report {
 
   /// Counts a finding, and reports the first of each kind and subject. Returns its text.
   std::string found(const trace::FoundThing& found);
-  /// Reports that step `step` failed at `time`.
-  /// The first failure of a step is reported. `turn`: how often the step was done before.
+  /// Reports that step `step` failed at `time`; only the first failure of each step is reported. `turn`: how often the
+  /// step was done before. `hands`: the actions that were refused, as values of scenario::kHandNote.
   void failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands);
 
   /// Whether an entry of `ignored` matches it today.
@@ -51,7 +51,8 @@ class Report {
   void report_hidden(bool at_end);
 
   std::uint64_t count(tables::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
-  /// Without those that are ignored, with those that came too fast to be written, which sum_up() gets.
+  /// The number of findings, without the ignored ones. After sum_up() it includes those that came too fast to be
+  /// written.
   std::uint64_t findings() const;
   /// The first finding of a kind that is not ignored; empty if there is none.
   const std::string& words(tables::FindingKind kind) const { return first_words_[static_cast<std::size_t>(kind)]; }
@@ -83,7 +84,7 @@ class Report {
   const plant::Plant* plant_;
   const scenario::Scenario* scenario_;
   std::string file_;
-  std::vector<IgnoredFinding> ignored_entries_;  ///< those that count today
+  std::vector<IgnoredFinding> ignored_entries_;  ///< those that are valid today
   Console& console_;
   std::uint64_t ignored_ = 0;
   std::map<std::pair<tables::FindingKind, std::string>, LineLimit>

@@ -1,4 +1,4 @@
-// The files that say whether a run was good: a file of an earlier run never survives a run that fails.
+// The result files of a run. A failed run never leaves a result file of an earlier run.
 #pragma once
 
 #include <functional>
@@ -23,11 +23,12 @@ class ResultFiles {
   ResultFiles(const ResultFiles&) = delete;
   ResultFiles& operator=(const ResultFiles&) = delete;
 
-  /// From now on a failed run replaces the files, whatever they are, if no output of the run is one of its `inputs`.
+  /// From now on a failed run replaces the files, whatever they contain, if no output of the run is one of its
+  /// `inputs`.
   void replace_unless_among(std::span<const std::string_view> inputs);
   /// Opens the JUnit file and that of the statistics, so that an error shows before a long run; `--findings` is opened
-  /// by Outputs. Until write() the JUnit file has a case with the error that the run has not ended: that of a run that
-  /// is killed. False, with a message on `err`, if one cannot be opened.
+  /// by Outputs. Until write_junit() the JUnit file has a case with the error that the run has not ended, which remains
+  /// if the run is killed. False, with a message on `err`, if one cannot be opened.
   bool open(std::string_view plant, std::ostream& err);
   /// The statistics of a run that has ended. Returns the error; empty if there is none.
   std::string write_stats(std::string_view text);

@@ -19,7 +19,8 @@ tables::Time end_of_rt_check(tables::Time begin, const RunOptions& options);
 bool report_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
                      const Stage& stage, std::ostream& out);
 
-/// Reports on `out` how many of `options.rt_check` cycles a run of `cycles` cycles lacks, and why. Returns whether any.
+/// Reports on `out` how many of `options.rt_check` cycles a run of `cycles` cycles lacks, and why. Returns whether any
+/// cycle is missing.
 bool report_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::ostream& out);
 
 /// Runs `options.rt_check` cycles on a separate thread as fast as possible, and checks what links, plant, behaviors and

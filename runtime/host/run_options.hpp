@@ -26,7 +26,7 @@ struct RunOptions {
   std::string plc_clock;                 ///< with Clock::plc: the name of the operation that is the PLC's clock
   std::optional<tables::Time> plc_unit;  ///< with Clock::plc: of its lowest bit; nothing: as in the plant's links
   std::optional<tables::Time> until;
-  std::optional<tables::Time> limit;  ///< where the run ends, and has failed, if its scenario is not over by then
+  std::optional<tables::Time> limit;  ///< plant time at which a run with an unfinished scenario ends as failed
   tables::Time cycle = 10 * tables::kMillisecond;
   bool cycle_given = false;        ///< whether the user gave it
   std::int64_t max_catch_up = 10;  ///< most cycles run at once after missed deadlines
@@ -61,8 +61,7 @@ struct RunOptions {
 /// Adds the options to a command; `options` must outlive the parsing.
 void add_run_options(CLI::App& app, RunOptions& options);
 
-/// The result files (--junit, --findings, --stats) of a command line with these options that could not be parsed: as
-/// far as it was read.
+/// The result files (--junit, --findings, --stats) of a command line that could not be parsed, as far as it was read.
 RunOptions result_files_of(const CLI::App& app);
 
 /// Adds only the options of where the panel serves: --panel, --panel-token.

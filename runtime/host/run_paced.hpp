@@ -9,9 +9,9 @@
 
 namespace symplant::host {
 
-/// Runs the plant without a link to a PLC until a signal or `options.until`. Each `options.cycle` of the clock it
-/// advances plant time by as much, times the speed of the panel; if the plant is slower than that, it goes as fast as
-/// it can.
+/// Runs the plant without a link to a PLC until a signal or `options.until`. Once per `options.cycle` of the clock it
+/// advances plant time by `options.cycle` times the speed of the panel. If the plant is slower than that, it runs as
+/// fast as possible.
 void run_paced(Stage& stage, const RunOptions& options, panel::Panel& panel, std::ostream& out);
 
 }  // namespace symplant::host

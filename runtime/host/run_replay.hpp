@@ -1,4 +1,4 @@
-// Runs a plant as a trace has it, in virtual time.
+// Repeats a recorded run from its trace, in virtual time.
 #pragma once
 
 #include <ostream>
@@ -14,7 +14,7 @@ bool replay_fits(const RunOptions& options, std::ostream& err);
 /// The options of a run that repeats a trace: in virtual time, with the seed of the trace unless another one is given.
 RunOptions options_of_replay(RunOptions options, const Replay& replay);
 
-/// Warns if a replay need not be the recorded run.
+/// Warns if the replay may differ from the recorded run.
 void report_other_run(const Stage& stage, const RunOptions& options, const Replay& replay, std::ostream& err);
 
 /// Repeats the recorded run from time 0 until the trace ends, `--until` is reached or a signal comes; the reason goes

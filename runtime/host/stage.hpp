@@ -28,8 +28,8 @@ struct RunStreams {
   Console& console;      ///< writes to `report` and `err`
 };
 
-/// All parts of a run but its links. The arguments of the constructor must outlive it. Its members refer to each other,
-/// so it cannot be copied or moved.
+/// All parts of a run except its links. The arguments of the constructor must outlive it. Its members refer to each
+/// other, so it cannot be copied or moved.
 class Stage {
  public:
   /// `scenario` may be null.
@@ -40,7 +40,8 @@ class Stage {
 
   /// Sets the plant to a saved state of its model; false if it does not fit. To be called before the first instant.
   bool resume(const trace::Snapshot& snapshot);
-  /// What advances the plant, if it is not the plant alone; `driver`: instead of the scenario's player. May be null.
+  /// The stepper that advances the plant; null if the plant advances alone. `driver` replaces the scenario's player; it
+  /// may be null.
   exec::Stepper* stepper(exec::Stepper* driver) noexcept {
     if (driver == nullptr && player) driver = &*player;
     if (!programs) return driver;

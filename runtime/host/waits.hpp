@@ -11,7 +11,7 @@
 
 namespace symplant::host {
 
-/// A link, as its user is to read of it.
+/// A link, as messages to the user describe it.
 struct WaitedLink {
   std::string name;
   std::string absence = {};  ///< why no PLC is there, and what to check; empty: `no PLC` is not to be reported
@@ -39,7 +39,7 @@ class Waits {
   std::string clock_;
   std::vector<bool> missed_;  ///< by link: its PLC has been reported as missing
   bool frozen_ = false;
-  bool shows_freeze_ = false;  ///< whether the present one was reported, so that its end is, too
+  bool shows_freeze_ = false;  ///< whether the current freeze was reported, so that its end is reported, too
   tables::Time frozen_at_ = 0;
   LineLimit freezes_;
   std::uint64_t values_ = 0;     ///< of the clock

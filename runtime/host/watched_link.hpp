@@ -42,8 +42,8 @@ class WatchedLink final : public exec::Exchange {
 /// The links of a run, for the cycle.
 class WatchedLinks {
  public:
-  /// Reports links that are not live yet to the behaviors of the plant at once, and to the plant the events that its
-  /// links show on request.
+  /// At once, reports links that are not live yet to the behaviors of the plant, and passes the events that links show
+  /// on request to the plant (Plant::show_on_request()).
   WatchedLinks(const Links& links, plant::Plant& plant, trace::Recorder& recorder);
 
   std::span<exec::Exchange* const> exchanges() const noexcept { return exchanges_; }

@@ -43,7 +43,7 @@ class CompiledSchema {
     std::size_t most_items = std::numeric_limits<std::size_t>::max();
     const Json* minimum = nullptr;
     const Json* maximum = nullptr;
-    std::vector<Index> choices;  ///< of `anyOf`; empty: none is asked for
+    std::vector<Index> choices;  ///< of `anyOf`; empty: the schema has no `anyOf`
   };
 
   Index node_of(const Json& schema);

@@ -7,7 +7,8 @@
 
 namespace symplant::json {
 
-/// An input iterator that counts in `taken` the bytes read. After a number the reader has read one byte more.
+/// An input iterator that counts in `taken` the bytes read. At the end of a number the reader has already read the byte
+/// after it.
 class CountedText {
  public:
   using iterator_category = std::input_iterator_tag;

@@ -8,8 +8,8 @@
 
 namespace symplant::json {
 
-/// Compares a value with a schema: the first 100 faults, each with what was expected and what was found. Supports the
-/// keywords listed at class Schema. O(value).
+/// Compares a value with a schema: returns the first 100 faults, each with what was expected and what was found.
+/// Supports the keywords listed at class Schema. O(value).
 std::vector<Fault> explain(const nlohmann::json& schema, const nlohmann::json& value);
 
 }  // namespace symplant::json

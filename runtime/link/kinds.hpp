@@ -16,8 +16,8 @@
 
 namespace symplant::link {
 
-/// A kind of link: a row for each folder of this layer that has one. `rest` is a URL after its scheme and colon, in
-/// which `fault` found nothing.
+/// A kind of link: a row for each folder of this layer that has one. `rest` is a URL after its scheme and colon. All
+/// functions except `fault` need a `rest` in which `fault` finds nothing.
 struct Kind {
   std::string_view scheme;
   std::string_view form;  ///< of its URLs, for messages

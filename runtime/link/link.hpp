@@ -54,8 +54,8 @@ class Link : public exec::Exchange {
   /// For the cycle's thread: wait-free.
   virtual void cut(bool) noexcept {}
 
-  /// The BOOL events, as rows in PlantTables::symbols, that the link shows to a PLC that reads them: such a link finds
-  /// those that came and went between two reads.
+  /// The BOOL events, as rows in PlantTables::symbols, that the PLC reads by requests to the link. Such a link itself
+  /// finds the events that came and went between two reads.
   virtual std::vector<std::uint32_t> events_on_request() const { return {}; }
 
   /// The next of the findings of this link; nothing if there is none now. For the cycle's thread: wait-free.
@@ -80,8 +80,8 @@ using LinkResult = std::variant<std::unique_ptr<Link>, LinkError>;
 /// Why the URL is invalid on any machine; empty if it is valid. Opens nothing and resolves no name. O(1).
 std::string url_fault(std::string_view url);
 
-/// Creates and starts the link of a URL: `loop:`, `modbus-tcp-server://HOST:PORT` (port 0: any free port). Tables must
-/// outlive it. If `plant` is given, the link has its events before it answers the first request.
+/// Creates and starts the link of a URL, such as `loop:` or `modbus-tcp-server://HOST:PORT` (port 0: any free port).
+/// Tables must outlive it. If `plant` is given, the link has its events before it answers the first request.
 LinkResult open_link(const LinkChoice& link, const tables::PlantTables& tables, const plant::Plant* plant = nullptr);
 
 }  // namespace symplant::link

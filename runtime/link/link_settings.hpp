@@ -65,7 +65,7 @@ struct LinkSettings {
   std::span<const MapRow> rows = {};  ///< symbols whose settings differ from the link's, in ascending order
   WordOrder word_order = WordOrder::high_first;
   bool word_order_given =
-      false;  ///< by the user; else it is that of the symbol list, and a protocol may have its order
+      false;  ///< whether the user gave it; else it is that of the symbol list, and a protocol may use another one
   OnLoss on_loss = OnLoss::hold;
   PlantOnLoss plant_on_loss = PlantOnLoss::run;
   std::array<std::uint32_t, kPlanes> sizes = {};   ///< addresses of each plane; 0: as many as the map needs

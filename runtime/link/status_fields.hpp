@@ -12,7 +12,7 @@ namespace symplant::link {
 /// word order.
 struct StatusField {
   std::uint8_t first;  ///< number of words before it
-  std::uint8_t words;  ///< of 16 bits: 1, 2 or 4; a counter is cut to them, so that it wraps around
+  std::uint8_t words;  ///< of 16 bits: 1, 2 or 4; a counter is truncated to this size, so it wraps around
   std::string_view name;
   std::string_view meaning;
 };

@@ -14,7 +14,7 @@
 
 namespace symplant::link {
 
-/// Of a value: what to write instead; empty if the value is valid.
+/// What to write instead of an invalid value; empty if the value is valid.
 using Problem = std::string;
 
 /// `text` in back-ticks.

@@ -40,7 +40,7 @@ struct PanelPlant {
   std::span<const engine::Behaviour> behaviours;
   const std::vector<bool>& carried;    ///< as for read_scenario()
   const scenario::Scenario* scenario;  ///< played from the start; null: none
-  scenario::Player* player;            ///< that plays it
+  scenario::Player* player;            ///< plays `scenario`; null without one
   scenario::ProgramControl* programs;  ///< the PLC programs of the run; null: none
   std::string scenario_name;
   std::vector<ExerciseFile> exercises;
@@ -62,7 +62,7 @@ struct Jump {
   tables::Time time;
 };
 
-/// Serves from construction to destruction. Its functions are for the threads that they name.
+/// Serves from construction to destruction. Each group of functions names the thread that may call it.
 class Panel {
  public:
   /// Opens the port and begins to serve. An error is of kind usage or environment.
@@ -93,11 +93,11 @@ class Panel {
   std::vector<std::string> take_acts();
   void finding(const trace::FoundThing& found, const std::string& words);
 
-  /// Sets what is asked once a second for the keys `links` and `cycle` of the stream: JSON members. It is called by the
-  /// panel's thread until the next call. Null: there are none.
+  /// Sets the function that gives the keys `links` and `cycle` of the stream, as JSON members. The panel's thread calls
+  /// it about once a second, until set_status() replaces it. Null: there are no such keys.
   void set_status(std::function<std::string()> status);
-  /// Sets what gives the states of the links, as trace::PlantNames counts them, for explanations; it is called by the
-  /// thread that drains the recorder. Null: all links are live.
+  /// Sets the function that gives the states of the links, as trace::PlantNames counts them, for explanations. The
+  /// thread that drains the recorder calls it. Null: all links are live.
   void set_links(std::function<std::vector<exec::LinkState>()> states);
 
   // --- when no other thread drains or runs the plant

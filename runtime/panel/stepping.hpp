@@ -5,9 +5,9 @@
 
 namespace symplant::panel {
 
-/// A plant that runs a step, and is then frozen.
+/// The step that a plant runs before it is frozen again.
 enum class Stepping : std::uint8_t {
-  none,    ///< it runs on
+  none,    ///< no step: it does not freeze by itself
   cycle,   ///< one cycle
   change,  ///< to a cycle with a change
 };

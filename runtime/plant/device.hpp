@@ -51,12 +51,12 @@ class Device {
     return !view.moving && view.state == static_cast<std::uint8_t>(state);
   }
   double progress() const noexcept { return plant_->unit(unit_).progress; }  ///< of its move, 0 to 1; 0 if settled
-  /// By another device, or stuck by a malfunction.
+  /// Whether another device or an active malfunction disables it.
   bool disabled() const noexcept { return plant_->unit(unit_).disabled; }
   /// Puts it into a state, as if moved by hand (Plant::set_state).
   void put(State state) noexcept { plant_->set_state(unit_, static_cast<std::uint8_t>(state)); }
-  /// Starts the ordinary malfunction by which it does not move, or the one by which its moves take three times as long,
-  /// or ends it. Returns false if too many are active (Plant::start_malfunction).
+  /// Starts or ends an ordinary malfunction of the device: with `set_stuck` it does not move, with `set_slow` its moves
+  /// take three times as long. Returns false if too many are active (Plant::start_malfunction).
   bool set_stuck(bool on = true) noexcept { return set_malfunction(plant_->malfunction_numbers().stuck(unit_), on); }
   bool set_slow(bool on = true) noexcept { return set_malfunction(plant_->malfunction_numbers().slow(unit_), on); }
 
@@ -73,7 +73,7 @@ class Device {
   std::uint32_t unit_;
 };
 
-/// A device of several that differ in the number at the end of their names.
+/// One of several devices whose names differ only in the number at the end.
 struct NumberedUnit {
   std::uint64_t number;
   std::uint32_t unit;  ///< index in PlantTables::units
@@ -125,7 +125,7 @@ class DeviceArray {
   std::span<const NumberedUnit> units_;
 };
 
-/// A plant that allocates its memory and whose symbols have enumerators: `Symbol` counts the rows of
+/// A plant that allocates its memory and whose symbols have enumerators: `Symbol` enumerates the rows of
 /// PlantTables::symbols.
 template <class Symbol>
 class NamedPlant : public OwnedPlant {
@@ -152,15 +152,15 @@ class NamedPlant : public OwnedPlant {
     }
   }
 
-  /// A BOOL symbol after forces: an operation as read by the last instant, or an event; of a number, whether it is not
-  /// 0. O(1).
+  /// Whether a symbol is on, after forces: an operation as the last instant read it, or an event. A number is on if it
+  /// is not 0. O(1).
   bool is_on(Symbol symbol) const noexcept {
     const tables::SymbolRow& symbol_row = row(symbol);
     if (symbol_row.type() != tables::DataType::boolean) return value<double>(symbol) != 0;
     const bool operation = symbol_row.direction() == tables::Direction::operation;
     return operation ? this->operation(symbol_row.index) : event(symbol_row.index);
   }
-  /// A numeric symbol after forces; of a BOOL 0 or 1. O(1).
+  /// The value of a symbol after forces, converted to `Number`; of a BOOL 0 or 1. O(1).
   template <class Number = double>
   Number value(Symbol symbol) const noexcept {
     const tables::SymbolRow& symbol_row = row(symbol);
@@ -178,12 +178,12 @@ class NamedPlant : public OwnedPlant {
     force(index(symbol), bits_of(row(symbol), number));
   }
   void release(Symbol symbol) noexcept { release(index(symbol)); }
-  /// Starts the ordinary malfunction by which the bit of an event stays on, or off. Returns false for another symbol,
-  /// and if too many are active (Plant::start_malfunction).
+  /// Starts the ordinary malfunction that holds the bit of an event on or off. Returns false if the symbol is not a
+  /// BOOL event, or if too many ordinary malfunctions are active (Plant::start_malfunction).
   bool set_stuck(Symbol event, bool on) noexcept {
     return start_malfunction(malfunction_numbers().stuck(index(event), on));
   }
-  /// Ends both of these malfunctions of an event.
+  /// Ends the malfunctions of an event that set_stuck() starts, on and off.
   void free(Symbol event) noexcept {
     for (const bool on : {false, true}) stop_malfunction(malfunction_numbers().stuck(index(event), on));
   }
@@ -231,7 +231,7 @@ class NamedPlant : public OwnedPlant {
     }
     return 0;
   }
-  /// In the slot's form: two's complement of 64 bits.
+  /// Converts a number to `To`, then to the form of a value slot: two's complement of 64 bits.
   template <class To, class Number>
   static std::uint64_t narrowed(Number number) noexcept {
     return static_cast<std::uint64_t>(static_cast<To>(number));

@@ -138,7 +138,7 @@ class DeviceLook {
   engine::BehaviourView& view_;
 };
 
-/// What `entered`, `left` and `woken` may read and do.
+/// What `started`, `entered`, `left` and `woken` may read and do.
 template <class Device>
 class DeviceView : public DeviceLook<Device> {
  public:

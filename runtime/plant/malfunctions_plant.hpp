@@ -7,7 +7,7 @@
 
 namespace symplant::plant {
 
-/// A plant with written malfunctions. `Base` is the plant without them, `Malfunction` counts them.
+/// A plant with written malfunctions. `Base` is the plant without them; `Malfunction` enumerates them.
 template <class Base, class Malfunction>
 class MalfunctionsPlant : public Base {
  public:

@@ -7,7 +7,7 @@
 
 namespace symplant::plant {
 
-/// A plant with a material flow. `Location` counts its tracks, then its places; `PartKind` counts the kinds.
+/// A plant with a material flow. `Location` enumerates its tracks, then its places; `PartKind` enumerates the kinds.
 template <class Symbol, class Location, class PartKind>
 class PartsPlant : public NamedPlant<Symbol> {
  public:
@@ -22,14 +22,14 @@ class PartsPlant : public NamedPlant<Symbol> {
   /// Makes a part on a track, its middle at `at` um.
   bool put(Location track, std::int64_t at, PartKind kind) noexcept { return put({index(track), at}, index(kind)); }
   /// Removes a part by hand, the one at the end of a track or the one that came first to a place. Returns false and
-  /// does nothing if there is none (Plant::take).
+  /// does nothing if there is no part (Plant::take).
   bool take(Location location) noexcept { return take({index(location), tables::kWhole}); }
   /// Removes the front-most part that covers `at` um of a track.
   bool take(Location track, std::int64_t at) noexcept { return take({index(track), at}); }
 
   /// The number of parts at a location. O(1).
   std::uint32_t parts(Location location) const noexcept { return parts(index(location)); }
-  /// The number of those of a kind. O(parts at the location).
+  /// The number of parts of a kind at a location. O(parts at the location).
   std::uint32_t parts(Location location, PartKind kind) const noexcept {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < parts(location); ++i) count += part(location, i).kind == index(kind) ? 1 : 0;

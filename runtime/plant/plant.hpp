@@ -23,8 +23,8 @@ namespace symplant::plant {
 
 /// What one unit is doing.
 struct UnitView {
-  std::uint8_t state;   ///< in which it is settled, or from which it moves
-  std::uint8_t target;  ///< to which it moves; `state` if it is settled
+  std::uint8_t state;   ///< the state in which it is settled, or from which it moves
+  std::uint8_t target;  ///< the state to which it moves; `state` if it is settled
   bool moving;
   bool stopped_midway;     ///< moving, but stopped midway (docs/model.md, "Commands during a move")
   bool disabled;           ///< by another unit, or stuck by a malfunction
@@ -79,9 +79,8 @@ struct SourceView {
 /// outlive the plant.
 ///
 /// Operations are sampled: a write takes effect in the instant at the time of the next advance_to(). All other actions
-/// from outside (set_input, set_state, force, release, start_malfunction) take effect at now(), in the next instant run
-/// there.
-/// advance_before() brings the plant to a time without running its instant.
+/// from outside (set_input, set_state, force, release, start_malfunction) take effect at now(), in the next instant
+/// that runs at that time. advance_before() brings the plant to a time without running its instant.
 class Plant {
  public:
   /// Bytes that a plant of these tables and behaviors needs. O(tables).
@@ -101,23 +100,25 @@ class Plant {
   /// Identity of the model: equal for generated and run-time tables of one description. Computed once; O(1).
   std::uint64_t model_hash() const noexcept;
 
-  /// Resets to time 0: every unit in its initial state, every operation off (an inverted one has its bit on),
-  /// every force released. The first instant,
-  /// at 0, has not run yet. `seed` is that of all random times. `cycle` 0 means virtual time; otherwise it is the cycle
-  /// in ns in which a PLC samples, and events that are on for less are findings. O(plant).
+  /// Resets to time 0: every unit in its initial state, every operation off (an inverted one has its bit on), every
+  /// force released. The first instant, at 0, has not run yet. All random times are drawn from `seed`. `cycle` 0 means
+  /// virtual time. Otherwise `cycle` is the time in ns between two samples of the PLC, and an event that is on for less
+  /// is a finding. O(plant).
   void reset(std::uint64_t seed = 0, tables::Time cycle = 0) noexcept;
 
   /// Writes a BOOL operation by its bit in the plane, as a PLC does; the next instant that samples reads it. O(1).
   void set_operation(std::uint32_t bit, bool on) noexcept;
-  /// Writes those operations of a word of the plane that are set in `mask`, as they are in `bits`. O(1).
+  /// Writes several operations in one word of the plane: those that are set in `mask` get their values from `bits`.
+  /// O(1).
   void set_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   /// Writes a numeric operation by its slot; the value is a two's complement integer or the bits of a double. O(1).
   void set_operation_value(std::uint32_t slot, std::uint64_t value) noexcept;
   /// The numeric operation as written last, before forces, also if no instant has read it yet. O(1).
   std::uint64_t written_operation_value(std::uint32_t slot) const noexcept;
 
-  /// Sets an event that no unit drives, as a sensor would: by symbol, BOOL as 0 or 1. Returns false and does nothing if
-  /// the symbol is an operation, or if a unit drives it or an event on its address. O(symbols on the address).
+  /// Sets an event that no unit drives, as a sensor would. `value` is 0 or 1 for a BOOL symbol. Returns false and does
+  /// nothing if the symbol is an operation, or if a unit drives the symbol or another event on its address. O(symbols
+  /// on the address).
   bool set_input(std::uint32_t symbol, std::uint64_t value) noexcept;
   /// Holds a symbol, and all others on its address, at a value until it is released. The value is not checked against
   /// the type's range. Values written meanwhile are kept and take effect on release. O(symbols on the address).
@@ -134,8 +135,8 @@ class Plant {
   /// Removes the part that a transfer would take from there, by hand. Returns false and does nothing if there is none.
   /// O(parts at the location).
   bool take(tables::PartLocation from) noexcept;
-  /// Starts or ends a malfunction; tables::MalfunctionNumbers numbers them. `by`: scenario or hand, for the trace. An
-  /// active one and one in an instantaneous loop are not started, and one that is not active does not end: all return
+  /// Starts or ends a malfunction; tables::MalfunctionNumbers numbers them. `by`: scenario or hand, for the trace. To
+  /// start one that is active or in an instantaneous loop, and to end one that is not active, does nothing and returns
   /// true. Returns false and does nothing if there is no such malfunction, or too many ordinary ones are active.
   /// O(written malfunctions, and what it affects).
   bool start_malfunction(std::uint32_t number,
@@ -148,8 +149,8 @@ class Plant {
   /// The same for one device, by its index in PlantTables::behaviour_units. O(1).
   void set_quality(std::uint32_t behaviour, bool well) noexcept;
 
-  /// Before the first instant: makes the events visible as the initial states have them, at time 0 and without a step
-  /// of any unit, for a plant that must not move yet. O(plant). Does nothing afterwards.
+  /// Makes the events of the initial states visible before the first instant, at time 0 and without a step of any unit.
+  /// It is for a plant that must not move yet. Does nothing after the first instant. O(plant).
   void show(engine::Observer* observer = nullptr) noexcept;
   /// Runs every instant that is due before `time` with the operations as sampled last, then the one at `time` with
   /// the operations written since. A second call for the same time runs another instant only if an operation was
@@ -161,7 +162,8 @@ class Plant {
 
   tables::Time now() const noexcept;
   /// The time of the next instant without an outside action: now() before the first instant, kNever if nothing is due.
-  /// O(units in one bucket of the wheel: 256 ns, 65 us, 16.7 ms, ... wide, by the distance to that time).
+  /// O(units in one bucket of the wheel). The bucket is wider for a time that is farther away: 256 ns, 65 us, 16.7 ms,
+  /// ...
   tables::Time next_due() const noexcept;
 
   // All values read here are after forces.
@@ -180,11 +182,12 @@ class Plant {
   std::span<const std::uint32_t> changed_event_values() const noexcept;
   /// In real time: the bits of a word of events() that changed in more than one instant since forget_changed_events().
   std::uint64_t pulsed_events(std::uint32_t word) const noexcept;
-  /// To be called at the end of each cycle in real time: if plant time did not advance in a cycle, an event that is on
-  /// at its end is not *too short* any more. O(changes).
+  /// To be called at the end of each cycle in real time. After a cycle in which plant time did not advance, the events
+  /// that are on no longer count as *too short*, since the PLC could read them. O(changes).
   void forget_changed_events() noexcept;
-  /// `events`, as events(), are shown by a link that knows what its PLC has read: in real time none of them is *too
-  /// short* within a cycle. Kept by reset() and restore(). Only between instants.
+  /// Sets the events, as a mask over events(), that a link shows to its PLC on request. Such a link knows what its PLC
+  /// has read, so in real time these events are never *too short* within a cycle. Kept by reset() and restore(). To be
+  /// called only between instants.
   void show_on_request(std::span<const std::uint64_t> events) noexcept;
 
   UnitView unit(std::uint32_t unit) const noexcept;
@@ -222,7 +225,8 @@ class Plant {
   /// The active malfunction that gives a symbol its value or lets it flicker, also if the user forces the symbol; of
   /// several the one that started last. kNone: none. O(active malfunctions and their symbols).
   std::uint32_t malfunction_of_symbol(std::uint32_t symbol) const noexcept;
-  /// Whether the link of a controller must exchange nothing. O(active malfunctions).
+  /// Whether an active malfunction cuts the link of a controller, so that it must exchange nothing. O(active
+  /// malfunctions).
   bool is_cut(std::uint32_t controller) const noexcept;
 
   /// Whether a requirement is waiting for its expected condition. O(1).

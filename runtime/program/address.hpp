@@ -19,7 +19,7 @@ struct Address {
 /// Nothing if the text is not such an address. ASCII case is ignored; `%I5` is `%IX5`.
 std::optional<Address> parse_address(std::string_view text);
 
-/// The bits of a symbol of this type: 1 of BOOL.
+/// The width in bits of a symbol of this type; 1 for BOOL.
 std::uint8_t bits_of(tables::DataType type) noexcept;
 
 }  // namespace symplant::program

@@ -18,8 +18,8 @@ struct Binding {
 };
 
 /// Binds each variable to a symbol of the controller: by its name, otherwise by its address: a bit by its number
-/// (`%IX3.2`, `%IX26` and `X001A` are one), another address by its text or its number. `ignore`: patterns of names and
-/// addresses that need no symbol. O((symbols + variables) log symbols), and O(symbols) for each error.
+/// (`%IX3.2`, `%IX26` and `X001A` are the same), another address by its text or its number. `ignore`: patterns of names
+/// and addresses that need no symbol. O((symbols + variables) log symbols), and O(symbols) for each error.
 Binding bind(const symplant_program& program, const trace::PlantNames& names, std::uint32_t controller,
              const std::vector<std::string>& ignore);
 

@@ -19,7 +19,8 @@ class CrashReport {
 };
 
 /// While one exists, a call of a program that takes over ten seconds of wall time ends the process with exit code 3 and
-/// "program `cell` does not return in scan 812 (8.12 s) after 10 s". At most one may exist, with a CrashReport.
+/// "program `cell` does not return in scan 812 (8.12 s) after 10 s". At most one may exist, also together with a
+/// CrashReport.
 class CallLimit {
  public:
   CallLimit();
@@ -28,7 +29,7 @@ class CallLimit {
   ~CallLimit();
 };
 
-/// The code of a program runs while one exists, in this thread. Costs a few stores.
+/// Marks during its lifetime that this thread calls a program, for CrashReport and CallLimit. Costs a few stores.
 class Called {
  public:
   /// A scan; -1: the start or end of the program. `name` must outlive it.

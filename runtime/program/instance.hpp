@@ -34,7 +34,7 @@ Times times_of(const symplant_program& program, const Options& options);
 /// An instance of a program. Not copyable: the program has the addresses of its cells.
 class Instance {
  public:
-  /// All arguments must outlive it. The binding must have no errors, the times none.
+  /// All arguments must outlive it. Neither the binding nor the times may have errors.
   Instance(const symplant_program& program, const Binding& binding, const Options& options, const Times& times,
            plant::Plant& plant);
   Instance(const Instance&) = delete;

@@ -18,8 +18,8 @@ struct LoadError {
 /// An open library. The program that it exports is valid while it is open. Not copyable; closes the library at the end.
 class Library {
  public:
-  /// Opens the library (RTLD_NOW | RTLD_LOCAL) and checks what it exports. `copied`: opens a copy, so that a library
-  /// that is open already has its variables once more. Code of the library's constructors runs.
+  /// Opens the library (RTLD_NOW | RTLD_LOCAL) and checks what it exports. `copied`: opens a copy of the file, so that
+  /// two programs of one library have separate variables. Code of the library's constructors runs.
   static std::variant<std::unique_ptr<Library>, LoadError> open(const std::string& path, bool copied = false);
 
   Library(const Library&) = delete;

@@ -46,8 +46,8 @@ class LockStep final : public exec::Stepper, public scenario::ProgramControl {
   std::string add(const symplant_program& program, const Options& options = {});
   /// Advances the plant by another stepper, such as a scenario. Null: by the plant itself.
   void drive(exec::Stepper* stepper) noexcept { stepper_ = stepper; }
-  /// Something else reads the plant's changed events too, and forgets them: links, in the cycle. Otherwise they are
-  /// forgotten here.
+  /// To be called if links read the plant's changed events too, in a real-time cycle that forgets them. Otherwise
+  /// advance_to() forgets them.
   void share_events() noexcept { shares_events_ = true; }
 
   /// Runs the plant and the scans up to `time`, including both at `time`. After a failure it does nothing. O(scans and
@@ -59,7 +59,7 @@ class LockStep final : public exec::Stepper, public scenario::ProgramControl {
   bool failed() const noexcept override { return failure_.has_value(); }
   /// The time of the next scan, or of the next sample of operations.
   tables::Time next_due() const noexcept;
-  /// Nothing: no program has failed.
+  /// The failure that ended the programs; nothing if no program has failed.
   const std::optional<Failure>& failure() const noexcept { return failure_; }
   /// Ends all programs; in the thread of advance_to().
   void end() noexcept;

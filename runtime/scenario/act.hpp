@@ -11,12 +11,12 @@ namespace symplant::scenario {
 /// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
 inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 
-/// Whether a trace needs an act for the step: it does more than to set operations, which a trace has as changes of
-/// symbols. O(actions).
+/// Whether a trace needs an act for the step: true if the step does more than set operations, which a trace records as
+/// changes of symbols. O(actions).
 bool needs_act(const Step& step, const tables::PlantTables& tables) noexcept;
 
-/// The changes of parts and malfunctions that a step makes at most: the engine reports engine::kMostByHand of an
-/// instant. O(1).
+/// The maximum number of changes of parts and malfunctions by a step. The engine reports at least engine::kMostByHand
+/// of one instant. O(1).
 std::size_t changes_by_hand(const Step& step) noexcept;
 
 /// The first actions of a step: `restart`, `set`, then `state`. `programs` may be null: nothing restarts. For the

@@ -45,13 +45,14 @@ inline constexpr std::uint32_t kStepNote = 0xFFFF'FFFC;
 inline constexpr std::uint64_t kStepFailed = std::uint64_t{1} << 32;
 inline constexpr int kTurnBits = 33;
 
-/// The `of` of a note before kStepNote, or the panel's note about acts by hand, about something of it that was refused:
-/// the value of a kHandNote, and from kRefusedBits on the index of the step within the acts.
+/// The `of` of a note about a refused action of a step or of acts by hand, before the kStepNote or the panel's note
+/// about these acts. Its value is that of a kHandNote, and from kRefusedBits on the index of the step within the acts.
 inline constexpr std::uint32_t kRefusedNote = 0xFFFF'FFF9;
 inline constexpr int kRefusedBits = 34;
 
-/// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
-/// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
+/// Plays the steps of a scenario. It acts between instants, and checks at the end of an instant whether a wait is met.
+/// It is the plant's observer and forwards everything to a recorder. Only the constructor allocates, so it may advance
+/// a plant in real time.
 ///
 /// In virtual time the caller calls advance_to() for each time at which the plant or next() is due. In real time it
 /// calls it once per cycle: a step then acts in the first cycle at or after its time, but `plus` still counts from the
@@ -71,17 +72,17 @@ class Player final : public engine::Observer, public exec::Stepper {
   /// Ends the run: marks the remaining steps as unreached.
   void end() noexcept;
 
-  /// Adds a note for each step that is done (kStepNote); with `only`, none about failed steps.
+  /// Adds a note for each step that is done (kStepNote); with `only`, no notes about failed steps.
   void note_steps(bool only = false) noexcept {
     notes_steps_ = true;
     notes_failures_ = !only;
   }
-  /// What restarts programs; must outlive the player. Null: nothing does.
+  /// Sets the interface that restarts programs; it must outlive the player. Null: programs are not restarted.
   void control(ProgramControl* programs) noexcept { programs_ = programs; }
   /// Begins again with the first step at the plant's time, from which the first `plus` counts.
   void begin_again() noexcept;
 
-  /// How far it is; for a state of the plant that is saved and restored.
+  /// The position in the scenario, which is saved and restored with a state of the plant.
   struct Position {
     std::size_t at = 0;         ///< index of the next step, or of the current wait
     tables::Time moment = 0;    ///< time of the previous step
@@ -131,7 +132,7 @@ class Player final : public engine::Observer, public exec::Stepper {
   std::vector<Outcome> outcomes_;
   std::vector<std::uint32_t> turns_;  ///< by repeat: turns that are over
   std::vector<std::uint32_t> ends_;   ///< by step and one more: the first repeat that ends at or after it
-  /// A note about a step that failed by hand: it follows the instant, which shows the parts of the step.
+  /// A note about a refused action by hand. It is added after the instant, whose records show the parts of the step.
   struct LateNote {
     std::uint32_t of;
     std::uint64_t value;

@@ -22,9 +22,9 @@ struct Violations {
 
 /// What a run knows in addition to its records.
 struct RunFacts {
-  std::vector<exec::LinkState> links = {};  ///< as PlantNames::link() counts them; one that is missing is live
+  std::vector<exec::LinkState> links = {};  ///< as PlantNames::link() counts them; a missing one counts as live
   const std::vector<bool>& carried;         ///< by symbol: whether a link carries it
-  const Scenario* scenario = nullptr;       ///< that is played; null: none
+  const Scenario* scenario = nullptr;       ///< the scenario that is played; null: none
   bool frozen_at_panel = false;
   std::function<Violations(std::uint32_t requirement)> violations;
 };

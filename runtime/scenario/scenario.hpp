@@ -56,7 +56,7 @@ struct Step {
   std::vector<SymbolValue> force;
   std::vector<std::uint32_t> release;
   std::vector<std::uint32_t> stop;   ///< malfunctions, as tables::MalfunctionNumbers numbers them
-  std::vector<std::uint32_t> start;  ///< those it fails for if too many ordinary ones are active
+  std::vector<std::uint32_t> start;  ///< malfunctions; the step fails if too many ordinary ones are active
   bool starts_ordinary = false;      ///< one of `start` is an ordinary one
   std::optional<Expectation> expect;
   bool ends_instant = false;  ///< what follows at the same time acts in a further instant

@@ -54,8 +54,8 @@ class StepReader {
   TableNames by_name_;
   std::vector<bool> moved_;            ///< for each symbol: it, or another one on its address, is SymbolRow::moved()
   tables::Time earliest_ = 0;          ///< the earliest time of the next step, without the duration of waits
-  std::string last_;                   ///< the key that set it: `at` or `plus`
-  std::vector<tables::Time> repeats_;  ///< `earliest_` where those around this step began
+  std::string last_;                   ///< the key that set `earliest_`: `at` or `plus`
+  std::vector<tables::Time> repeats_;  ///< of the repeats around this step: `earliest_` where each began
 };
 
 }  // namespace symplant::scenario

@@ -12,7 +12,8 @@ namespace symplant::scenario {
 /// `"force":{"X":true},"release":["Y"]`. Reading them back gives the same actions. O(actions).
 std::string actions_json(const Step& step, const trace::PlantNames& names);
 
-/// The `act` of a line of a trace: the members but for operations that are set, in braces; empty if no member is left.
+/// The `act` of a line of a trace: the members except the operations that are set, in braces; empty if no member is
+/// left.
 std::string act_json(const Step& step, const trace::PlantNames& names);
 
 }  // namespace symplant::scenario

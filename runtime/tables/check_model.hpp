@@ -1,4 +1,4 @@
-// Refuses, in words and while compiling, classes from which no row can be built.
+// Rejects at compile time, with messages, classes from which no row can be built.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ constexpr bool same_spring_return() noexcept {
   return false;
 }
 
-/// Refuses, in words, a derived class that is not a model of its base's states, operations, events and guards.
+/// Rejects, with messages, a derived class that is not a model of its base's states, operations, events and guards.
 template <class Class, class Base>
 constexpr bool check_model() noexcept {
   static_assert(std::is_base_of_v<Base, Class>, "a behavior must derive from the generated class of its devices");

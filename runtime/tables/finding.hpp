@@ -31,7 +31,7 @@ enum class FindingKind : std::uint8_t {
   not_read,              ///< of an event: it came and went between two reads of it
   not_sampled,           ///< of an operation: it came and went between two cycles
   several_writers,       ///< of an operation: two clients wrote different values within a cycle
-  symbol_left_out,       ///< of a symbol: the PLC refuses its address for good, so its link leaves it out
+  symbol_left_out,       ///< of a symbol: the PLC permanently refuses its address, so its link leaves it out
 };
 inline constexpr int kFindingKinds = 11;     ///< kinds that the model reports
 inline constexpr int kAllFindingKinds = 22;  ///< with the kinds that the host reports

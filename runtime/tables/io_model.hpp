@@ -1,4 +1,4 @@
-// What a generated class of devices is written in: the functions of its I/O model and what they return.
+// The types and helpers with which a generated device class is written: its I/O model and what its functions return.
 //
 // Park, Wang and Park, "Symbol naming rules for plant model generation in the PLC simulation": a device is
 // <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>. row_of() calls d_ext, d_int, l_enter and l_leave while
@@ -119,14 +119,14 @@ struct EventSet {
   std::uint64_t on = 0;
   std::uint64_t off = 0;
 
-  /// Both; an event must not be switched on by one and off by the other.
+  /// The union of both; an event must not be switched on by one and off by the other.
   friend constexpr EventSet operator|(const EventSet& a, const EventSet& b) noexcept {
     return {a.on | b.on, a.off | b.off};
   }
 };
 
-/// The base of generated classes: the words in which their functions are written, and what a class without guards,
-/// spring or automatic transitions has. No data.
+/// The base of generated classes: the names that their functions use, and the defaults of a class without guards,
+/// spring or automatic transitions. No data.
 struct IoModel {
   enum class Guard : std::uint16_t {};  ///< a class with guards has its own
   using Dt = tables::Dt;
@@ -155,7 +155,7 @@ struct IoModel {
   static constexpr Dt own_dt(std::uint16_t index) noexcept {
     return {0, 0, static_cast<std::uint16_t>(kOfDevice | index), true};
   }
-  /// A time that is drawn each time: row `index` of PlantTables::random_times.
+  /// A time that is drawn each time it is needed: row `index` of PlantTables::random_times.
   static constexpr Time random_time(std::uint32_t index) noexcept { return -1 - static_cast<Time>(index); }
   /// The events that are switched on, and those that are switched off: `on(Event::I_A) | off(Event::I_B)`.
   template <class Event, std::same_as<Event>... More>

@@ -18,12 +18,12 @@ enum class MalfunctionKind : std::uint8_t {
   slower,   ///< moves of units take longer
   stuck,    ///< units are disabled
   force,    ///< symbols have given values
-  flicker,  ///< a BOOL symbol shows the opposite now and then
+  flicker,  ///< a BOOL symbol shows the opposite from time to time
   lose,     ///< the link of a controller exchanges nothing
 };
 
-/// A malfunction of the plant description. Times are >= 1 ns, or 0: not given. Of those that may be random a negative
-/// number n refers to PlantTables::random_times[-1 - n].
+/// A malfunction of the plant description. Times are >= 1 ns, or 0: not given. In a field that may be random, a
+/// negative number n refers to PlantTables::random_times[-1 - n].
 struct MalfunctionRow {
   MalfunctionKind kind = MalfunctionKind::slower;
   Rows of;                      ///< `slower`, `stuck`: of MalfunctionTables::units; `force`: of forces; else empty

@@ -9,7 +9,7 @@
 
 namespace symplant::tables {
 
-/// At most so many ordinary malfunctions are active at a time.
+/// The maximum number of ordinary malfunctions that are active at a time.
 inline constexpr std::uint32_t kMostOrdinaryMalfunctions = 64;
 
 /// With n written malfunctions and U units: the written ones have the numbers 0 to n - 1; unit u is stuck by n + 2u and
@@ -39,13 +39,13 @@ class MalfunctionNumbers {
     return row.type() == DataType::boolean && row.direction() == Direction::event;
   }
 
-  /// Of an ordinary one: of a unit, else of a symbol.
+  /// Whether an ordinary malfunction is of a unit; otherwise it is of a symbol.
   bool is_of_unit(std::uint32_t number) const noexcept { return number < first_symbol_; }
   std::uint32_t unit(std::uint32_t number) const noexcept { return (number - written_) / 2; }
   std::uint32_t symbol(std::uint32_t number) const noexcept { return (number - first_symbol_) / 2; }
   bool is_on(std::uint32_t number) const noexcept { return (number - first_symbol_) % 2 != 0; }
 
-  /// The units of a written one that slows or stops them; of another kind none.
+  /// The units of a written malfunction that slows or stops units; empty for other kinds.
   std::span<const MalfunctionUnit> units_of(std::uint32_t written) const noexcept {
     const MalfunctionRow& row = tables_.malfunctions.rows[written];
     if (row.kind == MalfunctionKind::force) return {};

@@ -10,15 +10,15 @@ namespace symplant::tables {
 
 /// A bit that came and went between two looks at it.
 struct MissedPulse {
-  bool on = false;  ///< what the looks have missed, as on the wire: a bit that was on, or one that was off
-  Time length = 0;  ///< how long it was; 0: less than a cycle
+  bool on = false;  ///< the value that was missed, as on the wire
+  Time length = 0;  ///< how long the bit had that value; 0: less than a cycle
   Time every = 0;   ///< from one look to the next
 
   bool operator==(const MissedPulse&) const = default;
 };
 
-/// Bit 63 is `on`, bits 32 to 62 are the length and 0 to 31 the time between looks, both in us. What is longer is cut
-/// to 35 and 71 minutes.
+/// Bit 63 is `on`, bits 32 to 62 are the length and 0 to 31 the time between looks, both in us. Longer times are cut to
+/// 35 and 71 minutes.
 constexpr std::uint64_t pack(const MissedPulse& pulse) {
   constexpr Time kLongest = 0x7FFF'FFFF;
   constexpr Time kRarest = 0xFFFF'FFFF;

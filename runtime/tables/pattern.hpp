@@ -10,8 +10,8 @@ namespace symplant::tables {
 
 /// Whether `pattern` matches the whole text: `*` is any run of characters, `?` one character of UTF-8. ASCII case is
 /// ignored. Calls `share(begin, end)` for what each wildcard matches, and `forget(count)` to take back all but the
-/// first `count` calls. Of a text that matches, extending the last `*` alone is enough: a run of an earlier one that is
-/// longer leaves less text to the same rest of the pattern.
+/// first `count` calls. To find a match, it is enough to extend the last `*`: a longer run of an earlier `*` leaves
+/// less text to the same rest of the pattern.
 template <class Share, class Forget>
 constexpr bool match_pattern(std::string_view text, std::string_view pattern, Share share, Forget forget) {
   std::size_t t = 0;

@@ -13,8 +13,8 @@ struct Unit {
   std::int64_t size;  ///< in the smallest unit, > 0
 };
 
-/// A number, optional blanks, and one of the units; decimal fractions are exact. Empty if the text is nothing of the
-/// kind, is negative, has a part below the smallest unit, or is not below 2^63 - 1.
+/// A number, optional blanks, and one of the units; decimal fractions are exact. Empty if the text does not have this
+/// form, is negative, has a part below the smallest unit, or is not below 2^63 - 1.
 std::optional<std::int64_t> parse_quantity(std::string_view text, std::span<const Unit> units) noexcept;
 
 }  // namespace symplant::tables

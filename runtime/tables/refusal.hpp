@@ -14,9 +14,9 @@ struct Refusal {
   };
 
   Side side = Side::modbus_server;
-  std::uint8_t function = 0;  ///< of Modbus
+  std::uint8_t function = 0;  ///< of Modbus; for SLMP as slmp::refusal_of() packs it
   std::uint16_t code = 0;     ///< the exception or the end code
-  std::uint32_t address = 0;  ///< the first of the request
+  std::uint32_t address = 0;  ///< the first address of the request
 
   bool operator==(const Refusal&) const = default;
 };

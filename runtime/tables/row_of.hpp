@@ -19,7 +19,8 @@ enum class ModelFunction : std::uint8_t { d_ext = 1, d_int = 2, l_enter = 4, l_l
 
 namespace detail {
 
-/// A move with its source and its cause, as numbers: what follows depends on the number of moves, not on the class.
+/// A move with its source and its cause, as numbers, so that later steps depend on the number of moves, not on the
+/// class.
 struct Caused {
   std::uint8_t from = 0;
   std::uint8_t to = 0;
@@ -66,7 +67,7 @@ struct Numbered {
   std::array<TransitionTimes, Count + 1> times{};
   std::size_t time_count = 0;
   std::uint16_t travel = 0;
-  bool unknown_state = false;  ///< a move leads to a number that is no state
+  bool unknown_state = false;  ///< a move leads to a number that is not a state
 
   /// Transition::dt; adds the times if no transition before has them.
   constexpr std::uint16_t number(const Dt& dt) noexcept {
@@ -131,7 +132,7 @@ constexpr Numbered<Count> numbered() noexcept {
   return numbered;
 }
 
-/// `once` needs an operation that it disarms.
+/// Whether a transition has `once` but no operation that it could disarm.
 template <std::size_t Count>
 constexpr bool once_without_operation(const std::array<Transition, Count>& transitions) noexcept {
   for (const Transition& transition : transitions) {
@@ -140,7 +141,7 @@ constexpr bool once_without_operation(const std::array<Transition, Count>& trans
   return false;
 }
 
-/// A weight is for automatic moves.
+/// Whether a transition has a weight but is not automatic.
 template <std::size_t Count>
 constexpr bool weight_with_operation(const std::array<Transition, Count>& transitions) noexcept {
   for (const Transition& transition : transitions) {

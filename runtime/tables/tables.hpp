@@ -19,7 +19,7 @@ inline constexpr std::uint8_t kNoState = 0xFF;
 inline constexpr std::uint8_t kNoOperation = 0xFF;   ///< Transition::on of an automatic transition
 inline constexpr std::uint8_t kSpringReturn = 0xFE;  ///< Transition::on of a spring return: its cause never holds
 inline constexpr std::uint16_t kNoCondition = 0xFFFF;
-inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;  ///< an index of nothing: a symbol's unit, if it is in none
+inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;  ///< no index: for example, the unit of a symbol in no unit
 
 inline constexpr std::size_t kMaxOperations = 64;       ///< of one unit: they share one word of the image
 inline constexpr std::size_t kMaxEvents = 64;           ///< of one unit: they share one word of the image
@@ -264,9 +264,10 @@ struct SymbolRow {
   constexpr DataType type() const noexcept { return static_cast<DataType>(part(0)); }
   constexpr Direction direction() const noexcept { return static_cast<Direction>(part(8)); }
   constexpr AddressForm form() const noexcept { return static_cast<AddressForm>(part(16)); }
-  /// An event that its unit, a condition or a sensor of parts drives, or an operation that moves its unit.
+  /// Whether it is an event that its unit, a condition or a sensor of parts drives, or an operation that moves its
+  /// unit.
   constexpr bool moved() const noexcept { return (part(24) & 1) != 0; }
-  /// Its bit has the opposite meaning: on in the planes of Plant while its unit sees it off, and the reverse.
+  /// Whether its bit has the opposite meaning: on in the planes of Plant while its unit sees it off, and the reverse.
   constexpr bool inverted() const noexcept { return (part(24) & 2) != 0; }
 
  private:

@@ -25,12 +25,12 @@ struct FoundThing {
 
 bool is_of_unit(tables::FindingKind kind);
 bool is_of_symbol(tables::FindingKind kind);
-/// Of a link, or of the process that runs the plant.
+/// Whether a finding of this kind is of a link, or of the process that runs the plant.
 bool is_of_host(tables::FindingKind kind);
 bool is_of_link(tables::FindingKind kind);
 
-/// The name of its unit, symbol, requirement or link; for a loop the sorted names of its members, with blanks
-/// between, or ", " between malfunctions.
+/// The name of its unit, symbol, requirement or link; for a loop the sorted names of its members, separated by blanks,
+/// or by ", " if they are malfunctions.
 std::string name_of(const FoundThing& found, const PlantNames& names);
 
 /// The units that it concerns: its own, that of its symbol, or those in the conditions of its requirement.
@@ -43,8 +43,8 @@ std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
 /// `P1`, `P1->P2`, followed by `, stopped midway`, `, disabled` or `, frozen`.
 std::string state_words(std::uint32_t unit, const PlantNames& names, const plant::UnitView& view);
 
-/// What happened, which operations led to it, what to check: one sentence, without the time. Not of a violated
-/// requirement, whose words are those of why::Explainer.
+/// What happened, which operations led to it, what to check: one sentence, without the time. Not for a violated
+/// requirement, which why::Explainer explains.
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
 /// "requirement violated: `NAME`, its condition must never hold and now holds". `early`: what is expected holds, but
 /// too early.

@@ -21,8 +21,8 @@ class History {
 
   /// O(1).
   void apply(const Record& record);
-  /// Takes everything from a plant that was reset or restored. What differs counts as changed at the plant's time, and
-  /// so does what changed after it. O(plant).
+  /// Takes all values and states from a plant that was reset or restored. A value that differs, or whose last change is
+  /// later than the plant's time, counts as changed at the plant's time. O(plant).
   void load(const plant::Plant& plant);
   /// Notes that a symbol is forced, or no longer. O(log forced).
   void force(std::uint32_t symbol, bool forced, tables::Time time);

@@ -31,7 +31,7 @@ std::string overriding_malfunction(std::uint32_t symbol, const PlantNames& names
 /// "malfunction `cable`": those that cut the link of a controller; empty if there are none. O(active malfunctions).
 std::string cutting_malfunctions(std::uint32_t controller, const PlantNames& names, ActiveMalfunctions active);
 
-/// Collects what the program of a PLC cannot be blamed for: malfunctions and forces that explain a finding.
+/// Collects the malfunctions and forces that explain a finding, so that the program of the PLC need not be its cause.
 class Influences {
  public:
   Influences(const PlantNames& names, const History& history) : names_(names), history_(history) {}

@@ -11,7 +11,7 @@ namespace symplant::trace {
 /// `scenario`, `hand`, `condition`, `chance`, `becomes`, `end`.
 std::string_view malfunction_by(engine::MalfunctionChange::By by);
 
-/// What such a word means.
+/// The cause that such a word names; nothing for another word.
 std::optional<engine::MalfunctionChange::By> malfunction_by_named(std::string_view word);
 
 }  // namespace symplant::trace

@@ -8,8 +8,8 @@
 
 namespace symplant::trace {
 
-/// Views into the blob, which must outlive it. The first look-up is O(blob), since most runs need none; others are
-/// O(1). Several threads may look up at the same time.
+/// Views into the blob, which must outlive it. The first look-up builds the index, O(blob), since most runs look up no
+/// name; others are O(1). Several threads may look up at the same time.
 class NameIndex {
  public:
   explicit NameIndex(std::string_view blob) : blob_(blob) {}

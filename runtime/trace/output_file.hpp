@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
 /// One writer; not thread-safe. A failed write (a full disk) ends the file; error() has the reason.
 class OutputFile {
  public:
-  /// Opens a file. `what` is its name in messages ("trace"). From `limit` bytes on full() holds.
+  /// Opens a file. `what` is its name in messages ("trace"). full() is true from `limit` bytes on.
   OutputFile(std::string what, std::string path, std::uint64_t limit = kNoLimit);
   /// Writes to a stream, which is never full and must outlive this.
   OutputFile(std::string what, std::ostream& stream);

@@ -12,7 +12,7 @@ namespace symplant::trace {
 struct Record {
   enum class Kind : std::uint8_t {
     change,       ///< net change of symbol `of` to `value`: 0 or 1; for a number as in its value slot
-    unit,         ///< unit `of` now has the state `value` (pack_unit), and that much of its move is left (remaining_of)
+    unit,         ///< state of unit `of` (unpack_unit) and remaining time of its move (remaining_of), both in `value`
     finding,      ///< as in tables::Finding
     note,         ///< of the program that drives the plant, which defines `of` and `value`
     part,         ///< part `value` is of kind `of`; `more`: by hand. The next record is its part_move
@@ -32,8 +32,8 @@ struct Record {
   bool last = false;  ///< the last record of its instant
 };
 
-/// The `of` of a note before the first record of a further instant of one time: its value is the number of the instant,
-/// from 2.
+/// The `of` of a note before the first record of a further instant at the same time: its value is the number of the
+/// instant, from 2.
 inline constexpr std::uint32_t kInstantNote = 0xFFFF'FFF8;
 /// The `of` of a note about what is done to the plant before its next instant: its value is the index of a step of what
 /// is played.
@@ -71,7 +71,7 @@ constexpr PartRecord part_record(const Record& part, const Record& move) noexcep
           part.more};
 }
 
-/// The finding `part blocked` has in Record::value the parts in question: what cannot move, and what is there already.
+/// Record::value of the finding `part blocked`: the part that cannot move, and the part that takes up its room.
 constexpr std::uint64_t pack_parts(std::uint64_t part, std::uint64_t obstacle) noexcept {
   return part << 32 | (obstacle & 0xFFFF'FFFF);
 }

@@ -42,20 +42,21 @@ class Recorder final : public engine::Observer {
   /// Adds a finding of the host; `value` as in Record, for the kinds that have one. Only between instants, by the
   /// thread that runs the plant.
   void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of, std::uint64_t value = 0) noexcept;
-  /// To be called before a note about what takes effect in the next instant at `time`: if that is a further instant, a
-  /// note (kInstantNote) begins it. Only between instants, by the thread that runs the plant.
+  /// To be called before a note about an act that takes effect in the next instant at `time`. If an instant at `time`
+  /// was recorded already, it first adds a kInstantNote. Only between instants, by the thread that runs the plant.
   void begin_act(tables::Time time) noexcept;
   /// Adds a note about what is done to the plant (kActNote, kQualityNote), which counts as a change if it is lost.
   void act(tables::Time time, std::uint32_t of, std::uint64_t value) noexcept;
-  /// How many instants with records, or reported ones without, there were at `time` so far; 0 if it is not the time of
-  /// the last one. Only for the thread that runs the plant.
+  /// The number of instants at `time` that the plant has reported so far, also those without a record; 0 if `time` is
+  /// not that of the latest instant. Only for the thread that runs the plant.
   std::uint32_t instants_at(tables::Time time) const noexcept { return time == instant_time_ ? ordinal_ : 0; }
-  /// Whether as many notes would be recorded now. Only for the thread that runs the plant.
+  /// Whether the ring has room for this number of notes now. Only for the thread that runs the plant.
   bool has_room(std::size_t notes) noexcept { return end_ - at_ >= notes || has_room_for(notes); }
-  /// Takes the states of units as they are now for the last recorded ones: after a reset or a restore of the plant, of
-  /// which the reader of the records must know (a note). O(units).
+  /// Treats the current states of units as recorded. To be called after a reset or a restore of the plant; a note must
+  /// report that to the reader of the records. O(units).
   void take_over() noexcept;
-  /// Acts on the plant with equal turns take effect in one instant: what advances the plant begins the next turn.
+  /// The current turn. Acts on the plant with equal turns take effect in one instant; next_turn() is for the code that
+  /// advances the plant.
   std::uint32_t turn() const noexcept { return turn_; }
   void next_turn() noexcept { ++turn_; }
   /// The number of instants with records so far. Only for the thread that runs the plant.

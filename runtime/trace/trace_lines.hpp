@@ -21,7 +21,7 @@ class TraceLines {
   /// Reads the next line; false at the end and after an error. O(line).
   bool next(nlohmann::json& line);
 
-  /// Of the last line, from 1.
+  /// The number of the last line, from 1.
   std::size_t number() const { return number_; }
   /// The last line as it is in the file.
   const std::string& text() const { return text_; }

@@ -19,12 +19,13 @@ std::string vcd_name(std::string_view name);
 /// reads these escapes; without them it stops reading the file.
 std::string vcd_string(std::string_view text);
 
-/// The variable of the first written malfunction: those of symbols, units, and locations of parts come before.
+/// The number of the variable of the first written malfunction. Variables of symbols, units and locations come before
+/// it.
 std::size_t first_malfunction(const tables::PlantTables& tables);
 
-/// From $version to $enddefinitions. Symbol s is variable s, the state of unit u is variable (number of symbols) + u. A
-/// unit's scope is its path, level by level; symbols without a unit are in the scope of the plant, and written
-/// malfunctions in the scope `malfunctions`.
+/// The header, from $version to $enddefinitions. Symbol s is variable s, the state of unit u is variable (number of
+/// symbols) + u. A unit's scope is its path, level by level; symbols without a unit are in the scope of the plant, and
+/// written malfunctions in the scope `malfunctions`.
 std::string vcd_header(const PlantNames& names);
 
 }  // namespace symplant::trace

@@ -1,4 +1,4 @@
-// Writes a file that is complete, or as it was before.
+// Replaces a file as a whole: it has the new contents, or still the old ones.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace symplant::trace {
 
-/// A file of this path is replaced only when all is written; a device or a pipe is written as it is. Returns the reason
-/// of a failure, or an empty text.
+/// A regular file is replaced only when all is written; a device or a pipe is written directly. Returns the reason of a
+/// failure, or an empty text.
 std::string write_whole_file(const std::string& path, std::string_view bytes);
 
 }  // namespace symplant::trace

@@ -15,8 +15,8 @@ std::string address_or_name(std::uint32_t symbol, const PlantNames& names);
 /// `since 1.5 s`, `since the start`.
 std::string since_words(tables::Time changed);
 
-/// ", written by program `cell` in scan 812 (8.12 s)" of an operation that changed at `time`; empty if no program wrote
-/// it then. O(programs).
+/// ", written by program `cell` in scan 812 (8.12 s)" for an operation that changed at `time`; empty if no program
+/// wrote it then. O(programs).
 std::string written_words(std::uint32_t symbol, tables::Time time, const PlantNames& names);
 
 /// Plant time in seconds: `1.5 s`.

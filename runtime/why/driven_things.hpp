@@ -10,7 +10,7 @@
 
 namespace symplant::why {
 
-/// The name of what reads an operation, with its kind where that is no device: "EXLINE_MB_AGV", "track CV1", "transfer
+/// The name of what reads an operation, with its kind unless it is a device: "EXLINE_MB_AGV", "track CV1", "transfer
 /// pick", "requirement one at a time"; of an event that follows a condition its symbol.
 std::string reader_words(const SymbolReader& reader, const trace::PlantNames& names);
 

@@ -15,9 +15,9 @@ namespace symplant::why {
 bool holds(const condition::Atom& atom, const StateView& view);
 bool holds(const Network& network, const StateView& view);
 
-/// What a network needs for the opposite truth: a tree of literals, none of which holds now. Of several sets of changes
-/// that are enough (`any`), each has no smaller one in it. A constant if no change is enough. At most kMostLiterals
-/// literals: of a larger tree the first ones.
+/// What must change for the opposite truth of a network: a tree of literals, none of which holds now. Each alternative
+/// of an `any` is a minimal set of changes. A constant if no change is enough. A larger tree is cut to its first
+/// kMostLiterals literals.
 condition::Tree changes_of(const Network& network, const StateView& view);
 inline constexpr std::size_t kMostLiterals = 200;
 

@@ -1,4 +1,4 @@
-// The states through which a unit reaches others.
+// The states of a unit that come next on its shortest sequences to other states.
 #pragma once
 
 #include <bitset>

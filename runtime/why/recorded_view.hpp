@@ -7,7 +7,7 @@
 namespace symplant::why {
 
 /// States, values and times are those of the history. What records do not have, such as times that run and positions of
-/// parts, is read from the plant, if that is given and still is at that time and, for a unit, in that state.
+/// parts, is read from the plant, if one is given and it is still at that time and, for a unit, in that state.
 class RecordedView : public StateView {
  public:
   /// `now` is the time of the records. `plant` may be null, and must be while another thread runs it.

@@ -23,8 +23,8 @@ struct PartState {
   std::uint32_t drive = 0;        ///< of the track: the one that moves it; valid only with `x`
 };
 
-/// The state of a plant at the end of an instant. Values are after forces. Members that return an optional may not
-/// know; an explanation then says less.
+/// The state of a plant at the end of an instant. Values are after forces. Members that return an optional return
+/// nothing if the value is unknown; an explanation is then less detailed.
 class StateView {
  public:
   virtual ~StateView() = default;

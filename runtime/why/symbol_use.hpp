@@ -1,4 +1,4 @@
-// What each I/O symbol has to do with the plant: what reads an operation, what drives an event.
+// How the plant uses each I/O symbol: what reads an operation, what drives an event.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ struct SymbolDriver {
   std::uint32_t unit = tables::kNone;
 };
 
-/// Symbols with one address are one for this purpose: what one of them does, all do.
+/// Symbols that share an address count as one symbol here: what one of them does, all do.
 class SymbolUse {
  public:
   /// O(symbols + watches of conditions).
@@ -49,7 +49,7 @@ class SymbolUse {
 
   /// The first symbol on its address, or the symbol itself. O(1).
   std::uint32_t leader(std::uint32_t symbol) const { return leader_[symbol]; }
-  /// For an operation the unit that it moves. O(1).
+  /// What drives an event; for an operation the unit that it moves. O(1).
   SymbolDriver driver(std::uint32_t symbol) const { return drivers_[leader_[symbol]]; }
   /// In the order of their kinds and indexes, each once. O(log symbols).
   std::span<const SymbolReader> readers(std::uint32_t symbol) const;

@@ -1,4 +1,4 @@
-// One explanation, while it is made: from a thing to what causes its state.
+// Builds one explanation, from a thing to the causes of its state.
 #pragma once
 
 #include <cstdint>
@@ -75,7 +75,7 @@ class Walk {
     --depth_;
     return made;
   }
-  /// Adds the causes of an explanation: of a single one the sentence becomes a part of the result's.
+  /// Adds the causes of an explanation. The sentence of a single cause becomes a part of the result's sentence.
   template <class Items, class Make>
   void add_causes(Explanation& result, const Items& items, std::string_view summary, Make make) {
     if (items.size() == 1) {
@@ -156,10 +156,10 @@ class Walk {
   std::size_t depth_ = 0;        ///< of the current sentence; 0 is the first one
   std::vector<Reference> path_;  ///< from the first thing to the current one
   std::set<Reference> done_;     ///< explained before, or now
-  bool is_asked_ = false;        ///< the first thing was asked for: more is of interest than what it lacks
+  bool is_asked_ = false;  ///< it explains a thing, not a condition: adds the last command, or what an operation moves
 };
 
-/// While it lives, a thing is on the path.
+/// Keeps a thing on the path during its lifetime.
 class Walk::Level {
  public:
   Level(Walk& walk, const Reference& thing) : walk_(walk) {

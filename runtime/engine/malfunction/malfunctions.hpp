@@ -1,7 +1,7 @@
 // The malfunctions of a plant: which are active, what starts and ends them, and what they do (docs/malfunctions.md).
 //
-// They change a plant as actions from outside do, before the first round of an instant. What a plant without active
-// malfunctions does is not touched.
+// They change a plant as actions from outside do, before the first round of an instant. Without active malfunctions
+// they do not affect the plant.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ class Malfunctions {
   /// Whether the plant has written ones.
   bool written() const noexcept { return written_ != 0; }
   std::span<const ActiveMalfunction> active() const noexcept { return {active_, head_->active}; }
-  /// Null if it is not active. O(active ones).
+  /// An active malfunction; null if it is not active. O(active ones).
   const ActiveMalfunction* find(std::uint32_t number) const noexcept;
   /// The next time at which one changes by itself. O(1) for all together.
   tables::Time next_due() const noexcept { return head_->next; }
@@ -93,7 +93,7 @@ class Malfunctions {
   // What they do (malfunction_effects.cpp).
   /// The travel time of a unit's move that begins now and would take `time`.
   tables::Time slowed(std::uint32_t unit, const tables::UnitRow& row, tables::Time time) noexcept;
-  /// The total time of the current move of a unit without a GeneralState, of which the tables say `time`.
+  /// The total time of the current move of a unit without a GeneralState; `time` is that of the tables.
   tables::Time whole(std::uint32_t unit, tables::Time time) const noexcept;
   /// Overrides a symbol as the active ones do together, if the user does not force it.
   void override_again(std::uint32_t symbol) noexcept;

@@ -103,7 +103,7 @@ class Flow {
   bool active() const noexcept { return active_; }
   /// Whether the next round has work to do.
   bool due() const noexcept { return due_; }
-  /// The events of the engine: before the rounds of an instant, or while one round is published to the next.
+  /// Called by the engine before the rounds of an instant, or while one round is published to the next.
   void entry_due(std::uint32_t entry) noexcept;
   void condition_changed(tables::ReaderKind kind, std::uint32_t reader) noexcept;
   void value_changed(tables::Direction direction, std::uint32_t slot) noexcept;
@@ -144,7 +144,7 @@ class Flow {
   bool is_frozen_track(std::uint32_t track) const noexcept { return tracks_[track].frozen != 0; }
   const TransferState& transfer(std::uint32_t transfer) const noexcept { return transfers_[transfer]; }
   const SourceState& source(std::uint32_t source) const noexcept { return sources_[source]; }
-  /// The part that a transfer would move, or that would be taken from there.
+  /// The part that a transfer from `from` would move, or that would be taken by hand.
   Candidate candidate(const tables::PartLocation& from) const noexcept;
   /// The first part that leaves no room at a target for a part of a kind; kNone: there is room.
   std::uint32_t obstacle(const tables::PartLocation& to, std::uint32_t kind) const noexcept;

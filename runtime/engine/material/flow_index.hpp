@@ -36,7 +36,7 @@ class NumbersOf {
     numbers_ = numbers;
     if (begins == nullptr) return;
     for (std::size_t i = 0; i < owners; ++i) begins[i + 1] += begins[i];
-    // Fills from each begin on, which moves it to the next owner's begin; then shifts them back.
+    // Filling moves the begin of each owner to that of the next owner; the loop after it moves all begins back.
     for_each([&](std::uint32_t owner, std::uint32_t number) { numbers[begins[owner]++] = number; });
     for (std::size_t i = owners; i > 0; --i) begins[i] = begins[i - 1];
     begins[0] = 0;
@@ -78,7 +78,7 @@ struct FlowIndex {
 
   const TrackIndex* tracks = nullptr;
   const Position* lengths = nullptr;              ///< of kinds
-  const std::uint32_t* track_of_drive = nullptr;  ///< and of the next two: by row
+  const std::uint32_t* track_of_drive = nullptr;  ///< by row; so are the next two
   const std::uint32_t* track_of_stop = nullptr;
   const std::uint32_t* track_of_end = nullptr;
   NumbersOf ends_to;       ///< a location -> the tracks with an end that leads there

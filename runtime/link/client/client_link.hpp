@@ -6,10 +6,10 @@
 
 namespace symplant::link::client {
 
-/// Starts a thread that connects to the PLC, again and again. It reads all operations; writes the events that changed;
-/// writes all of them after a connection and after each `refresh`. It writes only to a PLC whose identity is verified,
-/// or with LinkSettings::arm to one that has nothing to verify. Tables must outlive the link; a system
-/// without threads is an error.
+/// Starts a thread that connects to the PLC, and reconnects after each failure. It reads all operations; writes the
+/// events that changed; writes all of them after a connection and after each `refresh`. It writes only to a PLC whose
+/// identity is verified, or with LinkSettings::arm to one that has nothing to verify. Tables must outlive the link; a
+/// system without threads is an error.
 LinkResult open_client_link(ClientParts parts, const LinkSettings& settings, const tables::PlantTables& tables,
                             const plant::Plant* plant);
 

@@ -29,15 +29,15 @@ struct Fault {
   explicit operator bool() const noexcept { return kind != Kind::none; }
 };
 
-/// 16 positions of a plane of bits, or 16 bits of a number: the unit in which changes are written. Lane n of a plane's
-/// words holds it (image::get_lane).
+/// 16 positions of a plane of bits, or 16 bits of a number: the unit in which changes are written. Its bits are lane
+/// `number` of the plane's words (image::get_lane).
 struct Lane {
   Plane plane = Plane::event_bits;
   std::uint32_t number = 0;  ///< of bits: position / 16; of numbers: 4 * position + 0 to 3, the lowest bits first
   friend bool operator==(const Lane&, const Lane&) = default;
 };
 
-/// What is to be written of a lane: the bits of `mask`.
+/// A change to be written to a lane: the bits of `mask` get their values from `value`.
 struct LaneChange {
   Lane lane;
   std::uint16_t mask = 0;
@@ -79,7 +79,7 @@ struct Unwritten {
   tables::Refusal refusal = {};
 };
 
-/// Bits of a lane of operations that are left out, since the PLC refuses for good to read them.
+/// Bits of a lane of operations that are left out, since the PLC permanently refuses to read them.
 struct LeftOut {
   LaneChange lanes;  ///< without a value
   tables::Refusal refusal;
@@ -112,10 +112,10 @@ class Dialog {
   /// Asks the PLC what it is. `fault` is set if there was no valid answer.
   virtual Identity identify(Fault& fault) = 0;
 
-  /// Reads all mapped operations into the planes. A fault of the transport leaves some unread. If
-  /// the PLC refuses a request, the others follow, and it is sent again as Retry and RequestList say; `now` is the time
-  /// of the pass, in ns. The result is `rejected` if the PLC refused all, or if it is still to be found out which
-  /// symbols it refuses.
+  /// Reads all mapped operations into the planes. A fault of the transport leaves some unread. If the PLC refuses a
+  /// request, the other requests are still sent, and Retry and RequestList define when the refused one is sent again.
+  /// `now` is the time of the pass, in ns. The result is `rejected` if the PLC refused all requests, or if it is not
+  /// known yet which symbols it refuses.
   virtual Fault read(const Words& operations, tables::Time now) = 0;
   /// Writes the changes, which are in ascending order of lanes and within the map. Adds those that the PLC did not take
   /// to `unwritten`.
@@ -123,13 +123,13 @@ class Dialog {
   /// Reads what the PLC holds where events are written; otherwise as read().
   virtual Fault read_back(const Words& events, tables::Time now) = 0;
 
-  /// All refused requests to read are due now.
+  /// Makes all refused requests to read due now.
   virtual void retry_rejected() noexcept = 0;
-  /// Whether the next calls of read() and read_back() still find out which symbols the PLC refuses.
+  /// Whether it is not known yet which symbols the PLC refuses: the next calls of read() and read_back() find that out.
   virtual bool is_dividing() const noexcept = 0;
-  /// The requests that were refused since the last call; repetitions of refused readings only once.
+  /// The requests that were refused since the last call. A request to read appears only at its first refusal in a row.
   virtual std::vector<Rejection> take_rejections() = 0;
-  /// What has been left out since the last call.
+  /// The bits that have been left out since the last call.
   virtual std::vector<LeftOut> take_left_out() = 0;
   /// Which functions of the protocol the link needs, and which of them the PLC has as far as it was asked; empty if all
   /// PLCs have the same.

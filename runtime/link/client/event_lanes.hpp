@@ -11,7 +11,7 @@ namespace symplant::link::client {
 
 /// One event with all its lanes, or the status.
 struct EventLanes {
-  std::uint32_t symbol;           ///< tables::kNone of the status
+  std::uint32_t symbol;           ///< tables::kNone for the status
   std::vector<LaneChange> lanes;  ///< ascending, without values
 };
 

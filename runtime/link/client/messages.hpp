@@ -12,13 +12,14 @@ namespace symplant::link::client {
 /// Holds messages until they are taken. Any thread; not for the cycle's thread, since it locks.
 class Messages {
  public:
-  /// Ignored if it was added before and not forgotten since, so that a lasting problem is reported once.
+  /// Adds a message. Ignored if the same text was added since the last forget(), so that a lasting problem is reported
+  /// once.
   void add(std::string text) {
     const std::scoped_lock lock(mutex_);
     if (text.empty() || !added_.insert(text).second) return;
     waiting_.push_back(std::move(text));
   }
-  /// Messages may come again.
+  /// Accepts the messages again that were added before.
   void forget() {
     const std::scoped_lock lock(mutex_);
     added_.clear();

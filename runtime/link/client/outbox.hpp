@@ -19,22 +19,22 @@ class Outbox {
 
   /// From now on everything mapped is a change, until it is confirmed.
   void forget() noexcept;
-  /// These lanes' bits are no changes until release() or restart().
+  /// The bits of these lanes do not count as changes until release() or restart().
   void hold(std::span<const LaneChange> lanes) noexcept;
   void release(std::span<const LaneChange> lanes) noexcept;
   /// Forgets what was confirmed and held.
   void restart() noexcept;
-  /// These lanes' bits are changes again.
+  /// The bits of these lanes are changes again, until they are confirmed.
   void forget(std::span<const LaneChange> lanes) noexcept;
   /// All lanes whose mapped bits differ from what was confirmed last, in ascending order. Valid until the next call.
   std::span<const LaneChange> changes(const Events& events);
   /// The PLC has accepted the changes.
   void confirm(std::span<const LaneChange> changes) noexcept;
-  /// The lanes in which the PLC now holds something else than it confirmed, given what was read back.
+  /// The lanes whose bits, as read back, differ from what the PLC confirmed.
   std::vector<LaneChange> differences(const Events& read_back) const;
 
  private:
-  /// A plane: its mapped bits, what was confirmed of them, and which of them were; and those that are held.
+  /// One plane: its mapped bits, the confirmed values, the bits whose confirmed value is known, and the bits on hold().
   struct Side {
     Plane plane = Plane::event_bits;
     std::vector<std::uint64_t> mapped;

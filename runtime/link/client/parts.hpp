@@ -1,4 +1,4 @@
-// What a protocol makes of a URL of a link that goes to the PLC.
+// The parts that a protocol builds from the URL of a link that goes to the PLC.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,14 @@ namespace symplant::link::client {
 /// When a client link acts. Times in ns, > 0.
 struct ClientTimes {
   tables::Time poll = 10 * tables::kMillisecond;  ///< from one reading of the operations to the next
-  tables::Time refresh = 2 * tables::kSecond;     ///< all events are written again, rejected requests repeated
-  tables::Time read_back = 0;                     ///< what was written is read and compared; 0: never
+  tables::Time refresh = 2 * tables::kSecond;     ///< interval of writing all events and repeating rejected requests
+  tables::Time read_back = 0;                     ///< interval of reading back and comparing what was written; 0: never
   tables::Time first_retry = tables::kSecond;     ///< after a failed connection; each further one doubles it
   tables::Time last_retry = 30 * tables::kSecond;
   bool zero_at_end = false;  ///< at the end of the run all events are written as 0; otherwise they keep their values
 };
 
-/// What a protocol makes of a URL: the conversation, and where each symbol lies.
+/// The parts that a protocol builds from a URL: the conversation, and where each symbol lies.
 struct ClientParts {
   std::unique_ptr<Dialog> dialog;
   image::Map map;

@@ -16,7 +16,7 @@
 
 namespace symplant::link::client {
 
-/// Runs from its construction to its destruction. The images' members for the other thread are its own.
+/// Runs from its construction to its destruction. Only its thread may use the images' members for the link's thread.
 class Poller {
  public:
   /// `arm`: write also to a PLC that has nothing to verify. Throws std::system_error if there is no thread left.

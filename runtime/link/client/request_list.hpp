@@ -25,9 +25,10 @@ class RequestList {
   explicit RequestList(std::vector<Request> requests) : whole_(std::move(requests)) { join(); }
 
   std::size_t size() const noexcept { return entries_.size(); }
-  /// Whether the latest run left out a request of which it is not known whether the PLC accepts it.
+  /// Whether the latest run did not send some part of a refused request, so that it is not known yet whether the PLC
+  /// accepts that part.
   bool is_dividing() const noexcept { return dividing_; }
-  /// All requests are due.
+  /// Makes all requests due.
   void retry() noexcept {
     for (Entry& entry : entries_) entry.retry.accept();
     whole_for_ = kFirstWhole;
@@ -35,10 +36,10 @@ class RequestList {
 
   /// `users` has
   ///   Fault send(const Request&, bool first, Answer&): `first`: it was not refused before;
-  ///   std::vector<Request> parts(const Request&, Answer): of one that was answered over_gaps the same without gaps, of
-  ///     one that was refused its halves; empty if it cannot be divided;
-  ///   void leave_out(const Request&): the PLC refuses it for good.
-  /// The result is `rejected` if the PLC accepted none, or if it is still to be found out which.
+  ///   std::vector<Request> parts(const Request&, Answer): for the answer over_gaps the same request without gaps, for
+  ///   the answer refused its halves; empty if the request cannot be divided;
+  ///   void leave_out(const Request&): the PLC refuses it permanently.
+  /// The result is `rejected` if the PLC accepted no request, or if is_dividing().
   template <class Users>
   Fault run(tables::Time now, Users& users) {
     if (divided_ && all_accepted() && now >= join_at_) join();

@@ -13,17 +13,17 @@ enum class Answer : std::uint8_t {
   accepted,
   busy,       ///< the PLC may accept the same request soon: it is sent again at the next poll
   refused,    ///< it is sent again after a pause that grows with each refusal in a row
-  over_gaps,  ///< only of a reading over addresses without a symbol, which the PLC does not have: read without them
+  over_gaps,  ///< only of a reading: the PLC lacks addresses between the symbols (gaps); read without gaps
 };
 
 /// The refusals of one request in a row. Times are of the thread that sends it, in ns. A value; O(1).
 class Retry {
  public:
-  static constexpr unsigned kLasting = 8;  ///< refusals in a row, over 3 s, after which the PLC refuses for good
+  static constexpr unsigned kLasting = 8;  ///< refusals in a row, over 3 s, that count as permanent
   static constexpr tables::Time kFirstPause = 50 * tables::kMillisecond;
   static constexpr tables::Time kLongestPause = 30 * tables::kSecond;
 
-  /// Of a part of a request that was refused: it is suspected until it was accepted once.
+  /// The state of a part of a refused request: it counts as refused until the PLC has accepted it once.
   static Retry suspect() noexcept {
     Retry retry;
     retry.refusals_ = 1;
@@ -38,7 +38,7 @@ class Retry {
   unsigned refusals() const noexcept { return refusals_; }
 
   void accept() noexcept { *this = {}; }
-  /// `answer`: busy or refused. The first two refusals are followed by a request at the next poll and after
+  /// `answer`: busy or refused. After the first refusal the request is due at the next poll, after the second one in
   /// kFirstPause.
   void refuse(tables::Time now, Answer answer) noexcept {
     tried_ = true;

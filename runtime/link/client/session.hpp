@@ -41,11 +41,11 @@ class Session {
   std::uint64_t signs() const noexcept { return signs_.load(std::memory_order_acquire); }
   /// Whether it may write to the PLC. Any thread.
   bool is_armed() const noexcept { return armed_.load(std::memory_order_relaxed); }
-  /// Whether the events were written in a pass that was leaving. Any thread.
+  /// Whether the events were written in a pass with `leaving`. Any thread.
   bool has_left() const noexcept { return left_.load(std::memory_order_relaxed); }
   /// Any thread.
   Messages& messages() noexcept { return messages_; }
-  /// What the PLC does that it should not. Wait-free; for one other thread.
+  /// The next finding about the PLC; nothing if there is none now. Wait-free; for one other thread.
   std::optional<LinkFinding> take_finding() noexcept;
 
  private:

@@ -7,9 +7,10 @@
 
 namespace symplant::link::client {
 
-/// Whether a request that finds its connection closed may be sent again over a new one. It may if the server closed
-/// after its first answer: it does so by design. A connection that it closed earlier failed; one that it closed later
-/// is for the link's thread, which asks again what the PLC is. Used by one thread; O(1).
+/// Whether a request that finds its connection closed may be sent again over a new one. It may if the server closed the
+/// connection after one answer: such a server does so by design. If the server closed it earlier, the connection
+/// failed. If it closed it later, the link's thread must reconnect, which identifies the PLC again. Used by one thread;
+/// O(1).
 class ShortConnections {
  public:
   using Time = std::chrono::steady_clock::time_point;

@@ -30,9 +30,9 @@ class WriteRetries {
   /// The lanes of an event with its values.
   std::vector<LaneChange> changes(std::size_t event, const Events& events) const;
   void accept(std::size_t event) noexcept { refused_.erase(event); }
-  /// The PLC has refused it again. True if it does so for good since now.
+  /// The PLC has refused it again. True if with this refusal it counts as refused permanently.
   bool refuse(std::size_t event, tables::Time now, Answer answer);
-  /// tables::kNone of the status.
+  /// The symbol of an event; tables::kNone for the status.
   std::uint32_t symbol(std::size_t event) const { return events_[event].symbol; }
 
  private:

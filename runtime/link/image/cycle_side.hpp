@@ -13,8 +13,8 @@
 
 namespace symplant::link::image {
 
-/// Exchanges the images of a link with the plant. Used by the cycle's thread, except images(), whose members for the
-/// other thread may be used by that.
+/// Exchanges the images of a link with the plant. Used by the cycle's thread. The link's thread uses images(), of which
+/// it may use only the members for the link's thread.
 class CycleSide {
  public:
   /// If `plant` is given, the images have its events at once. `watch` as for Images.

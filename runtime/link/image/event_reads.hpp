@@ -33,9 +33,10 @@ class EventReads {
   void set_time(tables::Time now) noexcept { now_.store(now, std::memory_order_relaxed); }
   /// The number of requests begun so far. After an image is published, these may still use the one before.
   std::uint64_t begun() const noexcept { return begun_.load(); }
-  /// Whether everything is noted that the first `requests` have read.
+  /// Whether everything that the first `requests` requests have read is noted.
   bool is_noted(std::uint64_t requests) const noexcept { return ended_.load(std::memory_order_acquire) >= requests; }
-  /// From now on, for was_read(): these bits of a word have the value `on` in the image that is published next.
+  /// A value begins: in the image that is published next, these bits of a word have the value `on`. was_read() ignores
+  /// earlier reads of this value.
   void begin_value(std::uint32_t word, std::uint64_t bits, bool on) noexcept {
     read_[on ? 1 : 0][word].fetch_and(~bits, std::memory_order_relaxed);
   }

@@ -43,10 +43,10 @@ class Images {
 
   /// Takes the latest image of the link, without applying it to the plant. O(1).
   void take_operations() noexcept;
-  /// Whether the taken image has everything written again that was written before loss number `losses`.
+  /// Whether, in the taken image, everything is written again that was written before loss number `losses`.
   bool is_complete(std::uint32_t losses) const noexcept;
   void apply_operations(plant::Plant& plant) noexcept;
-  /// Sets operations to zero whose policy on loss is zero. The next apply_operations() applies the image again.
+  /// Sets those operations to zero whose policy on loss is zero. The next apply_operations() applies the image again.
   /// O(image).
   void zero_operations(plant::Plant& plant) noexcept;
   /// Publishes only the status.

@@ -21,8 +21,9 @@ struct Point {
   OnLoss on_loss = OnLoss::hold;  ///< of operations
 };
 
-/// The positions that a protocol gives to the symbols of a controller. They are dense where memory and cost count: each
-/// costs a bit, or 8 bytes. A protocol with bit addresses makes them positions, so that ranges of them stay ranges.
+/// The positions that a protocol gives to the symbols of a controller. A position costs a bit, or 8 bytes, so positions
+/// are dense where memory and cost count. A protocol with bit addresses uses these as positions, so that a range of
+/// addresses stays a range.
 struct Map {
   std::vector<Point> points;                   ///< ascending by symbol
   std::array<std::uint32_t, kPlanes> sizes{};  ///< positions of each plane

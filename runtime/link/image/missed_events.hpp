@@ -18,17 +18,17 @@ class MissedEvents {
  public:
   MissedEvents(const Map& map, EventReads& reads);
 
-  /// The next event whose value ended with the last image, while clients knew the other value and read only that again;
-  /// nothing if there is no more. A read that is still in progress counts as one of every value. O(events changed in
-  /// the last cycle) for all calls.
+  /// The next event with a missed value: a value that ended with the last image and that no client read, after a read
+  /// of the other value. Nothing if there is no more. A read that is still in progress counts as a read of every value.
+  /// O(events changed in the last cycle) for all calls.
   std::optional<LinkFinding> take() noexcept;
 
   // The next image, in this order.
 
   void begin_image(tables::Time now) noexcept;
-  /// A position has another value than in the image before.
+  /// The value of a position differs from that in the image before.
   void changed(std::uint32_t position, bool on) noexcept;
-  /// A position has the same value as in the image before, or has changed, and had both values in between.
+  /// A position had both values since the image before, and now has the value `on`, changed or not.
   void pulsed(std::uint32_t position, bool on) noexcept;
   /// The image is published.
   void end_image() noexcept { requests_ = reads_.begun(); }
@@ -38,11 +38,11 @@ class MissedEvents {
   struct Ended {
     std::uint32_t position;
     bool on;
-    bool in_image;        ///< it was in an image at least
+    bool in_image;        ///< the value was in an image; false: it began and ended between two images
     tables::Time length;  ///< 0: less than a cycle
   };
 
-  /// The value of a position that clients have read last, as far as its values have ended.
+  /// The value that clients have read last, among the values of a position that have ended.
   enum class Known : std::uint8_t { off, on, nothing };
 
   bool is_missed(const Ended& ended) noexcept;

@@ -9,7 +9,7 @@
 
 namespace symplant::link::image {
 
-/// Bits of a number on a link: 8 to 64; 0 of BOOL.
+/// Bits of a number on a link: 8 to 64; 0 for BOOL.
 constexpr std::uint32_t bits_of(tables::DataType type) noexcept {
   switch (type) {
     case tables::DataType::boolean:

@@ -11,7 +11,8 @@
 
 namespace symplant::link::image {
 
-/// Keeps the ranges read last. One thread notes reads, another asks; wait-free. Times are those of the asking side.
+/// Keeps the ranges read last. One thread notes reads, another one asks; wait-free. Times are in ns, by the clock of
+/// the thread that asks.
 class ReadRanges {
  public:
   /// A range that was not read for this long is no longer read again and again.
@@ -31,7 +32,7 @@ class ReadRanges {
     note(*oldest, now);
   }
 
-  /// The mean time between reads of a position, 0 if it is read more often than time is counted; -1 if it is not read
+  /// The mean time between reads of a position, 0 if it is read more often than the time advances; -1 if it is not read
   /// again and again. O(kRanges).
   tables::Time every(std::uint32_t position, tables::Time now) const noexcept {
     tables::Time shortest = -1;

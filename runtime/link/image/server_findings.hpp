@@ -12,8 +12,8 @@
 namespace symplant::link::image {
 
 /// The server numbers the images that it publishes, from 1. If it finds something about a value that only the images
-/// from `since` to `until` - 1 had, it is a finding if the cycle took none of these. Wait-free; what a full queue does
-/// not hold is lost.
+/// from `since` to `until` - 1 had, it is a finding if the cycle took none of these. Wait-free; findings are lost while
+/// the queue is full.
 class ServerFindings {
  public:
   explicit ServerFindings(std::size_t capacity) : found_(capacity) {}
@@ -25,12 +25,12 @@ class ServerFindings {
   void add(const LinkFinding& finding, std::uint64_t since, std::uint64_t until) noexcept {
     found_.put({finding, since, until});
   }
-  /// The cycle has taken this image at least. For a first look: the cycle may be about to take a later one.
+  /// The number of an image that the cycle has taken. Only a first check: the cycle may take a later one at any time.
   std::uint64_t taken() const noexcept { return taken_.load(std::memory_order_relaxed); }
 
   // --- the cycle's thread
 
-  /// The cycle has taken this image, a later one than before.
+  /// The cycle has taken this image, which is later than the one before.
   void took(std::uint64_t image) noexcept {
     before_ = taken();
     taken_.store(image, std::memory_order_relaxed);

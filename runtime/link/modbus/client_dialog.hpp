@@ -21,7 +21,7 @@ namespace symplant::link::modbus {
 
 class ModbusDialog final : public client::Dialog {
  public:
-  /// `placed`: image_of() the map.
+  /// `placed`: the result of image_of() for `map`.
   ModbusDialog(const ClientSettings& settings, const IoMap& map, const image::Map& placed);
 
   /// The requests that the map needs.
@@ -61,7 +61,7 @@ class ModbusDialog final : public client::Dialog {
   };
   using Words = client::Words;
   class Reading;
-  /// What a call of write() has, and what becomes of it.
+  /// The changes of a call of write(), and those that the PLC did not take.
   struct Writing {
     std::span<const client::LaneChange> changes;
     std::vector<client::Unwritten>& unwritten;

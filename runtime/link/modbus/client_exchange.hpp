@@ -24,8 +24,8 @@ class ClientExchange {
   void interrupt() noexcept { socket_.interrupt(); }
 
   /// Sends the request and waits for its reply, which is valid until the next call. `values`: of a request of kind
-  /// write. Frames with other transaction ids are dropped. An exception is no fault. A server that closes its
-  /// connection after each answer gets the request over a new one.
+  /// write. Frames with other transaction ids are dropped. A reply with an exception is not a fault. A server that
+  /// closes its connection after each answer gets the request over a new one.
   client::Fault transact(const ClientRequest& request, std::span<const std::uint16_t> values, ClientReply& reply);
 
  private:
@@ -47,7 +47,7 @@ class ClientExchange {
   std::vector<std::uint8_t> frame_;
   std::vector<std::uint8_t> received_;
   std::size_t size_ = 0;  ///< bytes in received_
-  std::size_t used_ = 0;  ///< bytes of the latest reply, at the begin of received_
+  std::size_t used_ = 0;  ///< bytes of the latest reply, at the beginning of received_
 };
 
 }  // namespace symplant::link::modbus

@@ -18,7 +18,7 @@ struct Frame {
     incomplete,  ///< more bytes are needed; nothing was consumed
     complete,    ///< a request to answer
     foreign,     ///< a complete frame of another protocol: drop it without an answer
-    broken,      ///< not a frame, and the begin of the next one is unknown: close the connection
+    broken,      ///< not a frame, and the start of the next one is unknown: close the connection
   } kind = Kind::incomplete;
   std::size_t consumed = 0;             ///< size of the frame in bytes
   std::uint16_t transaction = 0;        ///< to be echoed

@@ -15,7 +15,7 @@ namespace symplant::link::modbus {
 
 /// A client of a server.
 struct ClientId {
-  std::uint32_t connection = 0;  ///< a number of its connection that no other one has; 0: unknown
+  std::uint32_t connection = 0;  ///< a unique number of its connection; 0: unknown
   std::uint32_t ipv4 = 0;        ///< its address; 0: another kind of address
 };
 
@@ -23,7 +23,7 @@ struct ClientId {
 /// changes. Only the constructor allocates.
 class OperationWrites {
  public:
-  /// changed() must follow, with the tables before the first write.
+  /// Call changed() with the initial tables before the first write.
   OperationWrites(const IoMap& map, image::ServerFindings& findings);
 
   /// A client wrote `count` coils, or holding registers, from `first` on; `words` is the table with them, which image
@@ -32,7 +32,7 @@ class OperationWrites {
                    std::span<const std::uint64_t> words, std::uint64_t image) noexcept;
   void wrote_registers(const ClientId& client, std::uint32_t first, std::uint32_t count,
                        std::span<const std::uint64_t> words, std::uint64_t image) noexcept;
-  /// The tables are as no client has written them. O(tables).
+  /// The tables have changed without a write of a client; takes their contents. O(tables).
   void changed(std::span<const std::uint64_t> coils, std::span<const std::uint64_t> registers) noexcept;
   /// A client has closed its connection: its writes no longer count as those of another client.
   void left(const ClientId& client) noexcept;

@@ -22,7 +22,7 @@ std::string answer_text(const tables::Refusal& refusal);
 /// A kind is a function, an exception and a first address. O(kKinds).
 class Refusals {
  public:
-  /// Later kinds are not new.
+  /// The number of kinds that are kept. Any further kind does not count as new.
   static constexpr std::size_t kKinds = 16;
 
   /// The refusal of a request, not empty, if it is the first of its kind.

@@ -16,9 +16,9 @@
 
 namespace symplant::link::modbus {
 
-/// Coils and discrete inputs are the bits of the images, and input registers read its numbers. Holding registers are
-/// separate memory, which keeps gaps and the parts of numbers; what is written of a number goes to the image. Used
-/// by the server's thread.
+/// Coils and discrete inputs are the bits of the images, and input registers read the numbers of the images. Holding
+/// registers are separate memory, which also keeps gaps and numbers that are only partly written; what is written of a
+/// number goes to the image. Used by the server's thread.
 class ServerTables {
  public:
   /// `placed`: image_of(tables, map), of which the images were made. `watch`, if it is not null, gets all reads and

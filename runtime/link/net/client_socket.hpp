@@ -37,7 +37,7 @@ class ClientSocket {
   Ended send(std::span<const std::uint8_t> bytes, Deadline deadline);
   /// Waits for bytes and receives at least one, or one datagram, which is cut to `room`.
   Ended receive(std::span<std::uint8_t> room, std::size_t& received, Deadline deadline);
-  /// Throws away what has already come. Returns the number of bytes.
+  /// Discards the bytes that have already arrived. Returns their number.
   std::size_t discard() noexcept;
   void close() noexcept { socket_ = Descriptor(); }
   bool is_open() const noexcept { return static_cast<bool>(socket_); }

@@ -48,8 +48,8 @@ struct Device {
 };
 
 /// Reads `X1F`, `x0010`, `D100`, `D100.F`, `ZR5`, `K4X0`, or the IEC form of GX IEC Developer: `%IX16`, `%Q31`,
-/// `%MX0.100` (M100), `%MW1.5` (W5). X and Y are counted as the family does. Nothing if the text is not a device that
-/// can be read and written by SLMP. O(length).
+/// `%MX0.100` (M100), `%MW1.5` (W5). The numbers of X and Y are in the base of the family. Nothing if the text is not a
+/// device that can be read and written by SLMP. O(length).
 std::optional<Device> parse_device(std::string_view text, Family family);
 
 /// `X1F`, `D100.F`.

@@ -20,7 +20,7 @@ struct EndCode {
   std::uint16_t code;
   Remedy remedy;
   const char* meaning;  ///< "the number of points is out of range"
-  const char* action;   ///< "..." what to do
+  const char* action;   ///< what to do: "map the symbol to another device"
 };
 
 /// All rows, ascending.
@@ -29,7 +29,8 @@ std::span<const EndCode> end_codes() noexcept;
 /// The row of a code; of an unknown one a row with its range in general words. O(log rows).
 const EndCode& end_code_of(std::uint16_t code) noexcept;
 
-/// "end code C056 (the last device is beyond the configured range): give ..."; what a link with this framing can do.
+/// "end code C056 (the last device is beyond the configured range): give ..."; the meaning, and what to do on a link
+/// with this framing.
 std::string end_code_text(std::uint16_t code, const Framing& framing);
 
 }  // namespace symplant::link::slmp

@@ -25,7 +25,7 @@ class Exchange {
 
   /// Starts the next request.
   RequestWriter& begin(Command command, bool bits);
-  /// Sends the request and waits for its reply. `reply` is valid until the next call. A reply with an end code is no
+  /// Sends the request and waits for its reply. `reply` is valid until the next call. A reply with an end code is not a
   /// fault. A server that closes its connection after each answer gets the request over a new one.
   client::Fault transact(Reply& reply);
 
@@ -48,7 +48,7 @@ class Exchange {
   bool answered_ = false;  ///< there was a reply since the first open()
   std::vector<std::uint8_t> received_;
   std::size_t size_ = 0;  ///< bytes in received_
-  std::size_t used_ = 0;  ///< bytes of the latest reply, at the begin of received_
+  std::size_t used_ = 0;  ///< bytes of the latest reply, at the beginning of received_
 };
 
 }  // namespace symplant::link::slmp

@@ -36,9 +36,9 @@ struct DeviceMap {
   std::vector<Unreachable> unreachable;
 };
 
-/// The map of a controller's symbols. A symbol's device is its address, as `settings` move it. Errors, of kind usage:
-/// no choice for events at X, an event at Y, one location for two symbols of different addresses or directions, X and Y
-/// that the list counts otherwise than the family. O(symbols log symbols).
+/// The map of a controller's symbols. A symbol's device is its address, unless `settings` move it. Errors, of kind
+/// usage: no choice for events at X, an event at Y, one location for two symbols of different addresses or directions,
+/// numbers of X and Y that the list has in another base than the family. O(symbols log symbols).
 std::variant<DeviceMap, LinkError> make_device_map(const tables::PlantTables& tables, std::uint32_t controller,
                                                    const LinkSettings& link, const Settings& settings);
 

@@ -49,11 +49,11 @@ struct Transfer {
   std::vector<Span> spans;
 };
 
-/// Requests that read all cells, and words between them. The cells ascend without duplicates.
+/// Requests that read all cells; they may also read words between them. The cells ascend without duplicates.
 ///
 /// Without block access the number of requests is the least possible for batch and random access, which may be mixed:
-/// the best choice of batches is found by dynamic programming. With block access blocks over gaps of several lengths
-/// are tried, too, and the fewest requests count. O(cells * requests).
+/// the best choice of batches is found by dynamic programming. With block access, blocks over gaps of several lengths
+/// are tried, too, and the plan with the fewest requests is returned. O(cells * requests).
 std::vector<Transfer> plan_reads(std::span<const Cell> cells, const Limits& limits);
 
 /// Requests that write these cells and nothing else, as plan_reads().

@@ -1,4 +1,4 @@
-// A request that a MELSEC PLC refused, as tables::Refusal has it.
+// Packs a request that a MELSEC PLC refused into a tables::Refusal.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ tables::Refusal refusal_of(const RefusedRequest& request, Family family, std::ui
 /// "reading words from X10 on: end code C059 (...): ..."; what it says and what to do.
 std::string refusal_text(const tables::Refusal& refusal);
 
-/// What an end code other than 0 makes of its request.
+/// How an end code other than 0 answers a request: busy or refused.
 client::Answer answer_of(std::uint16_t end_code) noexcept;
 
 }  // namespace symplant::link::slmp

@@ -47,7 +47,7 @@ class SlmpDialog final : public client::Dialog {
     std::uint32_t bits = kNowhere;
     std::uint32_t numbers = kNowhere;
   };
-  /// The cells of one direction, the requests that read them, and what becomes of the words.
+  /// The cells of one direction, the requests that read them, and where the words go.
   struct ReadPlan {
     std::vector<Cell> cells;
     std::vector<Target> targets;
@@ -79,7 +79,7 @@ class SlmpDialog final : public client::Dialog {
   }
   Writes writes_of(std::span<const client::LaneChange> changes, bool whole) const;
   std::size_t requests_to_write() const;
-  /// A request to write, and what becomes of it.
+  /// The changes of a request to write, and those that the PLC did not take.
   struct Writing {
     const Writes& writes;
     std::span<const client::LaneChange> changes;

@@ -42,7 +42,7 @@ struct ReadActs {
   std::vector<Act> acts;
   std::string error;              ///< empty: all of them can be read
   bool is_form = false;           ///< the error is one of the form (400), not of the content (422)
-  std::int64_t until = kNoLimit;  ///< by act_clock(): after it, they are not to be done
+  std::int64_t until = kNoLimit;  ///< by act_clock(): the acts must not be done after this time
 };
 
 /// Reads the bodies of requests. Not thread-safe. Construction is O(plant), read() O(body).
@@ -60,7 +60,7 @@ class ActReader {
 };
 
 /// Whether a text is the name of a snapshot or session: 1 to 64 letters, digits, blanks, `_`, `-`, `.`, the first one
-/// not a `.` or a blank. Such a name is the name of a file in a folder, and no path.
+/// not a `.` or a blank. Such a name is the name of a file in a folder, not a path.
 bool is_file_name(std::string_view name);
 
 }  // namespace symplant::panel

@@ -32,7 +32,7 @@
 
 namespace symplant::panel {
 
-/// The answer to an act whose time was over before the plant got to it.
+/// The answer to an act whose time limit passed before the plant carried it out.
 inline constexpr const char* kTooLateText = "it came too late, and was not done; try again";
 
 /// The plant was set to another state, which the history now has.
@@ -55,14 +55,14 @@ class Desk {
     const std::vector<bool>& carried;
     std::vector<ExerciseFile> exercises;
     const scenario::Scenario* scenario;  ///< that is played from the start; may be null
-    scenario::Player* player;            ///< that plays it
+    scenario::Player* player;            ///< plays `scenario`; may be null
     scenario::ProgramControl* programs;  ///< the PLC programs; may be null
     std::string scenario_name;
     std::string folder;  ///< for files; empty: none
     std::uint64_t seed;
     tables::Time cycle;
-    bool with_plc;        ///< then plant time is real time
-    bool by_plc_clock;    ///< then it cannot be set back
+    bool with_plc;        ///< a link goes to a PLC: plant time is real time
+    bool by_plc_clock;    ///< plant time follows a PLC's clock: it cannot be set back
     bool paced;           ///< the speed can be changed
     bool acts;            ///< clients may act
     std::string resumed;  ///< the name of the snapshot with which the run began; empty: none
@@ -81,7 +81,7 @@ class Desk {
   // --- for the thread that drains the recorder, for each record in their order
   void before(const trace::Record& record) { chart_.apply(record); }  ///< before History::apply()
   void after(const trace::Record& record);                            ///< after it; not for notes
-  /// A note. Says whether the plant was set to another state.
+  /// For a note. Returns the change if the plant was set to another state.
   std::optional<SetBack> note(const trace::Record& record);
   /// The acts by hand on the plant since the last call, as JSON objects.
   std::vector<std::string> take_acts() { return std::exchange(new_acts_, {}); }
@@ -169,7 +169,7 @@ class Desk {
   void step_failed(std::size_t step, tables::Time time);
   void add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity);
   bool is_exercise() const { return exercise_ != nullptr && &exercise_->scenario() == playing_; }
-  /// The plant went back: what was found after a time did not happen.
+  /// The plant was set back to the time `after`: removes later findings.
   void forget_findings(tables::Time after);
   plant::OwnedPlant& shadow();
   const ExerciseFile* exercise_file(std::string_view name) const;
@@ -210,16 +210,16 @@ class Desk {
     }
   };
   std::vector<Violation> violations_;
-  std::shared_ptr<Exercise> exercise_;        ///< that is played, or was played last
-  std::unique_ptr<scenario::Player> player_;  ///< of it
+  std::shared_ptr<Exercise> exercise_;        ///< the exercise that is played, or was played last
+  std::unique_ptr<scenario::Player> player_;  ///< the player of `exercise_`
   const scenario::Scenario* playing_;         ///< for the notes of steps
-  Played played_;                             ///< it, if it is no exercise
-  const scenario::Player* asked_player_;      ///< that the plant plays after all orders so far; null: none
-  std::uint64_t play_;                        ///< its number; 0: none
+  Played played_;                             ///< the progress of `playing_`, if it is not an exercise
+  const scenario::Player* asked_player_;      ///< the player after all orders so far; null: none
+  std::uint64_t play_;                        ///< the number of what `asked_player_` plays; 0: none
   std::uint64_t plays_ = 1;
-  tables::Time last_change_ = -1;  ///< of the plant since it was set back
-  std::uint64_t step_turn_ = 0;    ///< of the step about which the next note is
-  Refusals refusals_;              ///< of the step or order about which the next note is
+  tables::Time last_change_ = -1;  ///< of the plant, since it was last set back
+  std::uint64_t step_turn_ = 0;    ///< the turn of the step in the next note
+  Refusals refusals_;              ///< those of the step or order in the next note
 
   std::uint64_t revision_ = 0;
   std::uint64_t sent_findings_ = 0;

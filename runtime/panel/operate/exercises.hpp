@@ -19,7 +19,7 @@ struct ExerciseFile {
   std::shared_ptr<const scenario::Scenario> scenario;
 };
 
-/// The exercise that is played, and what it gave so far. Used by one thread at a time.
+/// The exercise that is played, its progress and its points so far. Used by one thread at a time.
 class Exercise {
  public:
   /// `names` must outlive it.
@@ -40,7 +40,7 @@ class Exercise {
     std::int64_t points;
     std::string text;
   };
-  /// How far it is, and what it gave so far.
+  /// The progress of the exercise and its points so far.
   struct Progress {
     std::vector<State> states;         ///< by step
     std::vector<tables::Time> times;   ///< by step: when it was done last
@@ -52,13 +52,13 @@ class Exercise {
     tables::Time took = -1;  ///< -1: it is not over
   };
   const Progress& progress() const { return progress_; }
-  /// To an earlier progress of this exercise.
+  /// Restores an earlier progress of this exercise.
   void go_back_to(const Progress& progress);
 
   const std::string& name() const { return file_.name; }
   const scenario::Scenario& scenario() const { return *file_.scenario; }
   bool is_over() const { return progress_.took >= 0; }
-  /// Appends the object of the interface.
+  /// Appends the exercise as an object (docs/panel-interface.md).
   void put(std::string& json) const;
   /// A test case for each expectation, for what was refused or not reached of the other steps, and for the score.
   void add_cases(std::vector<trace::TestCase>& cases) const;
@@ -66,7 +66,7 @@ class Exercise {
   std::uint64_t version() const { return version_; }
 
  private:
-  /// What a test case says of a step: why it failed, or an empty text.
+  /// Why the test case of a step failed; empty if it did not fail.
   const char* failure_of(std::size_t step) const;
   void add_points(tables::Time time, std::int64_t points, std::string text);
   std::int64_t most() const;

@@ -1,4 +1,4 @@
-// Does the orders of the panel in the thread that runs the plant.
+// Carries out the orders of the panel in the thread that runs the plant.
 #pragma once
 
 #include <atomic>
@@ -14,8 +14,8 @@
 
 namespace symplant::panel {
 
-/// Advances a plant, with the scenario that is played, and does orders at the beginning of each cycle. Wait-free for
-/// both threads, without heap, lock or system call: a cycle in which there is no order costs one atomic read.
+/// Advances a plant, with the scenario that is played, and carries out orders at the beginning of each cycle. Wait-free
+/// for both threads, without heap, lock or system call: a cycle in which there is no order costs one atomic read.
 class Operator final : public exec::Stepper {
  public:
   static constexpr std::size_t kMostOrders = 256;  ///< that wait
@@ -24,7 +24,7 @@ class Operator final : public exec::Stepper {
   Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Player* player, scenario::ProgramControl* programs,
            std::uint64_t seed, tables::Time cycle);
 
-  /// Adds an order. Only one thread may call it, which is not that of the plant. False if kMostOrders wait.
+  /// Adds an order. For one thread other than that of the plant. False if kMostOrders orders wait.
   bool offer(const Order& order) noexcept { return orders_.push(order); }
   /// Plant time after the last cycle; for any thread.
   tables::Time now() const noexcept { return now_.load(std::memory_order_relaxed); }
@@ -39,7 +39,7 @@ class Operator final : public exec::Stepper {
   bool over() const noexcept override { return false; }
   /// The time of the next step of the scenario that is played; kNever without one.
   tables::Time next() const noexcept { return player_ != nullptr ? player_->next() : tables::kNever; }
-  /// What of Order::Kind::step_cycle and step_change is being done.
+  /// Which of Order::Kind::step_cycle and step_change is in progress, if any.
   Stepping stepping() const noexcept { return stepping_; }
 
  private:

@@ -13,7 +13,7 @@
 
 namespace symplant::panel {
 
-/// The clock of acts: milliseconds that only grow, from any beginning. Also for the thread of the plant.
+/// The clock of acts: milliseconds since an arbitrary time; it never goes back. Also for the thread of the plant.
 inline std::int64_t act_clock() noexcept {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
@@ -42,9 +42,10 @@ struct Order {
   std::int64_t until = kNoLimit;  ///< by act_clock(): after it, the order is not carried out
 };
 
-/// The `of` of the note after an order: its value is the order's id, which is below kLeastOutcome, why it was not
-/// carried out, and from scenario::kTurnBits on its turn (Recorder::turn()). The records of the instant in which it
-/// takes effect follow. Before it there is a scenario::kRefusedNote for each part of its steps that was refused.
+/// The `of` of the note after an order. Its value is the sum of the order's id, which is below kLeastOutcome, of
+/// kTooLate or kDoesNotFit if it was not carried out, and from scenario::kTurnBits on of its turn (Recorder::turn()).
+/// The records of the instant in which it takes effect follow. Before it there is a scenario::kRefusedNote for each
+/// part of its steps that was refused.
 inline constexpr std::uint32_t kOrderNote = 0xFFFF'FFFB;
 inline constexpr std::uint64_t kLeastOutcome = std::uint64_t{1} << 31;
 inline constexpr std::uint64_t kTooLate = kLeastOutcome;          ///< its time was over

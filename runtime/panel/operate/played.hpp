@@ -13,7 +13,7 @@ namespace symplant::panel {
 /// What a step does or expects: "wait: `AGV.P2` within 5 s", or its actions as JSON.
 std::string step_words(const scenario::Scenario& scenario, std::size_t step, const trace::PlantNames& names);
 
-/// How far a scenario is.
+/// The progress of the scenario that plays.
 class Played {
  public:
   Played(const trace::PlantNames& names, std::string name) : names_(names), name_(std::move(name)) {}
@@ -22,16 +22,16 @@ class Played {
   void begin(const scenario::Scenario* scenario);
   void step_done(std::size_t step);
   void over();
-  /// Where it is, is not known until the next step.
+  /// Forgets the progress: it is unknown until the next step.
   void forget();
 
   /// Appends the object, or null.
   void put(std::string& json) const;
-  /// Another number after each change.
+  /// A different number after each change.
   std::uint64_t version() const { return version_; }
 
  private:
-  /// What it does next; empty if that is not known.
+  /// What the scenario does next; empty if that is unknown.
   std::string next() const;
 
   const trace::PlantNames& names_;

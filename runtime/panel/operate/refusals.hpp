@@ -1,4 +1,4 @@
-// What the plant refused of acts and steps: only the rest was done.
+// The actions of acts and steps that the plant refused; the other actions were done.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ class Refusals {
   void clear() { values_.clear(); }
   bool empty() const { return values_.empty(); }
 
-  /// What was done of the step with this index within the acts.
+  /// A step without the refused actions. `index`: of the step within the acts.
   scenario::Step done_of(scenario::Step step, std::size_t index) const;
-  /// Of one step: each refusal as the value of a scenario::kHandNote.
+  /// The refusals of one step, each as the value of a scenario::kHandNote.
   const std::vector<std::uint64_t>& values() const { return values_; }
   /// Why the first one was refused.
   std::string_view words() const;

@@ -18,7 +18,7 @@ namespace symplant::panel {
 struct Deed {
   tables::Time time = 0;
   std::uint64_t turn = 0;  ///< equal for what took effect in one instant
-  bool further = false;    ///< what happened before at this time was of an earlier instant
+  bool further = false;    ///< earlier deeds at this time took effect in an earlier instant
   std::string by;          ///< `hand` or `scenario`
   std::string json;        ///< an object: the act
   std::string actions;     ///< its members if it is a step of a scenario; else empty

@@ -1,4 +1,4 @@
-// The states of the plant that an operator keeps, and those that are kept by themselves.
+// The states of the plant that an operator keeps, and those that are kept automatically.
 #pragma once
 
 #include <cstddef>
@@ -36,9 +36,9 @@ class Snapshots {
   bool has_folder() const { return !folder_.empty(); }
   /// Keeps a state under a name, which replaces another one of this name. Returns why not, or an empty text.
   std::string keep(const std::string& name, std::shared_ptr<KeptState> state);
-  /// Keeps a state under its time; if there are too many, the oldest goes.
+  /// Keeps a state under its time; if there are too many, the oldest one is removed.
   void keep_backtrack(std::shared_ptr<KeptState> state);
-  /// False if there is none of this name in memory.
+  /// Removes a state from memory. False if there is no state with this name in memory.
   bool forget(const std::string& name);
   /// The state of a name: in memory, else in the folder, for a plant of this model. `error` says why there is none.
   std::shared_ptr<KeptState> find(const std::string& name, std::uint64_t model_hash, std::size_t block,

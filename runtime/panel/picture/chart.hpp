@@ -53,8 +53,8 @@ class Chart {
   const trace::History& history_;
   std::vector<Change> changes_;  ///< a ring, by number
   std::uint64_t next_ = 0;       ///< the number of changes so far
-  std::uint64_t first_ = 0;      ///< the first one that is kept
-  tables::Time begin_ = 0;       ///< from which time on they are complete
+  std::uint64_t first_ = 0;      ///< the number of the first change that is kept
+  tables::Time begin_ = 0;       ///< changes are complete from this time on
 };
 
 }  // namespace symplant::panel

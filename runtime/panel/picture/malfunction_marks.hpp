@@ -8,7 +8,7 @@
 
 namespace symplant::panel {
 
-/// Of each device and symbol how many active malfunctions act on it. Used by one thread at a time.
+/// Counts the active malfunctions that act on each device and symbol. Used by one thread at a time.
 class MalfunctionMarks {
  public:
   /// `tables` must outlive it.
@@ -20,7 +20,7 @@ class MalfunctionMarks {
 
   /// A malfunction, as tables::MalfunctionNumbers numbers them, started or ended. O(what it acts on).
   void change(std::uint32_t malfunction, bool active);
-  /// None is active. O(plant).
+  /// No malfunction is active any more. O(plant).
   void clear();
 
  private:

@@ -15,8 +15,8 @@
 
 namespace symplant::panel {
 
-/// Follows the records of a run next to a History, with what that does not have: the times of moves, and the speeds of
-/// parts. Used by one thread at a time. apply() is O(1), O(parts) for the parts of a track.
+/// Follows the records of a run together with a History, and keeps what the History does not have: the times of moves,
+/// and the speeds of parts. Used by one thread at a time. apply() is O(1), O(parts) for the parts of a track.
 class Picture {
  public:
   /// Both must outlive it.
@@ -86,7 +86,7 @@ class Picture {
   const trace::History& history_;
   std::vector<Motion> motions_;
   std::vector<Track> tracks_;
-  Track* track_ = nullptr;  ///< whose parts are being recorded
+  Track* track_ = nullptr;  ///< the track whose parts are being recorded
   TrackStates track_states_;
   MalfunctionMarks malfunctions_;
   bool malfunctions_changed_ = false;

@@ -10,7 +10,7 @@
 
 namespace symplant::panel {
 
-/// Computes them from the values of a history. Used by one thread at a time.
+/// Computes the speeds of drives and the stops from the values of a history. Used by one thread at a time.
 class TrackStates {
  public:
   /// Both must outlive it. O(conditions).

@@ -33,8 +33,8 @@ class Recording final : public Source {
   std::string picture() override { return picture_at(at_); }
   std::string changes() override { return ""; }
 
-  /// The data of the event `picture` at a time. O(records between the last call and this one), from the begin if the
-  /// time is before that of the last call.
+  /// The data of the event `picture` at a time. O(records between the last call and this one), from the beginning if
+  /// the time is before that of the last call.
   std::string picture_at(tables::Time time);
 
  private:

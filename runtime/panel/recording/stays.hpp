@@ -23,7 +23,8 @@ class Stays {
 
   /// When parts change their speed, and on which track: rising times. O(pins * log(pins)).
   std::vector<std::pair<tables::Time, std::uint32_t>> turns() const;
-  /// Appends the records of a track's parts at a time, from the front. The times of calls do not fall. O(parts there).
+  /// Appends the records of a track's parts at a time, from the front. `time` must not be before that of the previous
+  /// call. O(parts there).
   void append(std::uint32_t track, tables::Time time, std::vector<trace::Record>& records);
 
  private:

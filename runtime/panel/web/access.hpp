@@ -1,4 +1,4 @@
-// May this request look, and may it act? Tokens, and requests that other pages of a browser make.
+// Decides whether a request may look and whether it may act: by tokens, and by the page of the browser that made it.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ class Access {
   /// `host`: as given to --panel; `port`: the real one. `token`: 32 hexadecimal digits.
   Access(std::string host, std::uint16_t port, std::string token);
 
-  /// Whether `Host` is an address of the panel and `Origin`, if there is one, the panel itself. A name that an attacker
-  /// has pointed at this machine (DNS rebinding) is not one, nor is another page.
+  /// Whether `Host` is an address of the panel and `Origin`, if there is one, the panel itself. This refuses other
+  /// pages, and names that an attacker has pointed at this machine (DNS rebinding).
   bool is_own(const Claim& claim) const;
   /// Whether the token is right; in constant time.
   bool has_token(const Claim& claim) const;

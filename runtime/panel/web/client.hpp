@@ -11,7 +11,7 @@ namespace symplant::panel::web {
 
 using Clock = std::chrono::steady_clock;
 
-/// All of it is for the server's thread.
+/// Used by the server's thread only.
 class Client {
  public:
   virtual ~Client() = default;
@@ -27,8 +27,8 @@ class Client {
   /// To be called about once a second: abandons a client that has acknowledged nothing of what it is sent for the
   /// server's patience.
   virtual void look(Clock::time_point now) = 0;
-  /// The bytes a second in which the client takes its answer; nothing if it gets none, or it began less than a second
-  /// ago.
+  /// The rate at which the client takes its answer, in bytes/s; nothing without an answer, or if it began less than a
+  /// second ago.
   virtual std::optional<double> rate(Clock::time_point now) const = 0;
   /// The bytes that the system has not taken yet.
   virtual std::size_t waiting() const = 0;

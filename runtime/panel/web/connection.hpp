@@ -19,7 +19,7 @@ namespace symplant::panel::web {
 using Tcp = boost::asio::ip::tcp;
 using Error = boost::beast::error_code;
 
-/// All of it is for the server's thread.
+/// Used by the server's thread only.
 class Connection final : public Client, public std::enable_shared_from_this<Connection> {
  public:
   Connection(Tcp::socket socket, Shared& shared) : stream_(std::move(socket)), shared_(shared) {}
@@ -62,10 +62,10 @@ class Connection final : public Client, public std::enable_shared_from_this<Conn
   bool writing_ = false;
   bool is_late_ = false;            ///< a picture is due
   std::uint64_t taken_ = 0;         ///< bytes that the system has taken
-  std::uint64_t acknowledged_ = 0;  ///< of them, at the last look
-  Clock::time_point heard_{};       ///< when that grew, or nothing was left to be acknowledged
+  std::uint64_t acknowledged_ = 0;  ///< bytes that the client had acknowledged at the last look()
+  Clock::time_point heard_{};       ///< when `acknowledged_` last grew, or nothing was left to be acknowledged
   std::uint64_t before_ = 0;        ///< bytes acknowledged before this answer
-  Clock::time_point begun_{};       ///< this answer
+  Clock::time_point begun_{};       ///< when this answer began
   char ignored_ = 0;
 };
 

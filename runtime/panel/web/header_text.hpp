@@ -1,4 +1,4 @@
-// What the values of headers are compared with.
+// Functions to compare the values of headers.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +6,13 @@
 
 namespace symplant::panel {
 
-/// Whether two texts are equal but for the case of ASCII letters.
+/// Whether two texts are equal without regard to the case of ASCII letters.
 inline bool equal_ignoring_case(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// Without the blanks and tabs around it.
+/// A text without the blanks and tabs around it.
 inline std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t");
   if (begin == text.npos) return {};

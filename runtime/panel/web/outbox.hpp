@@ -1,4 +1,4 @@
-// What a connection has still to send.
+// The texts that a connection still has to send.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class Outbox {
   std::size_t size() const { return size_; }
   /// The rest of the first text; it is valid until taken() has reached its end.
   std::string_view next() const { return std::string_view(*texts_.front()).substr(begun_); }
-  /// So many bytes of next() were taken.
+  /// The first `count` bytes of next() were taken.
   void taken(std::size_t count);
 
  private:

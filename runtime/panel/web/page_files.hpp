@@ -11,7 +11,7 @@ struct PageFile {
   std::string_view text;
 };
 
-/// All of them; that for `/` is index.html.
+/// All files of the page; index.html is that for `/`.
 std::span<const PageFile> page_files();
 
 /// The description of the interface for tools, as OpenAPI.

@@ -15,7 +15,7 @@ struct ResponseHead {
   bool keep_alive = false;
   bool packed = false;              ///< the body is gzip
   bool by_encoding = false;         ///< whether it is packed depends on `Accept-Encoding`
-  std::string_view file_name = {};  ///< to be stored under this name; empty: shown
+  std::string_view file_name = {};  ///< the client stores the body under this name; empty: it shows the body
 };
 
 /// With the empty line at its end.

@@ -35,7 +35,7 @@ struct Reply {
   Answer answer = {};
   std::string_view content_type = "application/json";
   std::shared_ptr<Content> content = {};  ///< the same for all clients; may be null
-  std::string file_name = {};             ///< to be stored under this name; empty: shown
+  std::string file_name = {};             ///< the client stores the answer under this name; empty: it shows it
   bool has_token = false;                 ///< of a stream: its client has the token
 };
 
@@ -46,7 +46,7 @@ class Source {
   /// The answer of GET /api/v1/plant without its first keys, which are the same for all. It never changes.
   virtual void put_description(std::string& json) = 0;
   virtual bool acts() const = 0;
-  /// Any other path of the interface; nothing if there is none.
+  /// The answer to a GET of any other path of the interface; nothing if the path is unknown.
   virtual std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query,
                                    const Answered& later) = 0;
   virtual void post(std::string_view path, std::string_view body, const Answered& later) = 0;
@@ -60,7 +60,7 @@ class Source {
 /// Checks access, and finds what a request asks for. For the panel's thread.
 class Routes {
  public:
-  /// `run`: another text after each start.
+  /// `run`: a text that differs after each start.
   Routes(Source& source, const Access& access, std::string run = random_token());
 
   /// `later` may be called by another thread, once, if the reply says so; also before answer() returns. Throws what the
@@ -78,7 +78,7 @@ class Routes {
   std::string run_;
   std::shared_ptr<Content> description_;                       ///< null until it is asked for
   std::map<std::string_view, std::shared_ptr<Content>> page_;  ///< the files that were asked for, by their names
-  std::int64_t second_ = 0;                                    ///< of the clock, in which `acts_` were asked for
+  std::int64_t second_ = 0;                                    ///< the second of the clock in which `acts_` are counted
   int acts_ = 0;
 };
 

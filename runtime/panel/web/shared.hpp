@@ -36,7 +36,7 @@ class StreamPlaces {
   std::size_t without_token_ = 0;
 };
 
-/// All of it is used by the server's thread only.
+/// Used by the server's thread only.
 class Shared {
  public:
   Shared(Routes& all_routes, Source& plant, Guard& net, int seconds)
@@ -53,10 +53,10 @@ class Shared {
   /// after `patience`. Does nothing for `patience` after the last one.
   void probe(Clock::time_point now);
   /// Closes the connection that is idle for longest, else the one that takes its answer most slowly; false if there is
-  /// none. Not one whose answer began within the last second.
+  /// none. A connection whose answer began within the last second is not closed.
   bool close_one(Clock::time_point now);
-  /// Whether an answer may be sent though it makes the bytes that wait too many: the connections that take theirs most
-  /// slowly are closed, until they had as many. False if there are too few.
+  /// Makes room for an answer of `bytes` bytes that exceeds Outgoing::kMost: closes the connections that take their
+  /// answers most slowly, until at least as many bytes no longer wait. False if no further connection can be closed.
   bool relieve(std::size_t bytes, Clock::time_point now);
 
   boost::asio::io_context context;
@@ -64,7 +64,7 @@ class Shared {
   Source& source;
   Guard& guard;
   const std::chrono::seconds patience;
-  std::list<std::shared_ptr<Client>> connections;  ///< that idle for longest first
+  std::list<std::shared_ptr<Client>> connections;  ///< the connection that is idle for longest comes first
   StreamPlaces places;
   Outgoing outgoing;
 
