@@ -117,8 +117,9 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   std::vector<model::ListInput> lists = parse_names(inputs->lists, *reader, inputs->io);
   progress.stage("deriving models");
   model::Derived named = model::derive(std::exchange(lists, {}), inputs->name, reader, inputs->description.get());
-  model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
-  if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
+  model::Derived derived =
+      model::describe(std::move(named), inputs->description, inputs->source,
+                      inputs->naming_parts == nullptr ? std::vector<std::string>() : inputs->naming_parts->files);
   const bool sound = inputs->readable && derived.evidence.faults.empty();
   const bool lowered = sound && (options.tables || map::map_can_have_findings(derived.plant));
   progress.stage("lowering");

@@ -128,7 +128,7 @@ std::string no_such_rule(std::string_view name) {
 }
 
 bool is_stopping(const diag::Diagnostic& finding) {
-  return finding.severity == diag::Severity::error && finding.rule->id != "SP415";
+  return finding.severity == diag::Severity::error && finding.rule->effect != diag::Effect::served;
 }
 
 bool has_stopping_errors(const diag::Diagnostics& findings) {

@@ -27,8 +27,7 @@ std::string former_rule(std::string_view name);
 /// For a message: no rule has this name, and the nearest one.
 std::string no_such_rule(std::string_view name);
 
-/// Whether a finding stops the commands that use the plant: an error, unless it is only that the plant has no device
-/// (SP415). The symbols of such a plant can still be served.
+/// Whether a finding stops the commands that use the plant: an error, unless the plant can be served in spite of it.
 bool is_stopping(const diag::Diagnostic& finding);
 bool has_stopping_errors(const diag::Diagnostics& findings);
 

@@ -41,8 +41,9 @@ struct Rule : diag::RuleInfo {
 
   constexpr Rule(std::string_view new_id, std::string_view name, diag::Severity level, Check function,
                  std::string_view line, std::string_view meaning, std::string_view loss = {},
-                 std::string_view remedy = {}, Rank cause = Rank::last, For lists = For::all)
-      : RuleInfo{new_id, name, level, line, meaning, cause, loss, remedy}, check(function), plants(lists) {}
+                 std::string_view remedy = {}, Rank cause = Rank::last, For lists = For::all,
+                 diag::Effect on_plant = diag::Effect::no_plant)
+      : RuleInfo{new_id, name, level, line, meaning, cause, loss, remedy, on_plant}, check(function), plants(lists) {}
 
   Check check;
   For plants;

@@ -34,6 +34,13 @@ enum class Rank : std::uint8_t {
   last,       ///< all others: they explain nothing
 };
 
+/// What an error of a rule means for the plant.
+enum class Effect : std::uint8_t {
+  no_plant,      ///< there is no valid plant: the rule cannot be ignored
+  no_plant_yet,  ///< there is one if the rule is ignored
+  served,        ///< there is one, whose symbols can be served
+};
+
 /// The properties of a rule. Ids and slugs are never reused.
 struct RuleInfo {
   std::string_view id;    ///< "SP201"
@@ -42,8 +49,9 @@ struct RuleInfo {
   std::string_view summary;  ///< one line, for the catalogue
   std::string_view page;     ///< the manual page, Markdown: what it means, or all of it
   Rank rank = Rank::last;
-  std::string_view loses = {};  ///< what the model loses, if the page does not say it
-  std::string_view fix = {};    ///< how to fix it
+  std::string_view loses = {};       ///< what the model loses, if the page does not say it
+  std::string_view fix = {};         ///< how to fix it
+  Effect effect = Effect::no_plant;  ///< of an error
 };
 
 /// The manual page with all of its sections, in lines of at most 120 characters if a section is one line.

@@ -20,7 +20,7 @@ std::size_t weight(std::string_view word, const diag::RuleInfo& rule) {
 }  // namespace
 
 bool is_binding(const diag::RuleInfo& rule) {
-  return rule.severity == diag::Severity::error && rule.id != "SP302" && rule.id != "SP415";
+  return rule.severity == diag::Severity::error && rule.effect == diag::Effect::no_plant;
 }
 
 std::string binding_text(const diag::RuleInfo& rule, std::string_view wish) {

@@ -13,8 +13,7 @@
 
 namespace symplant::findings {
 
-/// Whether a rule reports an error that makes a valid plant impossible: it is neither lowered nor ignored. Of two rows
-/// of one name (SP302) the first counts, and a plant without devices (SP415) has its symbols.
+/// Whether a rule reports an error that makes a valid plant impossible: it is neither lowered nor ignored.
 bool is_binding(const diag::RuleInfo& rule);
 /// For a message: such a rule cannot be what the user wishes, for example "ignored".
 std::string binding_text(const diag::RuleInfo& rule, std::string_view wish);

@@ -182,8 +182,9 @@ Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
 }
 
 Derived describe(Derived derived, std::shared_ptr<const description::Description> description,
-                 std::shared_ptr<const text::SourceFile> source) {
+                 std::shared_ptr<const text::SourceFile> source, std::vector<std::string> naming_files) {
   PlantModel& plant = derived.plant;
+  plant.naming_files = std::move(naming_files);
   Evidence& evidence = derived.evidence;
   plant.description =
       description != nullptr ? std::move(description) : std::make_shared<const description::Description>();

@@ -159,7 +159,7 @@ class Engine {
   void queue(std::uint32_t unit) noexcept;
   void touch(std::uint32_t unit) noexcept;
 
-  // the rounds of an instant (engine_rounds.cpp)
+  // the rounds of an instant (engine_advance.cpp)
   void run_rounds() noexcept;
   template <bool kMore>
   void rounds() noexcept;
@@ -176,7 +176,7 @@ class Engine {
              std::uint16_t transition) noexcept;
   void settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
 
-  // moving units (engine_moves.cpp)
+  // moving units (engine_general.cpp)
   struct Wishes;
   Wishes wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept;
   void step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
@@ -191,7 +191,7 @@ class Engine {
   void set_wheel(std::uint32_t entry, tables::Time due) noexcept;
   void clear_wheel(std::uint32_t entry) noexcept;
 
-  // causes and times (engine_times.cpp)
+  // causes and times (engine_general.cpp)
   struct Ready;
   Ready ready_transitions(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                           std::uint64_t on) noexcept;
@@ -273,11 +273,11 @@ class Engine {
   void serve(const UnitState& state, const tables::UnitRow& row) noexcept;
   void finish_units() noexcept;
 
-  // commands against the end of a held unit (engine_overruns.cpp)
+  // commands against the end of a held unit (engine_close.cpp)
   void close_overruns() noexcept;
   void close_overrun(std::uint32_t unit, std::uint32_t position) noexcept;
 
-  // the findings of an instant (engine_findings.cpp)
+  // the findings of an instant (engine_close.cpp)
   void report_findings() noexcept;
   void report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept;
   void report_marked(tables::FindingKind kind) noexcept;

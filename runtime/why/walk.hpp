@@ -92,7 +92,7 @@ class Walk {
   /// "`when` needs A and B", with their causes. False, without a change, if the condition holds.
   bool add_need(Explanation& result, std::string_view before, const Network& network);
 
-  // Words (walk_words.cpp).
+  // Words (walk.cpp).
   bool commands(std::uint32_t operation) const;
   std::string operation_head(std::uint32_t operation, std::string_view to = {}) const;
   std::string_view level_words(std::uint32_t operation, bool on) const;
@@ -107,7 +107,7 @@ class Walk {
   std::string place_words(const tables::PartLocation& at) const;
   std::vector<std::uint32_t> disablers(std::uint32_t unit) const;
 
-  // Units (walk_unit.cpp, walk_settled.cpp).
+  // Units (walk_unit.cpp).
   Explanation unit(std::uint32_t unit, const States& goals = {});
   Explanation led_unit(std::uint32_t unit);
   void add_forced(std::uint32_t unit, Explanation& result);
@@ -135,7 +135,7 @@ class Walk {
   Explanation reader(const SymbolReader& reader) const;
   Explanation requirement(std::uint32_t requirement);
 
-  // Parts (walk_location.cpp, walk_part.cpp, walk_mover.cpp).
+  // Parts (walk_part.cpp).
   Explanation location(std::uint32_t location);
   std::vector<Reference> feeders_of(std::uint32_t location) const;
   std::vector<Reference> takers_of(const Place& place) const;

@@ -41,7 +41,7 @@ Faults stray_third_parties(const Tree& tree);
 /// Files whose first line is not a comment that states their purpose.
 Faults missing_heads(const Tree& tree);
 
-/// Files of more than 400 lines.
+/// Files of more than 500 lines.
 Faults long_files(const Tree& tree);
 
 }  // namespace symplant::arch

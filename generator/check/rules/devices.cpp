@@ -266,7 +266,8 @@ constexpr Rule kDeviceRules[] = {
      "`follow` needs no device.",
      "All behavior: the symbols are served, but nothing drives an input.",
      "`symplant infer LIST -o naming.json` proposes the rule for `--naming naming.json`. For a plant of plain signals "
-     "set `\"check\": { \"severity\": { \"no-device\": \"note\" } }`."},
+     "set `\"check\": { \"severity\": { \"no-device\": \"note\" } }`.",
+     Rank::last, For::all, diag::Effect::served},
 };
 
 }  // namespace

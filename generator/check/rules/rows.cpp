@@ -179,7 +179,7 @@ constexpr Rule kRowRules[] = {
     {"SP302", "symbol-declared-differently", kError, symbol_declared_differently, "two different rows have one name",
      "Two rows have one name, but differ in address, type or controller. Names are unique across a plant.",
      "The plant cannot be built: whichever row counted, the program might mean the other.",
-     "Rename one of the symbols, or delete the wrong row.", Rank::row},
+     "Rename one of the symbols, or delete the wrong row.", Rank::row, For::all, diag::Effect::no_plant_yet},
     {"SP305", "direction-against-address", kWarning, direction_against_address, "name and address differ in direction",
      "`..._I_...` has the address of an output (Y, `%Q`), or `..._O_...` that of an input (X, `%I`).",
      "The address counts, since it is wired. If it is wrong, the device lacks a symbol. If the device has a symbol of "

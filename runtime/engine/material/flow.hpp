@@ -112,7 +112,7 @@ class Flow {
   void round(bool counting) noexcept;
   void publish_counters() noexcept;
 
-  // Loops and findings (flow_findings.cpp).
+  // Loops and findings (flow_round.cpp).
   void forget_steps() noexcept;
   /// Whether a transfer or work acted too often.
   bool has_loop() const noexcept;
@@ -166,7 +166,7 @@ class Flow {
   Position length(std::uint32_t kind) const noexcept { return index_.lengths[kind]; }
   void due_now() noexcept { due_ = true; }
 
-  // Parts on tracks (flow_parts.cpp).
+  // Parts on tracks (flow_memory.cpp).
   Part& part(std::uint32_t track, std::uint32_t index) const noexcept {
     return parts_[index_.tracks[track].first_part + index];
   }
@@ -178,7 +178,7 @@ class Flow {
   void cover(std::uint32_t track, Part& part) noexcept;
   void cover_changed(std::uint32_t track, std::uint32_t begin, std::uint32_t end) noexcept;
 
-  // Motion (flow_motion.cpp).
+  // Motion (flow_moves.cpp).
   void track_due(std::uint32_t track) noexcept;
   void count_instant(std::uint32_t track) noexcept;
   void put_overshot(std::uint32_t track) noexcept;
@@ -206,7 +206,7 @@ class Flow {
   void set_track_wheel(std::uint32_t track) noexcept;
   void set_wheel(std::uint32_t entry, tables::Time due) noexcept;
 
-  // Moves between locations (flow_moves.cpp), work and sources (flow_work.cpp).
+  // Moves between locations (flow_moves.cpp), work and sources (flow_round.cpp).
   void try_end(std::uint32_t track) noexcept;
   bool try_transfer(std::uint32_t transfer) noexcept;
   bool try_work(std::uint32_t work) noexcept;
