@@ -37,7 +37,7 @@ class ReportWriter {
     accounted();
     left_over();
     near_misses();
-    shapes("names that say the other side than the address, which decides:", report_.direction_conflicts);
+    shapes("names that contradict the direction of their address (the address decides):", report_.direction_conflicts);
     if (report_.names_do_not_link()) {
       line(fmt::format("{}, {} paired: names do not say what moves; describe the devices in plant.json",
                        counted(report_.operations, "output"), grouped(report_.operations_paired)));
@@ -105,10 +105,10 @@ class ReportWriter {
     const std::size_t left = report_.score.counted() - report_.score.accounted();
     const std::string asked =
         report_.asked == 0 ? "" : fmt::format(", {} of them in questions", grouped(report_.asked));
-    shapes(fmt::format(
-               "left over: {} of {} symbols{} ({} accounted for); the commonest texts, digits as #:", grouped(left),
-               grouped(report_.score.counted()), asked, percent(report_.score.accounted_share())),
-           report_.left_over);
+    shapes(
+        fmt::format("left over: {} of {} symbols{} ({} accounted for); the most frequent texts, # is a number:",
+                    grouped(left), grouped(report_.score.counted()), asked, percent(report_.score.accounted_share())),
+        report_.left_over);
   }
 
   void shapes(const std::string& title, const infer::Shapes& shapes) {

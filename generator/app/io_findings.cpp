@@ -23,7 +23,10 @@ void add_io_findings(const name::IoRows& io, const std::shared_ptr<const text::S
   for (const name::IoRows::Pattern& pattern : io.patterns()) {
     const std::string text = description::ticked(pattern.text);
     if (pattern.matched == 0) {
-      add(pattern, text + " matches no row whose address is internal or missing; other rows are I/O by their address",
+      add(pattern,
+          text +
+              " matches no row whose address is internal or missing; correct it, or remove it if the rows are I/O by "
+              "their address",
           FaultKind::matches_nothing);
     } else if (!pattern.also.empty()) {
       add(pattern,

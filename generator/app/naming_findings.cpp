@@ -52,8 +52,8 @@ std::string message(const Remark& remark, const model::PlantModel& plant) {
                        links[remark.other].state);
   }
   const bool operation = plant.symbols[remark.input].direction == tables::Direction::operation;
-  return fmt::format("`{}` is an {}, but the link names it as the {}", name, operation ? "operation" : "event",
-                     operation ? "event" : "operation");
+  return fmt::format("`{}` is an {}, but the link names it as the {}; exchange the two, or correct the name", name,
+                     operation ? "operation" : "event", operation ? "event" : "operation");
 }
 
 void add_link_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,

@@ -194,7 +194,7 @@ std::string count_text(const diag::Diagnostics& diagnostics, diag::Severity leas
 void report_ignored(Context& context, const diag::Diagnostics& diagnostics) {
   for (const diag::Ignored& ignored : diagnostics.ignored()) {
     const diag::RuleInfo& rule = *ignored.finding.rule;
-    context.err << fmt::format("ignored: {} [{} {}], since: {}\n", diag::visible(ignored.finding.message), rule.id,
+    context.err << fmt::format("ignored: {} [{} {}], reason: {}\n", diag::visible(ignored.finding.message), rule.id,
                                rule.slug, diag::visible(ignored.why));
   }
 }

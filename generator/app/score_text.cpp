@@ -110,7 +110,8 @@ std::string questions_text(const model::PlantModel& plant, const score::PlantSco
   text += rest_of(left, "event", "events", "");
   if (plant.levels() != nullptr)
     return text + "  give those that are on in a healthy plant the initial value TRUE in the list\n";
-  return text + "  in naming.json, first in `rest`, with the words that are right:\n    " + questions.rule() + "\n";
+  return text + "  to do so, put this first in `rest` of naming.json, and keep only the correct words:\n    " +
+         questions.rule() + "\n";
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ void add_packed_findings(const model::PlantModel& plant, const tables::PlantTabl
     }
     diagnostics.add(*check::find_rule("SP317"), check::about(symbol),
                     fmt::format("`{}` has no number on a link, so {} other {}s are in list order and do not have their "
-                                "own numbers: correct it, or give `{}` a `number` in `links`",
+                                "own numbers: correct this address, or give `{}` a `number` in `links`",
                                 symbol.address_cell(), numbered[t] + others[t].size() - 1,
                                 link::modbus::table_name(static_cast<link::modbus::Table>(t)), symbol.name()),
                     check::location_of(plant, *symbol.row, symbol.address_cell()), std::move(related));

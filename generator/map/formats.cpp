@@ -29,7 +29,7 @@ FormatFault write_maps(const MapFormat& format, std::span<const LinkView> views,
   if (format.of_one_plc && views.size() > 1) {
     const std::string& controller = views.back().controller();
     return usage(
-        fmt::format("the plant has {} controllers, and `{}` is a file of one: choose it, as in `--link "
+        fmt::format("the plant has {} controllers, and `{}` is a file for one controller: choose one, as in `--link "
                     "{}=modbus-tcp-server://127.0.0.1:1502`",
                     views.size(), format.name, diag::visible(controller)));
   }

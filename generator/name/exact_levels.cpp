@@ -61,8 +61,9 @@ base::Result<LevelRule, NamingFault> exact_levels(const SymbolRule& rule) {
   LevelRule levels;
   for (const FieldRule& field : rule.fields) {
     if (field.field != "direction" || !field.expression.empty()) {
-      return NamingFault{"/fields/" + field.field,
-                         "a level of an `exact` rule is letters and digits; give only the words of `direction`"};
+      return NamingFault{
+          "/fields/" + field.field,
+          "a level of an `exact` rule matches letters and digits; in `fields`, give only the words of `direction`"};
     }
     levels.directions = field.words;
   }
@@ -73,7 +74,7 @@ base::Result<LevelRule, NamingFault> exact_levels(const SymbolRule& rule) {
   if (!sound || !can_separate(levels.separator) || !has(levels, Level::device) ||
       (!has(levels, Level::task) && !rule.task)) {
     return NamingFault{"/pattern",
-                       "the pattern of an `exact` rule is fields that one separator joins, such as "
+                       "the pattern of an `exact` rule must consist of fields and one separator between them, such as "
                        "`{line}_{process}_{device}_{direction}_{task}`"};
   }
   if (has(levels, Level::direction) == levels.directions.empty()) {

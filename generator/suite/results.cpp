@@ -89,8 +89,8 @@ std::string read_results(const std::vector<std::string>& files, Header& header,
       whose.assign(here.count, nullptr);
     }
     if (here != header) {
-      return fmt::format("{}:1: results of `{}` with {}, those before are of `{}` with {}", path, here.suite,
-                         here.count, header.suite, header.count);
+      return fmt::format("{}:1: this file is of `{}` with {} results, but the earlier files are of `{}` with {}", path,
+                         here.suite, here.count, header.suite, header.count);
     }
     for (std::size_t row = 2; std::getline(file, line); ++row) {
       if (file.eof()) break;  // a line without its end: the process was killed while it wrote

@@ -27,7 +27,7 @@ std::string OpenLink::silence() const {
     return "the PLC has not answered for " + seconds(settings.loss_after) +
            "; check whether it is switched on and connected";
   }
-  return "no valid request that touches the map has come for " + seconds(settings.loss_after) +
+  return "no valid request for a mapped address has arrived for " + seconds(settings.loss_after) +
          "; check whether the PLC runs and is connected";
 }
 
@@ -35,7 +35,8 @@ std::string OpenLink::absence() const {
   if (link->status().is_client) {
     return "the PLC has answered no request; check whether it is switched on and connected, and the URL";
   }
-  return "no valid request that touches the map has come; check whether the PLC runs, and whether it uses this address "
+  return "no valid request for a mapped address has arrived; check whether the PLC runs, and whether it uses this "
+         "address "
          "and these numbers";
 }
 

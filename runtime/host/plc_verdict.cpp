@@ -16,7 +16,7 @@ using exec::LinkState;
 std::string freezing_link(const Links& links) {
   for (const OpenLink& open : links) {
     if (open.link->freezes_plant()) {
-      return fmt::format("link {} is {}, as `plant-on-loss`: `freeze` says", open.text(),
+      return fmt::format("link {} is {}, and its `plant-on-loss` is `freeze`", open.text(),
                          state_name(open.link->state()));
     }
   }

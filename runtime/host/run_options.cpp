@@ -87,7 +87,8 @@ void add_programs(CLI::App& app, RunOptions& options) {
 
 void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--scenario", options.scenario, "play this scenario and check its expectations")->type_name("FILE");
-  app.add_option("--replay", options.replay, "repeat the run that this trace has, in virtual time")->type_name("FILE");
+  app.add_option("--replay", options.replay, "repeat the run that this trace recorded, in virtual time")
+      ->type_name("FILE");
   app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
       ->type_name("FILE");
   app.add_option("--vcd", options.vcd, "write symbols and states to this file, for GTKWave and other wave viewers")
@@ -110,7 +111,7 @@ void add_files(CLI::App& app, RunOptions& options) {
       ->type_name("SIZE");
   app.add_option("--findings", options.findings, "write all findings to this file, as JSON lines")->type_name("FILE");
   app.add_option("--junit", options.junit,
-                 "report expectations, requirements, and whether a PLC came, to this file, as JUnit XML")
+                 "report expectations, requirements, and whether a PLC connected, to this file, as JUnit XML")
       ->type_name("FILE");
   app.add_option("--stats", options.stats, "write statistics of the run to this file, as JSON")->type_name("FILE");
   app.add_option("--save", options.save, "write the state of the plant at the end to this file, for --resume")
@@ -241,7 +242,8 @@ void add_run_options(CLI::App& app, RunOptions& options) {
              throw CLI::ValidationError("--until", "`" + text + "` is too late: write at most 876000h (100 years)");
            }
          },
-         "end at this plant time, after its events; also when the plant has waited as long for a PLC, and for 5 s; not "
+         "end at this plant time, after its events; also after waiting for a PLC for the rest of this time, but at "
+         "least 5 s; not "
          "with --rt-check")
       ->type_name("T");
   app.add_option_function<std::string>(
@@ -257,10 +259,11 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          "in real time: length of a cycle, from one exchange with the PLC to the next (default: 10ms)")
       ->type_name("T");
   add_real_time(app, options);
-  app.add_option("--link", options.links,
-                 "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT (the PLC comes to the plant), "
-                 "modbus-tcp://HOST:PORT?events=coils:800 or slmp://HOST:PORT?family=q (the plant goes to the PLC), or "
-                 "loop:; with several controllers name one: PLC1=URL. Replaces the plant's own links")
+  app.add_option(
+         "--link", options.links,
+         "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT (the PLC connects to the plant), "
+         "modbus-tcp://HOST:PORT?events=coils:800 or slmp://HOST:PORT?family=q (the plant connects to the PLC), or "
+         "loop:; with several controllers name one: PLC1=URL. Replaces the plant's own links")
       ->type_name("[CONTROLLER=]URL");
   add_programs(app, options);
   add_files(app, options);

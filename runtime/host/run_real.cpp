@@ -54,7 +54,8 @@ void warn_of_times(const RunOptions& options, const Links& links, std::ostream& 
     const tables::Time silence = watchdog ? settings.watchdog_within : settings.loss_after;
     if (silence > 2 * options.cycle) continue;
     err << fmt::format(
-        "warning: link {}: `{}` of {} is not above two cycles of {}: the link will be lost repeatedly, give more\n",
+        "warning: link {}: `{}` of {} is not longer than two cycles of {}: the link will be lost repeatedly; give a "
+        "longer time\n",
         open.text(), watchdog ? "within" : "loss-after", seconds(silence), seconds(options.cycle));
   }
 }

@@ -169,7 +169,8 @@ RunOptions options_of_replay(RunOptions options, const Replay& replay) {
 
 void report_other_run(const Stage& stage, const RunOptions& options, const Replay& replay, std::ostream& err) {
   if (fmt::format("{:016x}", stage.plant.model_hash()) != replay.model_hash) {
-    err << "warning: `" << options.replay << "` is of another model: the replay goes as far as this one fits\n";
+    err << "warning: `" << options.replay
+        << "` is of another model: with the same operations this plant may behave differently\n";
   }
   if (options.seed != replay.seed) {
     err << "warning: `" << options.replay << "` was recorded with `--seed " << replay.seed
@@ -190,7 +191,8 @@ void report_other_run(const Stage& stage, const RunOptions& options, const Repla
   if (hiding == malfunctions.rows.end()) return;
   err << "warning: malfunction `"
       << tables::split_names(malfunctions.names)[static_cast<std::size_t>(hiding - malfunctions.rows.begin())]
-      << "` changes an operation: the trace has what that shows, not what was written, and the replay may differ "
+      << "` changes an operation: the trace has the changed value, not the one that was written, so the replay may "
+         "differ "
          "there\n";
 }
 

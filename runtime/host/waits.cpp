@@ -57,7 +57,7 @@ void Waits::look_at_freeze(tables::Time now, const exec::CycleMeter& meter, std:
   }
   if (!shows_freeze_) return;
   if (frozen) {
-    lines.push_back(fmt::format("warning: the plant is frozen, since {} is {}, as `plant-on-loss`: `freeze` says\n",
+    lines.push_back(fmt::format("warning: the plant is frozen, since {} is {}, and its `plant-on-loss` is `freeze`\n",
                                 links_[by].name, state_name(state_of(by, meter))));
   } else {
     lines.push_back(

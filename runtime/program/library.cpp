@@ -53,7 +53,8 @@ std::string program_fault(const symplant_program* program) {
     return "its program lacks one of the functions `create`, `scan` and `destroy`";
   }
   if (program->period_ns < 0) return fmt::format("the period of its program is below 0: {} ns", program->period_ns);
-  if (program->count != 0 && program->variables == nullptr) return "its program counts variables, but has none";
+  if (program->count != 0 && program->variables == nullptr)
+    return "its program has a `count` of variables, but no `variables`";
   return {};
 }
 

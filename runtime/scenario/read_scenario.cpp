@@ -192,7 +192,8 @@ class FileReader {
       add(at, "`" + name + "` includes itself; remove one of the includes");
       return;
     }
-    const OpenedFile opened = open_ ? open_(path) : OpenedFile{std::nullopt, "there are no other files here"};
+    const OpenedFile opened =
+        open_ ? open_(path) : OpenedFile{std::nullopt, "a scenario without a file cannot include others"};
     if (!opened.text) {
       add(at, "cannot read `" + name + "`: " + opened.error);
       return;

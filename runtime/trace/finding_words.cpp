@@ -150,7 +150,8 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
 std::string of_overwritten(const FoundThing& found, const PlantNames& names) {
   return fmt::format(
       "event overwritten: {}, the PLC holds another value than the one that was written to it; check whether its I/O "
-      "refresh or its program writes this address, and choose a strategy for events that it leaves alone",
+      "refresh or its program writes this address, and choose a strategy for events whose addresses the PLC does not "
+      "write",
       symbol_words(found.of.front(), names));
 }
 
@@ -219,7 +220,8 @@ std::string of_loop(const FoundThing& found, const PlantNames& names) {
   const bool one = found.of.size() == 1;
   if (has_malfunctions(found, names)) {
     return fmt::format(
-        "instantaneous loop: malfunction{} {} {} and {} without end within a millisecond, and {} inactive until the "
+        "instantaneous loop: malfunction{} {} {} and {} again and again within a millisecond, and {} inactive until "
+        "the "
         "run ends; check for times of almost 0, and for a `when` that names what the malfunction changes",
         one ? "" : "s", name_of(found, names), one ? "starts" : "start", one ? "ends" : "end", one ? "stays" : "stay");
   }

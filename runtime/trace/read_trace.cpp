@@ -174,7 +174,7 @@ class TraceReader {
     const auto number = malfunction(name);
     if (!number) return unknown(name);
     const auto known = by.is_string() ? malfunction_by_named(by.get<std::string>()) : std::nullopt;
-    if (!known) return fmt::format("malfunction `{}` has no `by`, or another one than those that there are", name);
+    if (!known) return fmt::format("malfunction `{}` has no `by`, or an unknown one", name);
     read_.records.push_back({at, static_cast<std::uint64_t>(*known), *number, Record::Kind::malfunction, {}, active});
     return "";
   }

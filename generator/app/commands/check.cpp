@@ -274,7 +274,8 @@ class Check {
 
 void add_check(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Check names and models; show what the model loses by each fault");
+  CLI::App* command =
+      app.add_subcommand("check", "Check names and models; show what the model loses with each finding");
   command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a separate plant")->required();
   command
       ->add_option(

@@ -133,13 +133,14 @@ void add_compare(CLI::App& app, Context& context) {
   command
       ->add_option_function<std::string>(
           "--tolerance", [options](const std::string& text) { read_tolerance(text, *options); },
-          "how far numbers may be apart, of the span of the expected ones (default: 1%)")
+          "how far numbers may be apart, as a share of the range of the expected ones (default: 1%)")
       ->type_name("P%");
   command
       ->add_option_function<std::string>(
           "--align", [options](const std::string& text) { read_align(text, *options); },
-          "none: times as they are (default); follow: each from the change before, for runs in which delays add up; "
-          "SYMBOL: from its first change to on")
+          "none: times as they are (default); follow: each relative to the change before it, for runs in which delays "
+          "add up; "
+          "SYMBOL: relative to the first change of SYMBOL to on")
       ->type_name("none|follow|SYMBOL");
   command->add_option("--only", options->how.only, "compare only these symbols and locations; may be repeated")
       ->type_name("PATTERN")

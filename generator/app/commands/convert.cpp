@@ -179,7 +179,7 @@ void add_convert(CLI::App& app, Context& context) {
       ->type_name("codesys|twincat|openplc");
   command
       ->add_option("--renames", options->renames,
-                   "give symbols the names of this file, CSV with the columns old and new; `symplant check "
+                   "rename symbols as this CSV file says, with the columns old and new; `symplant check "
                    "--rename-map` proposes some")
       ->type_name("FILE");
   command->add_option("--renamed", options->renamed, "write the names that were changed to this file: old,new")

@@ -68,7 +68,8 @@ class Infer {
     if (!read) return;
     if (read->samples.empty()) {
       return fail(
-          "no symbol has a direction by its address: infer needs lists with the addresses of inputs and outputs");
+          "no address in the lists is one of an input or output: infer needs lists with the addresses of inputs and "
+          "outputs");
     }
     report_out_ << infer_lists_text(read->derived.plant);
     infer::Proposal proposal = infer::infer(read->samples, known_rules(*read));

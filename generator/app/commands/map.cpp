@@ -54,8 +54,9 @@ void add_map(CLI::App& app, Context& context) {
   CLI::App* command =
       app.add_subcommand("map", "Show the address of each I/O symbol on a link, and what drives it or what it drives");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
-  command->add_option("--link", options->links,
-                      "[CONTROLLER=]URL: the map of this link only; of a link that goes to a PLC the devices there");
+  command->add_option(
+      "--link", options->links,
+      "[CONTROLLER=]URL: show only this link; for a link that goes to a PLC, show the addresses in the PLC");
   std::vector<std::string> names;
   std::string help;
   for (const map::MapFormat& format : map::map_formats()) {

@@ -103,7 +103,7 @@ void add_program(CLI::App& app, Context& context) {
   command
       ->add_option("--check", options->programs,
                    "the program: a shared library with the interface symplant/program.h (default: the plant's own "
-                   "programs); its start code runs")
+                   "programs); loading it runs its start code")
       ->type_name("[CONTROLLER=]FILE")
       ->allow_extra_args(false);
   add_plant_options(*command, options->plant_options);

@@ -262,7 +262,8 @@ void add_test(CLI::App& app, Context& context) {
   command
       ->add_option_function<std::string>(
           "--plants", [options](const std::string& text) { read_plants(text, *options); },
-          "run each case on these plants: normal (default); fast: travel times a fifth; slow: three times")
+          "run each case on these plants: normal (default); fast: a fifth of the travel times; slow: three times the "
+          "travel times")
       ->type_name("normal,fast,slow");
   CLI::Option* update = command->add_flag("--update", options->update, "write the reference traces of cases that pass");
   command->add_option("--jobs", options->jobs, "processes that run cases (default: the number of processors)")
@@ -278,7 +279,7 @@ void add_test(CLI::App& app, Context& context) {
           ->type_name("DIR")
           ->excludes(folder)
           ->excludes(update);
-  CLI::Option* base = command->add_option("--base", options->base, "what all proposed cases do, a case of the suite")
+  CLI::Option* base = command->add_option("--base", options->base, "the case of the suite that all proposed cases vary")
                           ->type_name("CASE")
                           ->needs(fresh);
   fresh->needs(base);
@@ -298,7 +299,7 @@ void add_test(CLI::App& app, Context& context) {
       ->type_name("FILE");
   add_plant_options(*command, options->plant);
   command->footer(
-      "Exit codes: 0 all cases passed; 1 a case failed or is an error; 2 bad input or usage; 3 environment.\n"
+      "Exit codes: 0 all cases passed; 1 a case failed or could not run; 2 bad input or usage; 3 environment.\n"
       "Examples:\n  symplant test suite --program cell.so --junit report.xml --html report.html\n"
       "  symplant test suite --update\n  symplant test suite --plants normal,fast,slow\n"
       "  symplant test --new suite --base first_cycle\n  symplant test suite --shard 1/8 -o part1.jsonl\n  symplant "

@@ -65,7 +65,7 @@ void radix_assumed(const Find& find) {
     if (list.own.by == By::option && list.own.radix != list.radix.radix) {
       Finding finding = find.at(diag::Location{list.table->source, {}});
       finding.as.severity = kWarning;
-      finding.say("lists of a controller count X and Y alike, this one has another `xy`: correct one of them");
+      finding.say("this list has another `xy` than another list of its controller: give both the same");
     }
     const read::ListRow* row = list.radix.matters_in;
     if (list.radix.by != By::nothing || row == nullptr) continue;
@@ -99,7 +99,7 @@ void addresses_contradict(const Find& find) {
     }
     finding.say(
         "{}`{}` ({}) and `{}` ({}) differ: the IEC address counts; correct one of them",
-        all ? fmt::format("both addresses of {} of {} rows differ, such as here: ", of_list, list.compared) : "",
+        all ? fmt::format("the two addresses differ in {} of {} rows, such as here: ", of_list, list.compared) : "",
         row.vendor_address, location_text(found.vendor), row.iec_address, location_text(found.iec));
   }
 }
@@ -167,14 +167,17 @@ constexpr Rule kAddressRules[] = {
      "The IEC address counts. If it is wrong, the symbol has the address of another signal.",
      "Correct the wrong column, or leave it empty; or give each list a `controller`.", Rank::address},
     {"SP316", "symbols-overlap", kError, nullptr, "two symbols have one coil, input or register of a link",
-     "By default a symbol has the number of its address in registers: `%QD5` has 10 and 11, and meets `%QW10`.",
+     "By default a symbol has the number of its address in registers: `%QD5` has 10 and 11, and overlaps `%QW10`.",
      "What the PLC writes for one of them would reach the other.",
      "Correct an address, or give one a `number` in `links`. `symplant map` shows each index."},
-    {"SP317", "address-without-number", kWarning, nullptr, "an address without a number costs others theirs",
-     "Of a table most addresses have a number (`%IX1.5` is discrete input 13), and a few have none: a bit of 8 or more "
+    {"SP317", "address-without-number", kWarning, nullptr,
+     "an address without a number changes the numbers of other symbols",
+     "In a table, most addresses have a number (`%IX1.5` is discrete input 13), and a few have none: a bit of 8 or "
+     "more "
      "(`%IX1.8`), three parts, 65536 or more. Then all symbols of the table are packed in list order.",
      "Every coil, input or register of that table has another number on the link than its address.",
-     "Correct the address, or give the symbol a `number` in the `links` of plant.json: then the others keep theirs."},
+     "Correct the address, or give the symbol a `number` in the `links` of plant.json: then the others keep their "
+     "numbers."},
     {"SP319", "addresses-overlap", kWarning, addresses_overlap, "two numbers, or a number and a bit, overlap",
      "SIMATIC numbers bytes: `%ID100` has bits of `%IW102`. A word and its bits (`%IW64`, `%I64.3`) are usually "
      "wanted.",

@@ -59,7 +59,7 @@ void unreachable_state(const Find& find, const Unit& unit) {
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     if (may_enter(unit, s) || is_left_alone(unit, s)) continue;  // SP402 reports it
     at(find, unit, pointer_of(unit, unit.states[s]))
-        .say("nothing leads to `{}` of `{}`, only a scenario or a person can put it there: add a transition",
+        .say("nothing leads to `{}` of `{}`, so only a scenario or a person can set that state: add a transition",
              unit.states[s].name, unit.path);
   }
 }
@@ -202,7 +202,8 @@ constexpr Rule kDescriptionRules[] = {
      "An entry of `ignore` matches no finding, is past its `until`, or names a rule by the name of an earlier version.",
      "Nothing. But an entry that hides nothing today may hide a fault tomorrow.",
      "Remove or correct it. Patterns are compared with the symbol, device or requirement."},
-    {"SP622", "settings-not-valid", kError, nullptr, "`check` has an unknown rule, no date, or an error that must stay",
+    {"SP622", "settings-not-valid", kError, nullptr,
+     "`check` has an unknown rule, an invalid date, or an error that cannot be ignored",
      "An error after which there is no valid plant is not lowered or ignored. A date is written like `2027-06-30`.",
      "The entry has no effect.", "Correct the entry; the message has the nearest rule. `symplant rules` lists all."},
     {"SP626", "baseline-stale", kWarning, nullptr, "a baseline has findings that are no longer there",

@@ -16,7 +16,8 @@ void unit_too_large(const Find& find) {
     find.at(find.symbols[large.symbols.front()])
         .explains(Kind::device, large.path)
         .say(
-            "`{}` has {} operations, {} events and {} states, and a device at most {}, {} and {}: its symbols are in "
+            "`{}` has {} operations, {} events and {} states, but a device may have at most {}, {} and {}: its symbols "
+            "are in "
             "no device; check whether the device level of their names distinguishes devices",
             large.path, large.operations, large.events, large.states, tables::kMaxOperations, tables::kMaxEvents,
             tables::kMaxStates);
@@ -244,20 +245,21 @@ constexpr Rule kDeviceRules[] = {
      "Its symbols are served, but in no device.", "Check the device level of the names.", Rank::row, For::named},
     {"SP408", "initial-ambiguous", kWarning, initial_ambiguous, "several events of a device are on at the start",
      "Several events of one device have Initial TRUE, but a device starts in one state.",
-     "None of them counts: it starts in its rest state, else in its first state.",
+     "All of them are ignored: it starts in its rest state, else in its first state.",
      "Keep TRUE for the event that is on at the start, or give `initial` in plant.json.", Rank::last, For::named},
     {"SP411", "sequence-gap", kWarning, sequence_gap, "a sequence number is missing",
      "`P1`, `P2`, `P4`. Numbers in even steps (`10`, `20`, `30`) are no gap.",
      "A state, if its rows are missing: the device steps from `P2` to `P4`.",
      "Add the rows of the missing number, or number the tasks without a gap.", Rank::gap, For::named},
     {"SP412", "sequence-repeated", kWarning, sequence_repeated, "two tasks of a sequence have the same number",
-     "`HOME1`, `JOB2`, `DONE2`. If several numbers repeat (`ADV1`, `RET1`, `ADV2`, `RET2`), they count sensors.",
+     "`HOME1`, `JOB2`, `DONE2`. If several numbers repeat (`ADV1`, `RET1`, `ADV2`, `RET2`), they are numbers of "
+     "sensors.",
      "The order: the rows decide which of the two comes first.",
      "Give each task a separate number, or give `transitions` in plant.json.", Rank::repeated, For::named},
     {"SP414", "shape-lacks-symbol", kWarning, shape_lacks_symbol, "a device lacks a symbol that its siblings have",
      "Names are alike if they differ in digits only (`CLAMP1`, `CLAMP2`). At least three others and three quarters of "
-     "all must have the symbol. If several, and more than one in eight, lack it, that is intended. Under a custom "
-     "naming rule only the sensor of an end is asked for.",
+     "all must have the symbol. If several, and more than one in eight, lack it, there is no finding. Under a custom "
+     "naming rule only the sensor of an end position must exist.",
      "A state is never commanded or reported, or the device becomes a single solenoid.",
      "Add the row, or spell its task as the others do. If it is intended, ignore it.", Rank::siblings, For::named},
     {"SP415", "no-device", kError, no_device, "the plant has I/O symbols, and nothing drives them",

@@ -129,7 +129,8 @@ void two_words_one_state(const Find& find, const Unit& unit) {
 constexpr Rule kFeedbackRules[] = {
     {"SP401", "operation-without-event", kWarning, operation_without_event, "no event reports a commanded state",
      "A device has `O_P2` and other events, but no `I_P2`. Devices of one type make one finding. Devices without any "
-     "event are not asked, nor tasks without feedback: ACK, BUZZER, BYPASS, HORN, LAMP, LED, MUTE, RESET and RST.",
+     "event are not checked, nor are tasks without feedback: ACK, BUZZER, BYPASS, HORN, LAMP, LED, MUTE, RESET and "
+     "RST.",
      "No input reports the state: a program that waits for it waits forever.",
      "Add the event, or spell both alike. In plant.json, `outputs` can switch another event.", Rank::last, For::named},
     {"SP402", "event-without-operation", kWarning, event_without_operation, "no operation leads to an event's state",

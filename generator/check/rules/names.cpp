@@ -26,8 +26,9 @@ std::string fault_text(const name::LevelRule& rule, const Symbol& symbol, const 
                        rule.separator);
   }
   if (reading.fault == NameFault::illegal_character) {
-    return fmt::format("`{0}` has `{1}`, which is neither letter nor digit nor `{2}`; write `{2}` or nothing", name,
-                       reading.where, rule.separator);
+    return fmt::format(
+        "`{0}` has `{1}`, which is neither letter nor digit nor `{2}`; replace it with `{2}`, or remove it", name,
+        reading.where, rule.separator);
   }
   const auto word = std::ranges::find(rule.directions, std::optional(symbol.direction), &name::DirectionWord::says);
   return fmt::format("`{}` has `{}` where its direction belongs; write or insert `{}`, as its address `{}` says", name,
@@ -96,9 +97,11 @@ void named_otherwise(const Find& find) {
     counts[symbol.list] = {};  // reported
     const std::string file = find.plant.lists[symbol.list].name();
     find.at(location_of(find.plant, *symbol.row, symbol.name()))
-        .say("{} of {} I/O names in `{}` break `{}` like `{}`; `symplant infer {} -o naming.json` proposes a rule",
-             count.broken[static_cast<std::size_t>(fault)], count.all, file, find.plant.rule_text(), symbol.name(),
-             file);
+        .say(
+            "{} of {} I/O names in `{}` do not follow `{}`, such as `{}`; `symplant infer {} -o naming.json` proposes "
+            "a rule",
+            count.broken[static_cast<std::size_t>(fault)], count.all, file, find.plant.rule_text(), symbol.name(),
+            file);
   }
 }
 
@@ -111,7 +114,8 @@ void naming_ambiguous(const Find& find) {
     find.at(symbol)
         .see(find.symbols[remark.other], "the one that comes first")
         .say("`{}` {}", of_path ? symbol.reading.device_path() : symbol.name(),
-             of_path ? "is the path of another device too: conditions and plant.json mean the first one"
+             of_path ? "is also the path of another device: conditions and plant.json mean the first one; make the "
+                       "paths different"
                      : "fits the same role of an archetype as another symbol; make the text of the role more specific");
   }
 }
@@ -174,8 +178,10 @@ void end_run(const Find& find, std::vector<Numbered>& run) {
     if (!fits || odd == 0) continue;
     find.at(*run[odd].symbol, run[odd].digits)
         .see(*run[odd - 1].symbol, "the one before")
-        .say("`{}` breaks the series of {} symbols from `{}` on: its number is {}, and {} continues the series",
-             run[odd].symbol->name(), run.size(), run.front().symbol->name(), run[odd].number(), expected);
+        .say(
+            "`{}` breaks the series of {} symbols from `{}` on: its number is {}, but the series continues with {}; "
+            "correct it",
+            run[odd].symbol->name(), run.size(), run.front().symbol->name(), run[odd].number(), expected);
   }
   run.clear();
 }
@@ -249,8 +255,9 @@ constexpr Rule kNameRules[] = {
     {"SP206", "naming-ambiguous", kWarning, naming_ambiguous, "two devices have one path, or two symbols one role",
      "Names differ in words that a custom naming rule leaves out, or two texts match the pattern of one role.",
      "A path in a condition or in plant.json means the first device, and a second symbol is paired by its words.",
-     "Divide levels alike, or add `\"fixed\": { \"line\": \"PLC2\" }`; make the texts of roles more specific."},
-    {"SP208", "named-otherwise", kWarning, named_otherwise, "many names of a list break the naming rule alike",
+     "Divide both names into the same levels, or add `\"fixed\": { \"line\": \"PLC2\" }`; make the texts of roles more "
+     "specific."},
+    {"SP208", "named-otherwise", kWarning, named_otherwise, "many names of a list do not follow the naming rule",
      "More than a third of the I/O names do. Neither single names nor devices are reported then.",
      "The symbols are served, but in no device.", "`symplant infer LIST -o naming.json` proposes a rule.", Rank::name},
     {"SP213", "name-too-long", kWarning, name_too_long, "a name is longer than its engineering tool accepts",

@@ -75,7 +75,8 @@ void operation_initial_ignored(const Find& find, const Symbol& symbol) {
   if (symbol.direction == Direction::event || !bit || symbol.initial == 0) return;
   find.at(symbol, symbol.row->initial)
       .follows(Kind::address, symbol.name())
-      .say("`{}` has Initial TRUE and still starts off: the PLC writes operations", symbol.name());
+      .say("`{}` has Initial TRUE, but starts off: only the PLC writes operations; remove the initial value",
+           symbol.name());
 }
 
 /// What the levels of a row's name say.
@@ -116,8 +117,10 @@ void io_name_in_memory(const Find& find) {
       if (reading.path.empty() || row.klass.find("CONSTANT") != std::string_view::npos) continue;
       find.at(row, address.cell)
           .lacks(row.name, reading.path)
-          .say("`{}` is an {} by its name, and its address `{}` is memory: the row is left out; correct one", row.name,
-               reading.direction == Direction::operation ? "operation" : "event", address.cell);
+          .say(
+              "`{}` is an {} by its name, but its address `{}` is memory: the row is left out; correct the name or the "
+              "address",
+              row.name, reading.direction == Direction::operation ? "operation" : "event", address.cell);
     }
   }
 }
@@ -144,7 +147,7 @@ void no_io(const Find& find) {
   find.at(location_of(plant, *first, first->name))
       .say("none of {} row{} is I/O: {}; export the list of inputs and outputs, with addresses and types{}", rows,
            rows == 1 ? "" : "s", text,
-           shared_area ? ", and give their words, such as `--cio inputs=0-99,outputs=100-199`"
+           shared_area ? ", and say which words are inputs and outputs, such as `--cio inputs=0-99,outputs=100-199`"
                        : fmt::format(", or name the symbols by `{}`", plant.rule_text()));
 }
 
@@ -191,7 +194,8 @@ constexpr Rule kRowRules[] = {
      "BOOL goes with X, Y, `%IX`, `%QX`; 16-bit types with `%IW`, `%QW`; 32-bit types with `%ID`.", Rank::row},
     {"SP310", "initial-not-understood", kWarning, initial_not_understood, "an initial value cannot be read",
      "BOOL takes TRUE, FALSE, 1 or 0; numbers are written like 5, -3, 16#1F, K5, H1F or 1.5 and must fit their type.",
-     "The symbol starts off, or at 0, and its device accordingly.", "Correct the cell, or empty it.", Rank::value},
+     "The symbol starts off, or at 0, so its device may start in another state.", "Correct the cell, or empty it.",
+     Rank::value},
     {"SP311", "operation-initial-ignored", kNote, operation_initial_ignored, "an operation has an initial value",
      "The PLC writes operations (its outputs): they start off until a PLC, a scenario or a person sets them."},
     {"SP313", "type-of-no-io", kWarning, type_of_no_io, "an input or output has a type that no I/O symbol has",

@@ -157,7 +157,7 @@ class Slips {
     missing_.erase(text::to_upper(other_side));
     add(symbol, meant, device,
         device ? fmt::format(", and `{}` lacks just this symbol", path)
-               : fmt::format(", which {} symbols have, digits apart", common.count));
+               : fmt::format(", which {} symbols have if digits are ignored", common.count));
     return true;
   }
 
@@ -229,9 +229,11 @@ void name_slip(const Find& find) {
 
 constexpr Rule kSpellingRules[] = {
     {"SP205", "name-slip", kWarning, name_slip, "a word in a name looks like a typo of the one that is meant",
-     "A line, process, device or task has a letter more, less or other, or two exchanged: `CLAPM1` for `CLAMP1`. "
+     "A line, process, device or task has one letter added, missing or changed, or two exchanged: `CLAPM1` for "
+     "`CLAMP1`. "
      "Digits, letters of short codes (`PB1`, `PL1`), axes and sides (`PBLX`, `PBLY`) are no slip. The list gives "
-     "evidence:\n- The device that is meant lacks just this symbol: its siblings have it (`CLAMP2`), or its other side "
+     "evidence:\n- The device that is meant lacks just this symbol: its siblings have it (`CLAMP2`), or its "
+     "counterpart "
      "is there.\n- The word is rare, and the one that is meant is eight times as common.\n- One of two devices that "
      "differ in line or process has just what the other lacks: `EXCELL_MB_AGV` and `EXLINE_MB_AGV`.",
      "The symbol becomes another device or state, and the device that is meant lacks it.",

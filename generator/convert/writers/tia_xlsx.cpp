@@ -19,7 +19,7 @@ namespace {
 
 constexpr Loss kNoInitialValue{"initial value is not written", "initial values are not written", "a tag has none"};
 constexpr Loss kNoTagAddress{"tag has no address", "tags have no address",
-                             "the list gives none that SIMATIC has; TIA Portal marks such a tag as faulty"};
+                             "the list has no SIMATIC address for it; TIA Portal marks such a tag as faulty"};
 
 constexpr std::array<std::string_view, 10> kTagColumns{
     "Name",        "Path",           "Data Type",     "Logical Address", "Comment",

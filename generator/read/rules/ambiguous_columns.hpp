@@ -12,7 +12,7 @@ inline constexpr diag::RuleInfo kAmbiguousColumns{
     .summary = "two columns of a table serve equally well as identifiers or addresses",
     .page =
         R"page(A table of an unknown tool has two columns that could hold the identifiers, or two that could hold the addresses, and neither
-the header nor the cells decide: both are `Tag` and `Symbol`, say, and each cell occurs once. The message shows both with
+the header nor the cells decide: for example, they are `Tag` and `Symbol`, and no cell occurs twice. The message shows both with
 their first cells.
 
 **What the model loses.** It cannot be built: the wrong column would give a plant with the wrong names. Nothing is written.

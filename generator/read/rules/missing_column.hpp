@@ -11,7 +11,7 @@ inline constexpr diag::RuleInfo kMissingColumn{
     .severity = diag::Severity::error,
     .summary = "a list has no column of identifiers",
     .page =
-        R"page(A header was found by at least three of its columns (class, addresses, type ...), but none of its columns is one of
+        R"page(A header was found by at least three of its columns (class, addresses, type ...), but none of its columns is a column of
 identifiers. A device and its states are read from the names of its symbols, so nothing can replace them.
 
 **What the model loses.** It cannot be built, and nothing is written.

@@ -11,7 +11,7 @@ inline constexpr diag::RuleInfo kUnclosedQuote{
     .severity = diag::Severity::error,
     .summary = "a quoted cell is never closed",
     .page =
-        R"page(A cell that begins with `"` goes on, over line ends too, up to the next `"` that is not doubled. Here there is none: the
+        R"page(A cell that begins with `"` goes on, over line ends too, up to the next `"` that is not doubled. Here no such quote follows: the
 cell would swallow the rest of the list. The location is that of the opening quote. The mistake itself may be further
 up: one quote too many turns every opening quote after it into a closing one. SP110 then often shows the row.
 

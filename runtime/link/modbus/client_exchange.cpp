@@ -58,7 +58,7 @@ client::Fault ClientExchange::failed(net::Ended ended, const char* doing) {
 
 client::Fault ClientExchange::unknown(const std::string& reason) const {
   if (answered_) return broken_off("the PLC's answer is invalid, " + reason + "; connecting again");
-  return broken_off("connected, but something else than a Modbus server answers, " +
+  return broken_off("connected, but the answer is not from a Modbus server, " +
                     client::bytes_text(std::span(received_).first(size_)) + " (" + reason +
                     "): check the address and the port");
 }

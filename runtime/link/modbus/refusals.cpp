@@ -34,7 +34,7 @@ std::string_view server_exception_words(std::uint16_t code) {
     case 1:
       return "the plant does not have this function; use functions 1 to 6, 15, 16, 22 and 23";
     case 2:
-      return "the map ends before the last of its numbers; compare the numbers with those of `symplant map`";
+      return "the request goes beyond the end of the map; compare its numbers with those of `symplant map`";
     case 3:
       return "the quantity, the length or the value is invalid; check the request in the PLC's project";
     default:

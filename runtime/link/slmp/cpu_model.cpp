@@ -50,7 +50,7 @@ std::string name_in(std::span<const std::uint8_t> data) {
 Identity identity_of(const Reply& reply, const Framing& framing) {
   if (reply.end_code != 0) {
     return {Identity::Kind::unverifiable,
-            "the PLC does not report its CPU model, which could be compared with family=" +
+            "the PLC does not report its CPU model, so it cannot be compared with family=" +
                 std::string(family_name(framing.family)) + " (" + end_code_text(reply.end_code, framing) + ")"};
   }
   const std::string name = name_in(reply.data);

@@ -95,7 +95,7 @@ namespace {
 /// Without a setting that the link has already.
 const char* action_of(const EndCode& row, const Framing& framing) noexcept {
   if (row.action == kSetFrame && framing.frame == FrameType::e3) {
-    return "a link with `frame=3e` has no other one: check that this port speaks SLMP (MC protocol)";
+    return "`frame=3e` is already set: check that this port speaks SLMP (MC protocol)";
   }
   if (row.action == kSetCode && framing.code == Code::binary) {
     return "compare the communication data code of the port with `code=binary` of the link";

@@ -58,7 +58,7 @@ std::string other_answer(std::span<const std::uint8_t> bytes, const Framing& fra
            "with `modbus-tcp://`, if it has one";
   }
   if (is_modbus(bytes)) return "a Modbus server answers: use `modbus-tcp://` for this port";
-  return "something else than an SLMP port answers, " + client::bytes_text(bytes) + ": check the address and the port";
+  return "the answer is not from an SLMP port, " + client::bytes_text(bytes) + ": check the address and the port";
 }
 
 }  // namespace symplant::link::slmp

@@ -166,7 +166,7 @@ struct ActReader::Parts {
     }
     if (json.empty()) error = "an act without keys";
     if (const std::string key = idle_key(json); error.empty() && !key.empty()) {
-      error = "`" + key + "` is empty and does nothing; name what it is for";
+      error = "`" + key + "` is empty and has no effect; name at least one item";
     }
     if (!error.empty()) return act;
     const bool all = json.contains("release") && json["release"] == "all";

@@ -34,7 +34,9 @@ bool is_malformed(const Error& error) {
          error != http::error::end_of_stream && error != http::error::partial_message;
 }
 
-Answer failed_answer() { return error_answer(500, "an error of symplant, which its log describes; the plant runs on"); }
+Answer failed_answer() {
+  return error_answer(500, "an internal error of symplant, described in its log; the plant keeps running");
+}
 
 }  // namespace
 

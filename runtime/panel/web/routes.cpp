@@ -117,7 +117,8 @@ Reply Routes::get(const Request& request, const Answered& later) {
   if (!path.starts_with(kApi)) return page_file(path);
   const bool has_token = access_.has_token(request.claim);
   if (access_.look_needs_token() && !has_token) {
-    return error_reply(401, "looking needs the token: use the link that the program printed");
+    return error_reply(401,
+                       "this panel needs the token, even to look at the plant: use the link that the program printed");
   }
   const std::string_view what = std::string_view(path).substr(kApi.size());
   if (what == "plant") return description();

@@ -65,7 +65,7 @@ TEST_CASE("A run whose link no PLC uses warns and gives 0, as a test it fails") 
   const LinkOutcome plain = plant.run();
   CHECK(plain.code == host::kGood);
   CHECK(contains(plain.err, "warning: 0.05 s: no PLC: modbus-tcp-server://127.0.0.1:"));
-  CHECK(contains(plain.err, "no valid request that touches the map has come; check"));
+  CHECK(contains(plain.err, "no valid request for a mapped address has arrived; check"));
   CHECK(contains(plain.out, "findings: no PLC (1)\n"));
 
   plant.options.fail_on_findings = true;

@@ -36,7 +36,7 @@ TEST_CASE("Events without an operation whose name or comment ends in a healthy w
                  "  a PLC often waits for these before it starts; make them constant:\n"
                  "       2 like S#_I_RB#_HOME_POS (S1_I_RB1_HOME_POS)\n"
                  "       1 like S#_I_A# (S1_I_A7)\n"
-                 "  in naming.json, first in `rest`, with the words that are right:\n"));
+                 "  to do so, put this first in `rest` of naming.json, and keep only the correct words:\n"));
 }
 
 TEST_CASE("The rule that a question proposes makes all its events constant, and no other symbol") {

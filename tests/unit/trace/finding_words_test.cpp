@@ -222,7 +222,7 @@ TEST_CASE("A refused request shows its function, its number and the exception") 
   CHECK(
       words(15, 2, 3000) ==
       "request refused: modbus-tcp-server://127.0.0.1:1502 answered function 15 (write coils) from number 3000 on with "
-      "exception 02: the map ends before the last of its numbers; compare the numbers with those of `symplant map`");
+      "exception 02: the request goes beyond the end of the map; compare its numbers with those of `symplant map`");
   CHECK(contains(words(17, 1, 0), "answered function 17 with exception 01: the plant does not have this function"));
   CHECK(
       contains(words(3, 3, 7), "function 3 (read holding registers) from number 7 on with exception 03: the quantity"));
