@@ -98,7 +98,7 @@ std::string Workshop::replay() {
   const int code = run_here({"run", path("plant.json"), "--replay", path(kOutputs[0]), "--trace", again}, said_);
   if (code > 1) return "replay refused: exit code " + std::to_string(code);
   // What is written to such an operation is not in the trace.
-  if (said_.find("changes an operation: the trace has what that shows") != said_.npos) return {};
+  if (said_.find("changes an operation: the trace has the changed value") != said_.npos) return {};
   return line_difference("replay", lines_of(read_file(path(kOutputs[0]))), lines_of(read_file(again)), true);
 }
 

@@ -229,7 +229,7 @@ TEST_CASE("infer: Without addresses there is nothing to infer from") {
   const ToolRun run = run_tool({"infer", "list.csv"}, files);
   CHECK(run.code == 2);
   CHECK(run.out.empty());
-  CHECK(contains(run.err, "no symbol has a direction by its address"));
+  CHECK(contains(run.err, "no address in the lists is one of an input or output"));
 }
 
 TEST_CASE("infer: Names without any rule give no file") {

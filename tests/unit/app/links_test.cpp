@@ -157,8 +157,8 @@ TEST_CASE("run: A timeout shorter than the cycle allows gives a warning with the
                files)
         .err;
   };
-  CHECK(
-      contains(warned(R"("loss-after": "4ms")", "2ms"), "`loss-after` of 0.004 s is not above two cycles of 0.002 s"));
+  CHECK(contains(warned(R"("loss-after": "4ms")", "2ms"),
+                 "`loss-after` of 0.004 s is not longer than two cycles of 0.002 s"));
   CHECK_FALSE(contains(warned(R"("loss-after": "5ms")", "2ms"), "two cycles"));
   const std::string watchdog = R"("loss-after": "1ms", "watchdog": {"register": 20, "within": )";
   CHECK(contains(warned(watchdog + "\"3ms\"}", "2ms"), "`within` of 0.003 s is not above"));

@@ -208,7 +208,7 @@ TEST_CASE("map: A format that makes no sense for a link is refused") {
     two.files["other.csv"] = list_text({{"L_P_B_O_ON", "Y1"}});
     two.files["plant.json"] = R"({"symplant": 1, "symbols": [{"file": "list.csv", "controller": "A"},
       {"file": "other.csv", "controller": "B"}]})";
-    CHECK(contains(refused(format, two), "choose it, as in `--link B=modbus-tcp-server://127.0.0.1:1502`"));
+    CHECK(contains(refused(format, two), "choose one, as in `--link B=modbus-tcp-server://127.0.0.1:1502`"));
     CHECK(run_tool({"map", "plant.json", "--format", format, "--link", "B=modbus-tcp-server://127.0.0.1:1502"}, two)
               .code == 0);
   }

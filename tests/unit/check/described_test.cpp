@@ -26,11 +26,13 @@ TEST_CASE("An unreachable state is reported where the description adds it, or at
   d.states = {"MID"};
   d.only = true;
   d.transitions = {transition("MID", "P1"), transition("P2", "P1")};
-  CHECK(reported(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
-        "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, only a scenario or a person can put it there: add a "
-        "transition\n"
-        "/devices/L_P_D/states/0: nothing leads to `MID` of `L_P_D`, only a scenario or a person can put it there: add "
-        "a transition");
+  CHECK(
+      reported(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
+      "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, so only a scenario or a person can set that state: add a "
+      "transition\n"
+      "/devices/L_P_D/states/0: nothing leads to `MID` of `L_P_D`, so only a scenario or a person can set that state: "
+      "add "
+      "a transition");
 }
 
 TEST_CASE("A device that the plant does not drive, or with user code, may be in any state") {

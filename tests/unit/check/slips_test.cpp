@@ -62,8 +62,8 @@ TEST_CASE("Without siblings the other direction confirms a slip") {
 TEST_CASE("A device misspelled in all rows is reported once, by its rare word") {
   std::vector<std::string> names = clamps(9);
   for (std::size_t i = 8; i < 12; ++i) names[i].replace(names[i].find("CLAMP"), 5, "CLMP");
-  CHECK(slips_of(names) == std::vector<std::string>{"`CLMP1` looks like a typo of `CLAMP1`, which 8 symbols have, "
-                                                    "digits apart; write `CLAMP1` if that is meant"});
+  CHECK(slips_of(names) == std::vector<std::string>{"`CLMP1` looks like a typo of `CLAMP1`, which 8 symbols have "
+                                                    "if digits are ignored; write `CLAMP1` if that is meant"});
 }
 
 TEST_CASE("A line and a process are reported by their rare words") {

@@ -37,9 +37,10 @@ TEST_CASE("tia-xlsx: The sheets have the tags and the constants") {
   CHECK(made.written.symbols == 4);
   CHECK(
       made.report.lines() ==
-      Lines{"1 symbol is left out: the target has no such type, or there is no type: `F`",
-            "1 initial value is not written: a tag has none: `A`",
-            "1 tag has no address: the list has no SIMATIC address for it; TIA Portal marks such a tag as faulty: `M`"});
+      Lines{
+          "1 symbol is left out: the target has no such type, or there is no type: `F`",
+          "1 initial value is not written: a tag has none: `A`",
+          "1 tag has no address: the list has no SIMATIC address for it; TIA Portal marks such a tag as faulty: `M`"});
 }
 
 TEST_CASE("tia-xlsx: Equal lists give equal bytes, and a sheet of constants only for constants") {

@@ -48,11 +48,11 @@ TEST_CASE("A link with a PLC, and one whose absence is ignored, is not reported"
 TEST_CASE("Each freeze of the plant and its end are reported, with the link") {
   Bench bench({.name = "link A", .freezes = true});
   CHECK(bench.at(0, LinkState::waiting, true) ==
-        "warning: the plant is frozen, since link A is waiting, as `plant-on-loss`: `freeze` says\n");
+        "warning: the plant is frozen, since link A is waiting, and its `plant-on-loss` is `freeze`\n");
   CHECK(bench.at(2 * kSecond, LinkState::live, false) == "note: the plant goes on, after 2.0 s\n");
   for (const tables::Time now : {3 * kSecond, 5 * kSecond}) {
     CHECK(bench.at(now, LinkState::lost, true) ==
-          "warning: the plant is frozen, since link A is lost, as `plant-on-loss`: `freeze` says\n");
+          "warning: the plant is frozen, since link A is lost, and its `plant-on-loss` is `freeze`\n");
     CHECK(bench.at(now + kSecond, LinkState::lost, true).empty());
     CHECK(bench.at(now + 1500 * kMillisecond, LinkState::live, false) == "note: the plant goes on, after 1.5 s\n");
   }

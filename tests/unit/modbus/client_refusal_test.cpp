@@ -172,7 +172,7 @@ TEST_CASE("What something else than a Modbus server answers is in the message") 
   add_bits(list, kOperation, {3});
   DialogBench bench(list, plc.port(), "");
   REQUIRE_FALSE(bench.dialog().open());
-  CHECK_THAT(bench.read().message, ContainsSubstring("something else than a Modbus server answers, the bytes 00 01"));
+  CHECK_THAT(bench.read().message, ContainsSubstring("the answer is not from a Modbus server, the bytes 00 01"));
 }
 
 TEST_CASE("A PLC that closes on function 43 is asked for the rest over a new connection") {

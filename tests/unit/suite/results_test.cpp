@@ -63,7 +63,7 @@ TEST_CASE("Files of parts are one suite, what does not fit together is refused")
   CHECK(error.empty());
   CHECK(merged({folder / "1.jsonl", folder / "2.jsonl"}) == "2c 0a 1b ");
   CHECK(contains(merged({folder / "1.jsonl", folder / "1.jsonl"}), "`c` is in `" + (folder / "1.jsonl") + "` already"));
-  CHECK(contains(merged({folder / "1.jsonl", folder / "3.jsonl"}), "those before are of `suite` with 3"));
+  CHECK(contains(merged({folder / "1.jsonl", folder / "3.jsonl"}), "the earlier files are of `suite` with 3"));
   CHECK(contains(merged({folder / "no.jsonl"}), "cannot read"));
   folder.write("text.jsonl", "text\n");
   CHECK(contains(merged({folder / "text.jsonl"}), "text.jsonl:1: these are no results"));

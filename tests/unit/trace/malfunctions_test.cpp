@@ -154,14 +154,14 @@ TEST_CASE("A loop of malfunctions is one finding with their names, which may con
   const trace::FoundThing both{0, tables::FindingKind::instantaneous_loop, {first, first + 2}};
   CHECK(trace::name_of(both, names) == "blind, loose contact");
   CHECK(trace::units_of(both, tables.rows).empty());
-  CHECK(
-      trace::finding_words(both, names, history) ==
-      "instantaneous loop: malfunctions blind, loose contact start and end without end within a millisecond, and stay "
-      "inactive until the run ends; check for times of almost 0, and for a `when` that names what the malfunction "
-      "changes");
+  CHECK(trace::finding_words(both, names, history) ==
+        "instantaneous loop: malfunctions blind, loose contact start and end again and again within a millisecond, and "
+        "stay "
+        "inactive until the run ends; check for times of almost 0, and for a `when` that names what the malfunction "
+        "changes");
   const trace::FoundThing one{0, tables::FindingKind::instantaneous_loop, {first + 2}};
   CHECK(contains(trace::finding_words(one, names, history),
-                 "malfunction blind starts and ends without end within a millisecond, and stays inactive"));
+                 "malfunction blind starts and ends again and again within a millisecond, and stays inactive"));
 }
 
 }  // namespace
