@@ -24,6 +24,7 @@ struct Shard {
 
 struct TestOptions {
   std::string folder;
+  std::vector<std::string> cases;  ///< those to run; empty: all
   std::vector<std::string> programs;
   std::vector<std::string> links;
   std::vector<suite::Speed> speeds{suite::Speed::normal};

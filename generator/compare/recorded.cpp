@@ -55,7 +55,7 @@ class Reader {
     if (lines_.is_set_back()) set_back();
     if (lines_.time() > kLatestTime)
       return fmt::format("the time {} is out of range: at most {} ns", lines_.time(), kLatestTime);
-    read_.recorded.end = lines_.time();
+    read_.recorded.end = std::max(read_.recorded.end, lines_.time());
     if (lines_.is_set_back()) return values(json);
     if (json.contains("symbol")) return symbol(json);
     return json.contains("part") ? part(json) : std::string();
@@ -75,6 +75,7 @@ class Reader {
       }
       recorded.resolution = found->get<tables::Time>();
     }
+    recorded.end = json.value("end", tables::Time{0});
     const auto programs = json.find("programs");
     if (programs == json.end()) return "";
     for (const Json& program : *programs) {

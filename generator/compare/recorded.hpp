@@ -44,7 +44,7 @@ struct Recorded {
   std::unordered_map<std::string, std::size_t> index;  ///< of series, by key()
   /// The series of each change: by time; at one time those of operations first, as they are the causes.
   std::vector<std::uint32_t> order;
-  tables::Time end = 0;         ///< the time of the last line
+  tables::Time end = 0;         ///< the time of the last line, or a later one that the header has as `end`
   tables::Time resolution = 0;  ///< what times are exact to: an interval of reading, a cycle; 0: virtual time
   bool of_plant = true;         ///< else recorded from a PLC: a symbol without lines was not recorded
   bool has_parts = false;

@@ -61,6 +61,12 @@ struct Malfunctions {
 
 /// Movable; `tables()` points into it.
 struct EngineTables {
+  EngineTables() = default;
+  EngineTables(EngineTables&&) = default;
+  EngineTables& operator=(EngineTables&&) = default;
+  /// Equal tables, for other times of types; call finish() when they are complete.
+  EngineTables copy() const { return *this; }
+
   std::string name;
   std::vector<Type> types;
   std::vector<tables::UnitRow> units;
@@ -102,6 +108,10 @@ struct EngineTables {
 
   void finish();
   tables::PlantTables tables() const;
+
+ private:
+  /// `type_rows` of a copy would point into the original.
+  EngineTables(const EngineTables&) = default;
 };
 
 }  // namespace symplant::lower

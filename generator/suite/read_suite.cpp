@@ -48,18 +48,18 @@ class SuiteReader {
   ReadSuite run() {
     std::string error;
     const auto bytes = bytes_of(path_, error);
-    if (!bytes) return {std::nullopt, {error + "; a suite is a folder with this file"}};
+    if (!bytes) return {std::nullopt, {error + "; a suite is a folder with this file"}, {}};
     text_ = *bytes;
     const json::Document document = json::parse(text_);
     for (const json::Placed& fault : document.faults) place(fault);
-    if (!errors_.empty()) return {std::nullopt, std::move(errors_)};
+    if (!errors_.empty()) return {std::nullopt, std::move(errors_), {}};
     static const json::Schema schema(suite_schema());
     faults_ = schema.check(*document.root);
     if (faults_.empty()) take(*document.root);
     for (const json::Placed& fault : json::locate(text_, faults_)) place(fault);
     if (errors_.empty()) find_cases();
-    if (!errors_.empty()) return {std::nullopt, std::move(errors_)};
-    return {std::move(suite_), {}};
+    if (!errors_.empty()) return {std::nullopt, std::move(errors_), {}};
+    return {std::move(suite_), {}, std::move(warnings_)};
   }
 
  private:
@@ -111,22 +111,57 @@ class SuiteReader {
       const fs::path& path = entry.path();
       if (path.extension() != ".json" || path.filename() == kSuiteFile || !entry.is_regular_file()) continue;
       if (!suite_.before.empty() && fs::equivalent(path, suite_.before, failed)) continue;
-      if (is_scenario(path.string())) suite_.cases.push_back(path.stem().string());
+      if (is_case(path.string())) suite_.cases.push_back(path.stem().string());
     }
     std::sort(suite_.cases.begin(), suite_.cases.end());
+    check_names();
+    find_references_without_case();
     if (suite_.cases.empty()) {
       errors_.push_back(fmt::format("`{}` has no case: a case is a scenario, a file NAME.json with `symplant-scenario`",
                                     suite_.folder));
     }
   }
 
+  /// The reference traces of a case `a.fast` and of `a` on the fast plant would be one file.
+  void check_names() {
+    for (const std::string& name : suite_.cases) {
+      for (const Speed speed : {Speed::fast, Speed::slow}) {
+        const std::string end = "." + std::string(speed_name(speed));
+        if (!name.ends_with(end)) continue;
+        errors_.push_back(fmt::format(
+            "{}: the name of a case must not end with `{}`, as that names a reference trace; rename the file",
+            suite_.scenario(name), end));
+      }
+    }
+  }
+
+  void find_references_without_case() {
+    std::set<std::string> known;
+    for (const std::string& name : suite_.cases) {
+      for (const Speed speed : {Speed::normal, Speed::fast, Speed::slow}) known.insert(suite_.reference(name, speed));
+    }
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(suite_.folder, failed)) {
+      const std::string path = entry.path().string();
+      if (!path.ends_with(".reference.jsonl") || known.contains(path)) continue;
+      warnings_.push_back(fmt::format("`{}` is the reference trace of no case; rename or remove it", path));
+    }
+    std::sort(warnings_.begin(), warnings_.end());
+  }
+
   /// A file that cannot be read is a case, which then fails.
-  static bool is_scenario(const std::string& path) {
+  bool is_case(const std::string& path) {
     std::string error;
     const auto bytes = bytes_of(path, error);
     if (!bytes) return true;
     const json::Document document = json::parse(*bytes);
-    return document.root == nullptr || (document.root->is_object() && document.root->contains("symplant-scenario"));
+    if (document.root == nullptr) return true;
+    const bool scenario = document.root->is_object() && document.root->contains("symplant-scenario");
+    if (!scenario && document.root->is_object() && document.root->contains("steps")) {
+      warnings_.push_back(
+          fmt::format("`{}` has `steps`, but no `symplant-scenario`, and is not run; add the key", path));
+    }
+    return scenario;
   }
 
   std::string path_;
@@ -134,6 +169,7 @@ class SuiteReader {
   Suite suite_;
   std::vector<json::Fault> faults_;
   std::vector<std::string> errors_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace

@@ -52,18 +52,26 @@ class Choice {
 
 }  // namespace
 
-std::string reference_text(std::istream& trace, const Chosen& chosen) {
+std::string reference_text(std::istream& trace, const Chosen& chosen, tables::Time end) {
   std::string line;
   if (!std::getline(trace, line)) return "";
   OrderedJson header = OrderedJson::parse(line, nullptr, false);
   if (!header.is_object()) return "";
   header.erase("programs");
+  header["end"] = end;
   std::string text = header.dump() + "\n";
   Choice choice(chosen);
   while (std::getline(trace, line)) {
     if (choice.has(name_of(line))) text += line + "\n";
   }
   return text;
+}
+
+std::string plant_of(std::istream& trace) {
+  std::string line;
+  std::getline(trace, line);
+  const OrderedJson header = OrderedJson::parse(line, nullptr, false);
+  return header.is_object() ? header.value("plant", "") : "";
 }
 
 }  // namespace symplant::suite

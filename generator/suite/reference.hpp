@@ -16,7 +16,10 @@ struct Chosen {
 };
 
 /// A trace with the header and the lines of what is chosen, without what changes from build to build (the digests of
-/// programs). Empty if the trace has no header. O(trace).
-std::string reference_text(std::istream& trace, const Chosen& chosen);
+/// programs). The header has the `end` of the run. Empty if the trace has no header. O(trace).
+std::string reference_text(std::istream& trace, const Chosen& chosen, tables::Time end);
+
+/// The name of the plant in the header of a trace.
+std::string plant_of(std::istream& trace);
 
 }  // namespace symplant::suite

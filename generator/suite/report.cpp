@@ -65,7 +65,7 @@ void write_result(const Result& result, std::ostream& out) {
 
 void Counts::add(const Result& result) {
   ++(result.verdict == Verdict::passed ? passed : result.verdict == Verdict::failed ? failed : errors);
-  if (result.reference == Reference::none) ++without_reference;
+  if (result.reference == Reference::none && result.verdict != Verdict::error) ++without_reference;
   if (result.reference == Reference::added || result.reference == Reference::updated) ++written;
 }
 
@@ -80,7 +80,21 @@ std::string summary(const Counts& counts) {
   return text;
 }
 
-std::string junit_text(const Results& results) {
+std::string missing_text(const Results& results, const Counts& counts) {
+  if (counts.missing == 0) return "";
+  constexpr std::size_t kMostNamed = 20;
+  std::string numbers;
+  std::size_t named = 0;
+  for (std::size_t number = 0; number < results.header().count && named <= kMostNamed; ++number) {
+    if (results.has(number)) continue;
+    numbers += named == kMostNamed ? ", ..." : fmt::format("{}{}", named == 0 ? "" : ", ", number + 1);
+    ++named;
+  }
+  return fmt::format("{} of {} has no result (number {} of the suite): a part is missing, or a run was interrupted",
+                     counts.missing, compare::counted(results.header().count, "case"), numbers);
+}
+
+std::string junit_text(const Results& results, const Counts& counts) {
   std::vector<trace::TestCase> cases;
   double wall = 0;
   for (std::size_t number = 0; number < results.header().count; ++number) {
@@ -92,6 +106,9 @@ std::string junit_text(const Results& results) {
     const bool failed = result.verdict == Verdict::failed;
     const bool error = result.verdict == Verdict::error;
     cases.push_back({result.title(), time, failed ? why : "", error ? why : ""});
+  }
+  if (std::string missing = missing_text(results, counts); !missing.empty()) {
+    cases.push_back({"every case has a result", 0, "", std::move(missing)});
   }
   return trace::junit_xml(results.header().suite, cases, static_cast<tables::Time>(wall * 1e9));
 }

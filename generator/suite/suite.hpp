@@ -39,6 +39,7 @@ struct Suite {
 struct ReadSuite {
   std::optional<Suite> suite;
   std::vector<std::string> errors;  ///< `suite/suite.json:3:5: ...`; none: there is a suite
+  std::vector<std::string> warnings;
 };
 
 /// Reads the suite of a folder. A case is each JSON file directly in it that has the key `symplant-scenario`, but for

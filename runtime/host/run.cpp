@@ -212,6 +212,7 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
   const bool cut = options.limit && stage.player && !stage.player->over() && stage.plant.now() >= *options.limit;
   if (stage.player) stage.player->end();
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
+  if (options.end != nullptr) *options.end = stage.plant.now();
   stage.outputs.finish(stage.plant.now(), streams.err);
   stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), streams.report);
   streams.report << answers_text(shown.answers);

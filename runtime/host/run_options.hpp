@@ -27,6 +27,7 @@ struct RunOptions {
   std::optional<tables::Time> plc_unit;  ///< with Clock::plc: of its lowest bit; nothing: as in the plant's links
   std::optional<tables::Time> until;
   std::optional<tables::Time> limit;  ///< plant time at which a run with an unfinished scenario ends as failed
+  tables::Time* end = nullptr;        ///< gets the plant time at which the run ended
   tables::Time cycle = 10 * tables::kMillisecond;
   bool cycle_given = false;        ///< whether the user gave it
   std::int64_t max_catch_up = 10;  ///< most cycles run at once after missed deadlines

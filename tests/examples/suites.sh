@@ -37,7 +37,8 @@ done
 grep -q '^FAILED blind-sensor' "$work/part1" && grep -q '^FAILED sluggish' "$work/part1" || fail "part 1 of 3 has not cases 1 and 4"
 says 1 "4 cases: 0 passed, 4 failed" "$symplant" test --merge "$work"/part?.jsonl --junit "$work/merged.xml"
 cmp <(grep '^FAILED' "$work/one") <(grep '^FAILED' "$work/out") || fail "joined results differ"
-says 1 "without a result" "$symplant" test --merge "$work/part1.jsonl" "$work/part3.jsonl"
+says 1 "1 of 4 cases has no result (number 2 of the suite)" "$symplant" test --merge "$work/part1.jsonl" "$work/part3.jsonl" --junit "$work/gap.xml"
+grep -q 'tests="4" failures="3" errors="1"' "$work/gap.xml" || fail "the JUnit file does not show that a result is missing"
 says 2 "is not a part such as 1/8" "$symplant" test "$suite" --shard 0/3
 says 2 "is not a part such as 1/8" "$symplant" test "$suite" --shard 4/3
 
@@ -91,8 +92,14 @@ says 0 "22 cases: 22 passed" "$symplant" test "$suite" --program "$work/slow.so"
 says 2 "the suite has no case \`none\`" "$symplant" test --new "$suite" --base none --program "$cell"
 says 2 "requires --base" "$symplant" test --new "$suite"
 
-# Slow plants have their own reference traces.
+# Fast and slow plants are other plants, with their own reference traces.
 says 0 "4 without a reference trace" "$symplant" test "$examples/excell/suite" --program "$cell" --plants normal,slow
+cp -r "$examples/excell/suite" "$work/excell/speeds"
+says 0 "12 cases: 12 passed" "$symplant" test "$work/excell/speeds" --program "$cell" --plants normal,fast,slow --update
+for pair in cycles:1020000000 cycles.fast:220000000 cycles.slow:3020000000; do # the vehicle needs 1 s, 0.2 s, 3 s
+  grep -m 1 '"EXLINE_MB_MC_O_RUN2","value":true' "$work/excell/speeds/${pair%:*}.reference.jsonl" | grep -q "\"t\":${pair#*:}," ||
+    fail "${pair%:*}: the machine does not start at ${pair#*:} ns"
+done
 says 2 "normal, fast, slow" "$symplant" test "$suite" --plants quick
 
 # A run that cannot begin leaves no earlier results, and no result replaces an input.
@@ -104,6 +111,32 @@ says 2 "nothing.csv" "$symplant" test "$work/broken" --junit "$work/old.xml"
 grep -q "the run has not ended" "$work/old.xml" || fail "a run that cannot begin leaves earlier results"
 says 2 "case.json" "$symplant" test "$work/broken" --junit "$work/broken/case.json"
 grep -q symplant-scenario "$work/broken/case.json" || fail "a result replaces a case"
+
+# One case; names, references and patterns that cannot be meant; what a trace is of; a program that does nothing.
+cp -r "$examples/excell/suite" "$work/excell/names"
+suite=$work/excell/names
+says 0 "1 case: 1 passed" "$symplant" test "$suite" --case cycles --program "$cell"
+says 2 "the suite has no case \`cycle\`; did you mean \`cycles\`?" "$symplant" test "$suite" --case cycle --program "$cell"
+changed idle 's/^  switch (cell->phase) {/  return 0;\n&/'
+says 1 "\`EXLINE_MB_AGV_O_P2\` missing: on" "$symplant" test "$suite" --case cycles --program "$work/idle.so"
+grep -q "ACTUAL ends" "$work/out" && fail "a run that went to its end is said to end early"
+says 1 "1 error" "$symplant" test "$suite" --case cycles --program "$work/nothing.so"
+grep -q "without a reference trace" "$work/out" && fail "a case without a result counts as one without a reference trace"
+mv "$suite/cycles.json" "$suite/cycles.slow.json"
+says 2 "must not end with \`.slow\`" "$symplant" test "$suite" --program "$cell"
+mv "$suite/cycles.slow.json" "$suite/rounds.json"
+says 0 "cycles.reference.jsonl\` is the reference trace of no case" "$symplant" test "$suite" --program "$cell"
+echo '{ "steps": [ { "at": "1s" } ] }' >"$suite/forgotten.json"
+says 0 "forgotten.json\` has \`steps\`, but no \`symplant-scenario\`" "$symplant" test "$suite" --program "$cell"
+sed 's/"plant":"excell"/"plant":"sorting"/' "$suite/cycles.reference.jsonl" >"$suite/rounds.reference.jsonl"
+says 1 "is of the plant \`sorting\`, not \`excell\`" "$symplant" test "$suite" --case rounds --program "$cell"
+: >"$suite/rounds.reference.jsonl"
+says 1 "\`--update\` writes it again" "$symplant" test "$suite" --case rounds --program "$cell"
+says 0 "1 reference trace written" "$symplant" test "$suite" --case rounds --program "$cell" --update
+says 0 "1 case: 1 passed, 0 failed" "$symplant" test "$suite" --case rounds --program "$cell"
+sed -i 's/"align"/"only": ["*_NOTHING"], &/' "$suite/suite.json"
+says 1 "\`only\` of suite.json matches no symbol" "$symplant" test "$suite" --case rounds --program "$cell"
+says 2 "names a plant twice" "$symplant" test "$suite" --plants fast,fast
 
 # Ctrl-C leaves the results that are there.
 echo '{ "symplant-suite": 1, "plant": "../excell/excell.csv", "limit": "100000h" }' >"$work/strict/suite.json"

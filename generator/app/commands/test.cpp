@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <memory>
@@ -24,6 +25,7 @@
 #include "suite/workers.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/signals.hpp"
+#include "symplant/tables/nearest.hpp"
 #include "symplant/trace/junit_xml.hpp"
 
 namespace symplant::app {
@@ -77,7 +79,7 @@ std::vector<std::string> inputs_of(const suite::Suite& suite) {
 /// Writes the reports. False, with a message and the exit code, if that fails.
 bool write_reports(const TestOptions& options, const suite::Results& results, const suite::Counts& counts,
                    Context& context) {
-  const std::string junit = options.junit.empty() ? "" : suite::junit_text(results);
+  const std::string junit = options.junit.empty() ? "" : suite::junit_text(results, counts);
   if (!options.junit.empty() && !write_result(context, options.junit, base::whole(junit), {})) return false;
   const base::TextSource page = [&](base::TextSink& sink) { suite::write_html(results, counts, sink); };
   return options.html.empty() || write_result(context, options.html, page, {});
@@ -86,6 +88,8 @@ bool write_reports(const TestOptions& options, const suite::Results& results, co
 /// Sums up what there is.
 void end_test(const TestOptions& options, const suite::Results& results, const suite::Counts& counts, bool complete,
               Context& context) {
+  const std::string missing = suite::missing_text(results, counts);
+  if (!missing.empty()) context.err << "error: " << missing << "\n";
   context.out << suite::summary(counts) << "\n";
   if (!write_reports(options, results, counts, context)) return;
   context.exit_code = counts.well() && complete ? host::kGood : host::kFindings;
@@ -133,7 +137,7 @@ class SuiteRun {
     const bool complete = !host::stop_requested().load();
     if (!complete) {
       counts_.missing = mine_.size() - (counts_.passed + counts_.failed + counts_.errors);
-      context_.err << "warning: ended by a signal: " << counts_.missing << " cases have no result\n";
+      context_.err << "warning: ended by a signal\n";
     }
     end_test(options_, results, counts_, complete, context_);
   }
@@ -198,12 +202,30 @@ void merge(const TestOptions& options, Context& context) {
   end_test(options, results, counts, true, context);
 }
 
+/// Leaves only the chosen cases, if some are. False, with a message, if one is unknown.
+bool choose_cases(const std::vector<std::string>& chosen, suite::Suite& suite, Context& context) {
+  if (chosen.empty()) return true;
+  for (const std::string& name : chosen) {
+    if (std::find(suite.cases.begin(), suite.cases.end(), name) != suite.cases.end()) continue;
+    tables::NearestName nearest(name);
+    for (const std::string& known : suite.cases) nearest.offer(known);
+    const std::string hint =
+        nearest.name().empty() ? "" : fmt::format("; did you mean `{}`?", diag::visible(std::string(nearest.name())));
+    fail_test(context, fmt::format("the suite has no case `{}`{}", diag::visible(name), hint), host::kBadInput);
+    return false;
+  }
+  std::erase_if(suite.cases,
+                [&](const std::string& name) { return std::find(chosen.begin(), chosen.end(), name) == chosen.end(); });
+  return true;
+}
+
 void test(const TestOptions& options, Context& context) {
   if (!options.merged.empty()) return merge(options, context);
   if (options.folder.empty())
     return fail_test(context, "give the folder of a suite, or `--merge FILE...`", host::kBadInput);
   const suite::ReadSuite read = suite::read_suite(options.folder);
   for (const std::string& fault : read.errors) context.err << diag::visible(fault) << "\n";
+  for (const std::string& warning : read.warnings) context.err << "warning: " << diag::visible(warning) << "\n";
   if (!begin_reports(options, read.suite ? inputs_of(*read.suite) : std::vector{options.folder + "/suite.json"},
                      context)) {
     return;
@@ -212,12 +234,14 @@ void test(const TestOptions& options, Context& context) {
     context.exit_code = host::kBadInput;
     return;
   }
+  suite::Suite suite = *read.suite;
+  if (!choose_cases(options.cases, suite, context)) return;
   std::optional<Compiled> compiled = compile_for(context, read.suite->plant, options.plant);
   if (!compiled) return;
   const PreparedPlant prepared(std::move(*compiled), read.suite->plant);
   compiled.reset();
   if (options.base.empty()) {
-    SuiteRun(options, *read.suite, context).run(prepared);
+    SuiteRun(options, suite, context).run(prepared);
   } else {
     propose_cases(options, *read.suite, prepared, context);
   }
@@ -229,6 +253,8 @@ void read_plants(const std::string& text, TestOptions& options) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const auto speed = suite::speed_of(std::string_view(text).substr(begin, end - begin));
     if (!speed) throw CLI::ValidationError("--plants", "`" + text + "` is not a list of normal, fast, slow");
+    if (std::find(options.speeds.begin(), options.speeds.end(), *speed) != options.speeds.end())
+      throw CLI::ValidationError("--plants", "`" + text + "` names a plant twice");
     options.speeds.push_back(*speed);
     begin = end + 1;
   }
@@ -253,6 +279,9 @@ void add_test(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("test", "Run a suite of scenarios, and compare each with its reference trace");
   CLI::Option* folder =
       command->add_option("DIR", options->folder, "a folder with suite.json and a scenario for each case");
+  command->add_option("--case", options->cases, "run this case only; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   command->add_option("--program", options->programs, "PLC programs instead of those of the suite; may be repeated")
       ->type_name("[CONTROLLER=]FILE")
       ->allow_extra_args(false);

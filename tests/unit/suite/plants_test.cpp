@@ -30,6 +30,12 @@ TEST_CASE("Every travel time is a fifth or three times as long, and delays stay"
   CHECK(at_speed(some_tables(), Speed::normal).times[1].takes == 10);
 }
 
+TEST_CASE("The engine gets the changed times") {
+  const lower::EngineTables slow = at_speed(some_tables(), Speed::slow);
+  CHECK(slow.tables().types[0].times[0].takes == 3000);
+  CHECK(slow.tables().times[1].takes == 30);
+}
+
 TEST_CASE("A random travel time is scaled apart from a delay that has the same one") {
   const lower::EngineTables slow = at_speed(some_tables(), Speed::slow);
   REQUIRE(slow.random_times.size() == 2);

@@ -19,11 +19,11 @@ constexpr const char* kTrace =
 
 std::string reference(const std::vector<std::string>& only, std::initializer_list<std::string_view> operations) {
   std::istringstream trace(kTrace);
-  return reference_text(trace, {&only, operations});
+  return reference_text(trace, {&only, operations}, 30);
 }
 
 constexpr const char* kHeader =
-    "{\"symplant-trace\":1,\"plant\":\"p\",\"model_hash\":\"1\",\"seed\":0,\"clock\":\"virtual\"}\n";
+    "{\"symplant-trace\":1,\"plant\":\"p\",\"model_hash\":\"1\",\"seed\":0,\"clock\":\"virtual\",\"end\":30}\n";
 
 TEST_CASE("A reference trace has the operations, and nothing that changes with each build") {
   CHECK(reference({}, {"L_P_D_O_A"}) == kHeader + std::string("{\"t\":10,\"symbol\":\"L_P_D_O_A\",\"value\":true}\n"));
@@ -41,9 +41,9 @@ TEST_CASE("Patterns choose symbols and the locations of parts instead") {
 TEST_CASE("Of what is no trace nothing is made") {
   const std::vector<std::string> only;
   std::istringstream empty;
-  CHECK(reference_text(empty, {&only, {}}).empty());
+  CHECK(reference_text(empty, {&only, {}}, 0).empty());
   std::istringstream text("text\n");
-  CHECK(reference_text(text, {&only, {}}).empty());
+  CHECK(reference_text(text, {&only, {}}, 0).empty());
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_CASE("The reports have each case with its words") {
   CHECK(results.add(0, result("good", Verdict::passed)).empty());
   CHECK(results.add(1, result("late", Verdict::failed, {"at 1 s: `X` late by 1 s: on"})).empty());
   CHECK(results.add(2, result("crash", Verdict::error, {"program `cell` ended by SIGSEGV"})).empty());
-  const std::string xml = junit_text(results);
+  const std::string xml = junit_text(results, {});
   CHECK(contains(xml, "tests=\"3\" failures=\"1\" errors=\"1\""));
   CHECK(contains(xml, "name=\"late\""));
   CHECK(contains(xml, "<error message=\"program `cell` ended by SIGSEGV"));
