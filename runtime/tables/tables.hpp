@@ -182,11 +182,11 @@ struct ValueWatch {
 /// `never`: a condition must not hold. `expect`: after one condition begins to hold, another must hold within a time.
 struct RequirementRow {
   enum class Kind : std::uint8_t { never, expect };
-  Kind kind;
-  std::uint32_t condition;  ///< of `never`, or of `after`
-  std::uint32_t expected;   ///< the condition of `expect`; unused for `never`
-  Time within;              ///< >= 0
-  Time earliest = 0;        ///< `expected` must not hold before; 0 to `within`
+  Kind kind = Kind::never;
+  std::uint32_t condition = 0;  ///< of `never`, or of `after`
+  std::uint32_t expected = 0;   ///< the condition of `expect`; unused for `never`
+  Time within = 0;              ///< >= 0
+  Time earliest = 0;            ///< `expected` must not hold before; 0 to `within`
 };
 
 /// A BOOL event that no unit drives and that is on while a condition holds.
