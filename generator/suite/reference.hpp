@@ -7,6 +7,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "symplant/tables/time.hpp"
+
 namespace symplant::suite {
 
 /// Which symbols and locations a reference trace has.
