@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "symplant/json/compiled_schema.hpp"
 #include "symplant/json/explain.hpp"
@@ -13,14 +12,15 @@
 namespace symplant::json {
 
 struct Schema::Parts {
+  explicit Parts(std::string_view schema) : text(nlohmann::json::parse(schema)), compiled(text) {}
+
   nlohmann::json text;
-  std::optional<CompiledSchema> compiled;
+  CompiledSchema compiled;
 };
 
-Schema::Schema(std::string_view schema) : parts_(std::make_unique<Parts>()) {
+Schema::Schema(std::string_view schema) {
   try {
-    parts_->text = nlohmann::json::parse(schema);
-    parts_->compiled.emplace(parts_->text);
+    parts_ = std::make_unique<Parts>(schema);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "a built-in schema is invalid: %s\n", error.what());
     std::abort();
@@ -31,7 +31,7 @@ Schema& Schema::operator=(Schema&&) noexcept = default;
 Schema::~Schema() = default;
 
 std::vector<Fault> Schema::check(const nlohmann::json& value) const {
-  if (parts_->compiled->fits(value)) return {};
+  if (parts_->compiled.fits(value)) return {};
   return explain(parts_->text, value);
 }
 
