@@ -161,7 +161,7 @@ TEST_CASE("run: A timeout shorter than the cycle allows gives a warning with the
                  "`loss-after` of 0.004 s is not longer than two cycles of 0.002 s"));
   CHECK_FALSE(contains(warned(R"("loss-after": "5ms")", "2ms"), "two cycles"));
   const std::string watchdog = R"("loss-after": "1ms", "watchdog": {"register": 20, "within": )";
-  CHECK(contains(warned(watchdog + "\"3ms\"}", "2ms"), "`within` of 0.003 s is not above"));
+  CHECK(contains(warned(watchdog + "\"3ms\"}", "2ms"), "`within` of 0.003 s is not longer"));
   CHECK_FALSE(contains(warned(watchdog + "\"1s\"}", "2ms"), "two cycles"));
 }
 
