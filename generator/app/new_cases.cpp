@@ -88,7 +88,7 @@ void propose_cases(const TestOptions& options, const suite::Suite& suite, const 
   }
   context.out << fmt::format("{} of {} possible cases written", chosen.size(), all);
   if (proposals.size() != all) context.out << fmt::format(", chosen from {} that were tried", proposals.size());
-  context.out << "; look at what they do, then write their reference traces by `--update`\n";
+  context.out << (chosen.empty() ? "\n" : "; look at what they do, then write their reference traces by `--update`\n");
 }
 
 }  // namespace symplant::app

@@ -56,6 +56,7 @@ std::string never_on(const Recorded& recorded, const std::string& name) {
   }
   tables::NearestName nearest(name);
   for (const Series& series : recorded.series) nearest.offer(series.name);
+  for (const char* const word : {"none", "follow"}) nearest.offer(word);
   return fmt::format("{} has no change of `{}`{}", recorded.name, name,
                      nearest.name().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.name()));
 }

@@ -67,15 +67,14 @@ class Reader {
     }
     Recorded& recorded = read_.recorded;
     recorded.of_plant = json.value("recorded", Json()) != true;
-    for (const char* const key : {"every", "cycle"}) {
+    for (const char* const key : {"every", "cycle", "end"}) {
       const auto found = json.find(key);
       if (found == json.end()) continue;
       if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kLatestTime) {
         return fmt::format("the key `{}` is no time in ns up to {}", key, kLatestTime);
       }
-      recorded.resolution = found->get<tables::Time>();
+      (key == std::string_view("end") ? recorded.end : recorded.resolution) = found->get<tables::Time>();
     }
-    recorded.end = json.value("end", tables::Time{0});
     const auto programs = json.find("programs");
     if (programs == json.end()) return "";
     for (const Json& program : *programs) {

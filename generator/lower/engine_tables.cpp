@@ -12,6 +12,12 @@ void EngineTables::finish() {
   }
 }
 
+EngineTables EngineTables::copy() const {
+  EngineTables result(*this);
+  result.finish();
+  return result;
+}
+
 tables::MaterialTables Material::tables() const {
   return {
       .kinds = kinds,

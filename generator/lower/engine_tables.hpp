@@ -64,8 +64,7 @@ struct EngineTables {
   EngineTables() = default;
   EngineTables(EngineTables&&) = default;
   EngineTables& operator=(EngineTables&&) = default;
-  /// Equal tables, for other times of types; call finish() when they are complete.
-  EngineTables copy() const { return *this; }
+  EngineTables copy() const;
 
   std::string name;
   std::vector<Type> types;

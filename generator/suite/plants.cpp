@@ -44,12 +44,10 @@ class Scaling {
 
 lower::EngineTables at_speed(const lower::EngineTables& tables, Speed speed) {
   lower::EngineTables copy = tables.copy();
-  if (speed != Speed::normal) {
-    Scaling scaling(copy, speed);
-    for (lower::Type& type : copy.types) scaling.scale(type.times);
-    scaling.scale(copy.times);
-  }
-  copy.finish();
+  if (speed == Speed::normal) return copy;
+  Scaling scaling(copy, speed);
+  for (lower::Type& type : copy.types) scaling.scale(type.times);
+  scaling.scale(copy.times);
   return copy;
 }
 

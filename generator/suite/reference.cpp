@@ -71,7 +71,8 @@ std::string plant_of(std::istream& trace) {
   std::string line;
   std::getline(trace, line);
   const OrderedJson header = OrderedJson::parse(line, nullptr, false);
-  return header.is_object() ? header.value("plant", "") : "";
+  const bool named = header.is_object() && header.contains("plant") && header["plant"].is_string();
+  return named ? header["plant"].get<std::string>() : "";
 }
 
 }  // namespace symplant::suite

@@ -84,14 +84,17 @@ std::string missing_text(const Results& results, const Counts& counts) {
   if (counts.missing == 0) return "";
   constexpr std::size_t kMostNamed = 20;
   std::string numbers;
-  std::size_t named = 0;
-  for (std::size_t number = 0; number < results.header().count && named <= kMostNamed; ++number) {
+  std::size_t lacking = 0;
+  for (std::size_t number = 0; number < results.header().count; ++number) {
     if (results.has(number)) continue;
-    numbers += named == kMostNamed ? ", ..." : fmt::format("{}{}", named == 0 ? "" : ", ", number + 1);
-    ++named;
+    if (lacking < kMostNamed) numbers += fmt::format("{}{}", lacking == 0 ? "" : ", ", number + 1);
+    ++lacking;
   }
-  return fmt::format("{} of {} has no result (number {} of the suite): a part is missing, or a run was interrupted",
-                     counts.missing, compare::counted(results.header().count, "case"), numbers);
+  if (lacking > kMostNamed) numbers += ", ...";
+  // Of one part of a suite the others are not missed.
+  const std::string which = lacking == counts.missing ? fmt::format(" (of the suite: number {})", numbers) : "";
+  return fmt::format("{} without a result{}: a part is missing, or a run was interrupted",
+                     compare::counted(counts.missing, "case"), which);
 }
 
 std::string junit_text(const Results& results, const Counts& counts) {

@@ -58,7 +58,7 @@ class Link : public exec::Exchange {
   /// finds the events that came and went between two reads.
   virtual std::vector<std::uint32_t> events_on_request() const { return {}; }
 
-  /// The next of the findings of this link; nothing if there is none now. For the cycle's thread: wait-free.
+  /// The next of the findings of this link; nothing if there is no new one. For the cycle's thread: wait-free.
   virtual std::optional<LinkFinding> take_finding() noexcept { return std::nullopt; }
 
   /// What the link has to report to the user since the last call, in words. Not for the cycle's thread.

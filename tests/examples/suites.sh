@@ -37,7 +37,7 @@ done
 grep -q '^FAILED blind-sensor' "$work/part1" && grep -q '^FAILED sluggish' "$work/part1" || fail "part 1 of 3 has not cases 1 and 4"
 says 1 "4 cases: 0 passed, 4 failed" "$symplant" test --merge "$work"/part?.jsonl --junit "$work/merged.xml"
 cmp <(grep '^FAILED' "$work/one") <(grep '^FAILED' "$work/out") || fail "joined results differ"
-says 1 "1 of 4 cases has no result (number 2 of the suite)" "$symplant" test --merge "$work/part1.jsonl" "$work/part3.jsonl" --junit "$work/gap.xml"
+says 1 "1 case without a result (of the suite: number 2)" "$symplant" test --merge "$work/part1.jsonl" "$work/part3.jsonl" --junit "$work/gap.xml"
 grep -q 'tests="4" failures="3" errors="1"' "$work/gap.xml" || fail "the JUnit file does not show that a result is missing"
 says 2 "is not a part such as 1/8" "$symplant" test "$suite" --shard 0/3
 says 2 "is not a part such as 1/8" "$symplant" test "$suite" --shard 4/3
@@ -130,12 +130,19 @@ echo '{ "steps": [ { "at": "1s" } ] }' >"$suite/forgotten.json"
 says 0 "forgotten.json\` has \`steps\`, but no \`symplant-scenario\`" "$symplant" test "$suite" --program "$cell"
 sed 's/"plant":"excell"/"plant":"sorting"/' "$suite/cycles.reference.jsonl" >"$suite/rounds.reference.jsonl"
 says 1 "is of the plant \`sorting\`, not \`excell\`" "$symplant" test "$suite" --case rounds --program "$cell"
+says 0 "1 reference trace written" "$symplant" test "$suite" --case rounds --program "$cell" --update
+says 0 "1 case: 1 passed, 0 failed" "$symplant" test "$suite" --case rounds --program "$cell"
+sed -i 's/"end":[0-9]*/"end":"late"/' "$suite/rounds.reference.jsonl"
+says 1 "the key \`end\` is no time in ns" "$symplant" test "$suite" --case rounds --program "$cell"
 : >"$suite/rounds.reference.jsonl"
 says 1 "\`--update\` writes it again" "$symplant" test "$suite" --case rounds --program "$cell"
 says 0 "1 reference trace written" "$symplant" test "$suite" --case rounds --program "$cell" --update
 says 0 "1 case: 1 passed, 0 failed" "$symplant" test "$suite" --case rounds --program "$cell"
 sed -i 's/"align"/"only": ["*_NOTHING"], &/' "$suite/suite.json"
 says 1 "\`only\` of suite.json matches no symbol" "$symplant" test "$suite" --case rounds --program "$cell"
+sed -i 's/"follow"/"folow"/; s/"only": [^,]*, //' "$suite/suite.json"
+says 1 "did you mean \`follow\`?" "$symplant" test "$suite" --case rounds --program "$cell"
+says 2 "excludes" "$symplant" test --new "$suite" --base rounds --shard 1/2
 says 2 "names a plant twice" "$symplant" test "$suite" --plants fast,fast
 
 # Ctrl-C leaves the results that are there.

@@ -279,9 +279,9 @@ void add_test(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("test", "Run a suite of scenarios, and compare each with its reference trace");
   CLI::Option* folder =
       command->add_option("DIR", options->folder, "a folder with suite.json and a scenario for each case");
-  command->add_option("--case", options->cases, "run this case only; may be repeated")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
+  CLI::Option* cases = command->add_option("--case", options->cases, "run this case only; may be repeated")
+                           ->type_name("NAME")
+                           ->allow_extra_args(false);
   command->add_option("--program", options->programs, "PLC programs instead of those of the suite; may be repeated")
       ->type_name("[CONTROLLER=]FILE")
       ->allow_extra_args(false);
@@ -298,16 +298,18 @@ void add_test(CLI::App& app, Context& context) {
   command->add_option("--jobs", options->jobs, "processes that run cases (default: the number of processors)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command
-      ->add_option_function<std::string>(
-          "--shard", [options](const std::string& text) { read_shard(text, *options); },
-          "run only each N-th case, from the I-th on: part I of N")
-      ->type_name("I/N");
+  CLI::Option* shard = command
+                           ->add_option_function<std::string>(
+                               "--shard", [options](const std::string& text) { read_shard(text, *options); },
+                               "run only each N-th case, from the I-th on: part I of N")
+                           ->type_name("I/N");
   CLI::Option* fresh =
       command->add_option("--new", options->folder, "propose cases for this suite instead of running it")
           ->type_name("DIR")
           ->excludes(folder)
-          ->excludes(update);
+          ->excludes(update)
+          ->excludes(cases)
+          ->excludes(shard);
   CLI::Option* base = command->add_option("--base", options->base, "the case of the suite that all proposed cases vary")
                           ->type_name("CASE")
                           ->needs(fresh);
@@ -320,6 +322,8 @@ void add_test(CLI::App& app, Context& context) {
       ->add_option("--merge", options->merged, "join the results of parts, files written by `-o`, instead of running")
       ->type_name("FILE")
       ->excludes(update)
+      ->excludes(cases)
+      ->excludes(shard)
       ->check(CLI::ExistingFile);
   command->add_option("-o,--output", options->output, "write each result to this file as soon as it is there")
       ->type_name("FILE");

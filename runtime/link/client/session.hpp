@@ -45,7 +45,7 @@ class Session {
   bool has_left() const noexcept { return left_.load(std::memory_order_relaxed); }
   /// Any thread.
   Messages& messages() noexcept { return messages_; }
-  /// The next finding about the PLC; nothing if there is none now. Wait-free; for one other thread.
+  /// The next finding about the PLC; nothing if there is no new one. Wait-free; for one other thread.
   std::optional<LinkFinding> take_finding() noexcept;
 
  private:

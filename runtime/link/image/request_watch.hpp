@@ -18,7 +18,7 @@ struct RequestWatch {
         // Room for every bit of the operations to be missed in one cycle, and for all else.
         found(map.size(Plane::operation_bits) + map.points.size() + 64) {}
 
-  /// The next finding; nothing if there is none now. For the cycle's thread, after it has taken the operations.
+  /// The next finding; nothing if there is no new one. For the cycle's thread, after it has taken the operations.
   std::optional<LinkFinding> take() noexcept {
     std::optional<LinkFinding> finding = missed.take();
     return finding ? finding : found.take();
