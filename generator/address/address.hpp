@@ -7,7 +7,7 @@
 
 namespace symplant::address {
 
-/// The image of the PLC that an address is in. All that is neither input nor output is `memory`.
+/// The image of the PLC that an address is in. Everything that is neither input nor output is `memory`.
 enum class Area : std::uint8_t { input, output, memory };
 
 /// The number of bits that an address names.
@@ -21,7 +21,7 @@ using Bank = std::uint16_t;
 inline constexpr Bank kNoBank = 0;         ///< the notation does not define which bits an address covers
 inline constexpr Bank kBits = 1;           ///< of inputs or outputs: X, %IX, bytes and bits of SIMATIC
 inline constexpr Bank kMemoryBanks = 256;  ///< from here on: a kind of device of a notation
-/// The bits of %IB, %IW, %ID or %IL: IEC 61131-3 does not define how those of different sizes lie to each other.
+/// The bits of %IB, %IW, %ID or %IL: IEC 61131-3 does not define how elements of different sizes overlap.
 constexpr Bank bank_of_elements(Size size) { return static_cast<Bank>(size); }
 
 /// An address as one value; equal addresses in different notations compare equal.
@@ -31,14 +31,14 @@ struct Address {
   /// False if the notation has more parts than the number of a link can hold (%IX1.2.3, a bit beyond 7, a bit of a word
   /// %IW5.3).
   bool plain = true;
-  bool assigned = true;      ///< false: only the area is known (%I*); each such address is a location apart
+  bool assigned = true;      ///< false: only the area is known (%I*); each such address is a separate location
   bool sized = true;         ///< false: the text does not give the size, `size` is an assumption (%I*, Local:1:I.Data)
-  std::uint8_t element = 1;  ///< bits of what the text numbers: 8 for %IX3.5 and %IW64 of SIMATIC, 16 for D10 and D10.F
+  std::uint8_t element = 1;  ///< bits of the numbered element: 8 for %IX3.5 and %IW64 of SIMATIC, 16 for D10 and D10.F
   Bank bank = kNoBank;
   /// Counted in units of `size`; in byte.bit notation (%IX3.5) 8 * byte + bit. In `memory`, and if the address is not
   /// `plain`, it only distinguishes addresses.
   std::uint64_t number = 0;
-  std::uint64_t first_bit = 0;  ///< the first bit of `bank` that it covers; the others follow
+  std::uint64_t first_bit = 0;  ///< the first bit of `bank` that the address covers; the others follow
 
   friend constexpr bool operator==(const Address& a, const Address& b) {
     return a.number == b.number && a.area == b.area && a.size == b.size && a.plain == b.plain &&

@@ -13,10 +13,11 @@ struct BitRange {
   std::uint64_t first = 0;
   std::uint64_t last = 0;
 };
-/// Nothing if the notation does not define it.
+/// The bits of an address; nothing if the notation does not define them.
 std::optional<BitRange> bits_of(const Address& address);
 
-/// Whether two addresses have a bit in common, as far as the notation defines it. Equal ones have.
+/// Whether two addresses have a bit in common, as far as the notation defines it. Equal addresses do, if they are
+/// assigned.
 bool overlap(const Address& a, const Address& b);
 
 /// The parts of an address that is written as element and bit: %IX3.5, %IW1410.1, D10.F, 1052.02.
@@ -26,8 +27,8 @@ struct ElementBit {
 };
 std::optional<ElementBit> element_and_bit(const Address& address);
 
-/// The address `count` elements of its size further, as for the elements of an array. Nothing if the notation does not
-/// define it, or beyond 64 bits.
+/// The address that is `count` elements of the same size after `address`, as in an array. Nothing if the notation does
+/// not define it, or if its number exceeds 64 bits.
 std::optional<Address> advanced(const Address& address, std::uint64_t count);
 
 }  // namespace symplant::address

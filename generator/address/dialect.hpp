@@ -17,8 +17,8 @@ enum class Notation : std::uint8_t {
   modbus,    ///< reference numbers: 10001, 400001
 };
 
-/// Which words of a shared area are inputs or outputs, where addresses do not show it. The first range with a word
-/// counts.
+/// Which words of a shared area are inputs or outputs, where addresses do not show it. The first range that holds a
+/// word decides.
 struct IoRanges {
   struct Range {
     std::uint64_t first = 0;
@@ -31,8 +31,8 @@ struct IoRanges {
 /// How the addresses of a list are read.
 struct Dialect {
   Notation notation = Notation::iec;
-  Radix radix = Radix::hexadecimal;  ///< of X and Y
-  const IoRanges* ranges = nullptr;  ///< of CIO; null: all of it is memory
+  Radix radix = Radix::hexadecimal;  ///< how X and Y are counted
+  const IoRanges* ranges = nullptr;  ///< the inputs and outputs in CIO; null: all of CIO is memory
 };
 
 }  // namespace symplant::address

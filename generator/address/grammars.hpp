@@ -1,4 +1,4 @@
-// The grammar of each notation, one in its .cpp file, and the texts that it writes.
+// Reads and writes the addresses of each notation. Each grammar is in a separate .cpp file.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,13 @@ namespace symplant::address {
 std::optional<Address> parse_siemens(std::string_view text);
 /// Resolved tags: Local:1:I.Data.0; files of PLC-5 and SLC: I:1/0. Texts without a module are memory.
 std::optional<Address> parse_rockwell(std::string_view text);
-/// Word and bit of a CPU of CS, CJ and CP: 1052.02, W10.00, D20042. CIO is memory outside of `ranges`.
+/// Words and bits of CS, CJ and CP CPUs: 1052.02, W10.00, D20042. CIO is memory outside of `ranges`.
 std::optional<Address> parse_omron(std::string_view text, const IoRanges* ranges);
 /// Reference numbers of 5 or 6 digits: 10001, 400001, with a bit 30001.3.
 std::optional<Address> parse_modbus(std::string_view text);
 
-/// As parse_iec() and parse_melsec(), always by the grammar, which those use only for unusual addresses. For tests.
+/// Like parse_iec() and parse_melsec(), but always by the grammar; those functions use it only for unusual addresses.
+/// For tests.
 std::optional<Address> parse_iec_by_grammar(std::string_view text);
 std::optional<Address> parse_melsec_by_grammar(std::string_view text, Radix radix);
 

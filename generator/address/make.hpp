@@ -10,10 +10,10 @@
 
 namespace symplant::address {
 
-/// Element numbers up to this have bits that 64 bits can count.
+/// The highest element number whose bits can be counted with 64 bits.
 inline constexpr std::uint64_t kMostElements = UINT64_MAX / 64 - 1;
 
-/// Distinguishes addresses that have no number on a link.
+/// A hash that distinguishes addresses that have no number on a link.
 class Key {
  public:
   constexpr Key& add(std::uint64_t part) {
@@ -50,7 +50,7 @@ constexpr Address numbered(Area area, Size size, std::uint64_t number) {
   return address;
 }
 
-/// An address that covers `size` bits of a bank from `first_bit` on; `element` is that of Address.
+/// An address that covers `size` bits of a bank from `first_bit` on; `element` gives Address::element.
 constexpr Address at_bits(Area area, Size size, Bank bank, Size element, std::uint64_t first_bit) {
   const auto bits = static_cast<std::uint64_t>(size);
   Address address;
@@ -72,8 +72,8 @@ constexpr Address at_bits(Area area, Size size, Bank bank, Size element, std::ui
   return address;
 }
 
-/// The number that a text of nothing but digits of a radix is; nothing for other texts, and for those that are too long
-/// to be sure that the number fits. For the addresses that most cells hold: the grammars read all others.
+/// The number of a text that consists of digits of a radix. Nothing for other texts, and for texts so long that the
+/// number might not fit. A fast path for the addresses that most cells hold; the grammars read all others.
 constexpr std::optional<std::uint64_t> usual_number(std::string_view digits, std::uint64_t radix) {
   if (digits.empty() || digits.size() > 15) return std::nullopt;
   std::uint64_t number = 0;

@@ -10,7 +10,7 @@
 namespace symplant::address {
 
 /// X1F is %IX31, Y10 %QX16, M100 %MX0.100, B35F %MX1.863, D100 %MW0.100, W35F %MW1.863: the number of the IEC address
-/// is decimal, and memory has a class before it. Nothing for devices whose class is not certain.
+/// is decimal, and in memory a class precedes it. Nothing for devices whose class is not certain.
 std::optional<std::string> iec_of_melsec(std::string_view text, Radix radix);
 
 /// The reverse; %MD0.100 (a double word) is D100. Nothing for byte.bit (%IX0.1) and words of inputs, which Mitsubishi's

@@ -14,7 +14,7 @@ namespace symplant::address {
 /// Reads an address. Nothing if the text is not one of the notation. Neither allocates nor throws.
 std::optional<Address> parse(std::string_view text, const Dialect& dialect);
 
-/// Writes an address of the notation; a text that `parse` reads as an equal one. Nothing if the notation has no such
+/// Writes an address in the notation. `parse` reads the text as an equal address. Nothing if the notation has no such
 /// address, or the value does not hold its text (Local:1:I.Data, %IX1.2.3).
 std::optional<std::string> to_text(const Address& address, const Dialect& dialect);
 

@@ -1,5 +1,4 @@
-// Boost.Spirit X3 terminals of the grammars of addresses: numbers, and words from a table. For the grammars' .cpp
-// files.
+// Boost.Spirit X3 terminals for the .cpp files of the address grammars: numbers, and words from a table.
 #pragma once
 
 #include <array>
@@ -60,7 +59,7 @@ struct OneOf : x3::parser<OneOf<kRows>> {
   }();
 };
 
-/// Matches without input if `holds` does; it takes the value that is being read, of type Value.
+/// Matches without consuming input if `Holds` returns true for the value that is being read, of type Value.
 template <class Value, class Holds>
 struct OnlyIf : x3::parser<OnlyIf<Value, Holds>> {
   using attribute_type = x3::unused_type;
@@ -93,7 +92,7 @@ constexpr auto letter(char capital) { return x3::lit(capital) | text::lower(capi
 constexpr auto kBlanks = *(x3::lit(' ') | '\t');
 
 /// Whether all of a text matches a grammar, whose actions fill `value`. Grammars are constants without state, so that a
-/// parse makes nothing.
+/// parse constructs nothing.
 template <class Value, class Grammar>
 bool matches(std::string_view text, const Grammar& grammar, Value& value) {
   const char* at = text.data();

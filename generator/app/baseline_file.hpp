@@ -21,8 +21,8 @@ class BaselineFile {
   bool open();
   /// Null without a baseline.
   findings::Baseline* baseline() { return baseline_ ? &*baseline_ : nullptr; }
-  /// Reports what the baseline has and the plants have no longer, or writes the file without it. `inputs` are never
-  /// overwritten.
+  /// Reports entries of the baseline that the plants no longer have, or writes the file without them. `inputs` are
+  /// never overwritten.
   void close(diag::Diagnostics& findings, const std::vector<std::string>& inputs);
 
  private:

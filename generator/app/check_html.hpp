@@ -10,14 +10,15 @@
 
 namespace symplant::app {
 
-/// The page of one or several plants: what each list is, its score, its stations by how much of them is modelled, the
-/// ten repairs that concern the most symbols, and all findings by rule. One file without scripts and references.
+/// The page of one or several plants. It shows for each plant its lists, its score, its stations by the share of
+/// symbols that is modelled, the ten repairs that concern the most symbols, and all findings by rule. The page is one
+/// file without scripts and references.
 class CheckPage {
  public:
-  /// A plant that could be read. O(symbols + findings).
+  /// Adds a plant that could be read. O(symbols + findings).
   void add(const std::string& file, const model::PlantModel& plant, const score::PlantScore& score,
            const diag::Diagnostics& findings);
-  /// One that could not.
+  /// Adds a plant that could not be read.
   void add(const std::string& file, const diag::Diagnostics& findings);
 
   std::string take() const;

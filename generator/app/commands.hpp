@@ -26,7 +26,7 @@ void add_diff(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
 void add_test(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
-/// If the command line that cannot be parsed is that of `run`, its result files are those of a failed run.
+/// Call if the command line cannot be parsed. For the command `run`, it writes the result files of a failed run.
 void fail_run(const CLI::App& app, std::string_view error, const Context& context);
 void add_program(CLI::App& app, Context& context);
 void add_show(CLI::App& app, Context& context);

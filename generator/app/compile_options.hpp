@@ -1,4 +1,4 @@
-// What a command says of the plant to be compiled.
+// The options of a command for the plant that it compiles.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace symplant::app {
 struct CompileOptions {
   std::string plant;                   ///< a plant.json, or a symbol list
   read::ReadOptions read;              ///< for lists whose entry in plant.json does not say otherwise
-  std::optional<address::Radix> xy;    ///< the same
+  std::optional<address::Radix> xy;    ///< how X and Y count in such lists
   std::string today = {};              ///< YYYY-MM-DD, for findings ignored until a day; empty: no entry has expired
   bool tables = true;                  ///< false: only checks follow, and the plant is lowered only if they need it
   findings::Selection selection = {};  ///< which findings are reported

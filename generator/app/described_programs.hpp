@@ -13,7 +13,7 @@
 namespace symplant::app {
 
 /// Rows for host::PlantProgram::programs. Files are relative to the folder of plant.json. The description must outlive
-/// it.
+/// this object.
 class DescribedPrograms {
  public:
   DescribedPrograms(const description::Description& description, const std::string& plant_file);

@@ -8,7 +8,7 @@
 
 namespace symplant::app {
 
-/// The steps, then the points with something to say; all points if `all`.
+/// The steps, then the points with findings; with `all`, all points.
 std::string doctor_text(const link::doctor::Report& report, const tables::PlantTables& tables, bool all);
 
 /// `{"symplant-doctor":1,...}` with every step and point.

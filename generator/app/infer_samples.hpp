@@ -16,7 +16,7 @@ struct InferInputs {
   model::Derived derived;              ///< holds the texts of the samples
   std::vector<infer::Sample> samples;  ///< its I/O symbols, in list order
   std::vector<name::Naming> given;     ///< naming rules of --naming or of a plant.json
-  std::vector<std::string> files;      ///< that were read
+  std::vector<std::string> files;      ///< the files that were read
 };
 
 /// Reads lists, or the lists of a plant.json, as one plant. Messages and exit code are those of read_for().

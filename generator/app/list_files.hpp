@@ -8,7 +8,7 @@
 
 namespace symplant::app {
 
-/// The file itself; of a path with `*` or `?` all files that match, sorted by path. Each folder of the path may be a
+/// The file itself; for a path with `*` or `?`, all files that match, sorted by path. Each folder in the path may be a
 /// pattern, too.
 std::vector<std::string> list_files(const std::string& path, const base::FileSystem& files);
 

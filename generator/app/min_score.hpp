@@ -17,7 +17,7 @@ struct MinScore {
   double least = 0;     ///< 0 to 1
 };
 
-/// Reads `paired=0.3` or `accounted=80%`; else a message.
+/// Reads `paired=0.3` or `accounted=80%`. The error is a message.
 base::Result<MinScore, std::string> read_min_score(std::string_view text);
 
 /// Why a score is below the required one; nothing if it is not. Without counted symbols every share is 0.

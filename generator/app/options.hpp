@@ -21,19 +21,19 @@ struct PlantOptions {
 };
 void add_plant_options(CLI::App& command, PlantOptions& options);
 
-/// What a command compiles by these options.
+/// The options of compile() for a command.
 CompileOptions compile_options(const Context& context, const std::string& plant, const PlantOptions& options);
 
 /// compile() for a command. Shows the errors on `context.err`, and the warnings as a line of counts (with --verbose all
 /// findings). If there are errors, returns no value and sets the exit code to 2.
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options);
 
-/// The same for a command that only reports about the plant: a plant with errors has a result. `sound` is set to
-/// whether it has none.
+/// Like compile_for(), for a command that only reports about the plant: also returns a plant with errors. Sets `sound`
+/// to whether the plant has no errors.
 std::optional<Compiled> compile_for_report(Context& context, const std::string& plant, const PlantOptions& options,
                                            bool& sound);
 
-/// The lists of a plant, for a command that does not need its model. The same messages and exit code as compile_for().
+/// The lists of a plant, for a command that does not need its model. Messages and exit code are those of compile_for().
 std::optional<Inputs> read_for(Context& context, const std::string& plant, const PlantOptions& options);
 
 /// Shows the decisions of the reader, for --verbose.

@@ -14,7 +14,7 @@ class PanelView {
  public:
   explicit PanelView(const model::PlantModel& plant);
 
-  /// Refers to this object.
+  /// The result refers to this object.
   panel::View view() const { return {devices_, stations_}; }
 
  private:

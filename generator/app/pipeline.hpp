@@ -22,14 +22,14 @@ struct Compiled {
   lower::EngineTables tables;  ///< empty if the description has errors, or if only checks follow
 };
 
-/// The lists with their names read by `reader`, then with their prefixes. `io` notes which rows its patterns match.
-/// O(rows).
+/// Reads the names of the lists with `reader`, then puts the prefixes before them. `io` records which rows its patterns
+/// match. O(rows).
 std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader& reader,
                                           name::IoRows& io);
 
 /// Reads a plant.json and its lists, or a bare list, derives the model, lowers it and checks it. Each stage runs once.
-/// The result has no value if a file cannot be read or does not fit its format. While `diagnostics` has an
-/// error that stops (check::is_stopping) the result is fit for reports only, not for running or generating. O(rows).
+/// The result has no value if a file cannot be read or does not fit its format. If `diagnostics` has a stopping error
+/// (check::is_stopping), the result is fit for reports only, not for running or generating. O(rows).
 std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
                                 diag::Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// What a running plant needs of a compiled one.
+// The parts of a compiled plant that a running plant needs.
 #include "app/prepared_plant.hpp"
 
 #include <fmt/format.h>

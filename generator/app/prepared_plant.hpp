@@ -1,4 +1,4 @@
-// What a running plant needs of a compiled one.
+// The parts of a compiled plant that a running plant needs.
 #pragma once
 
 #include <memory>
@@ -13,23 +13,23 @@
 
 namespace symplant::app {
 
-/// What a running plant needs of a compiled one: the rest is freed before the start.
+/// The parts of a compiled plant that are needed while it runs. The rest is freed before the start.
 class PreparedPlant {
  public:
   PreparedPlant(Compiled compiled, const std::string& plant_file);
   PreparedPlant(const PreparedPlant&) = delete;
   PreparedPlant& operator=(const PreparedPlant&) = delete;
 
-  /// Refers to this object.
+  /// The result refers to this object.
   host::PlantProgram program() const { return program(rows_); }
-  /// The same plant with other tables, which must outlive what is returned.
+  /// The same plant with other tables, which must outlive the result.
   host::PlantProgram program(const tables::PlantTables& tables) const;
   const lower::EngineTables& tables() const { return tables_; }
 
  private:
   const lower::EngineTables tables_;
   const tables::PlantTables rows_;
-  const std::shared_ptr<const description::Description> description_;  ///< its texts are in links and settings
+  const std::shared_ptr<const description::Description> description_;  ///< links and settings point to its texts
   const PanelView view_;
   const DescribedPrograms programs_;
   const std::vector<model::ControllerLink> controllers_;

@@ -18,8 +18,8 @@ namespace symplant::app {
 /// A symbol list as it was read.
 struct ReadList {
   std::shared_ptr<read::SymbolTable> table;
-  std::string controller;            ///< whose addresses these are; empty: the default controller
-  std::string prefix;                ///< of the names of its symbols and the lines of its devices
+  std::string controller;            ///< the controller that it belongs to; empty: the default one
+  std::string prefix;                ///< put before the names of its symbols and the lines of its devices
   std::optional<address::Radix> xy;  ///< without a value: what the rows prove, else hexadecimal
 };
 
@@ -27,12 +27,12 @@ struct Inputs {
   std::string name;                                             ///< the plant's
   std::shared_ptr<const text::SourceFile> source;               ///< the plant.json; null: a bare list
   std::shared_ptr<const description::Description> description;  ///< null: a bare list
-  std::vector<description::DescriptionFault> faults;            ///< of the description's form
+  std::vector<description::DescriptionFault> faults;            ///< where the description does not fit its format
   bool readable = true;  ///< everything was read and fits its format; otherwise the inputs serve to find faults only
   std::vector<ReadList> lists;
   name::IoRows io;  ///< rows that are I/O although their address is internal or missing
   std::shared_ptr<const name::CompiledNaming> naming = naming::strict_naming();
-  std::shared_ptr<const symplant::naming::LoadedNaming> naming_parts;  ///< where its parts are; null with `naming`
+  std::shared_ptr<const symplant::naming::LoadedNaming> naming_parts;  ///< locations of its parts; null: default rule
 };
 
 /// Reads all files of a plant. Nothing if there is no list, or if the naming rule has a fault. Adds findings to

@@ -14,8 +14,9 @@ namespace symplant::app {
 /// Collects renames of all plants of a check.
 class RenameMap {
  public:
-  /// Takes those of the findings of a plant. Of two proposals for one symbol the first counts. A new name that is
-  /// taken, by a row or by another proposal, is left out. O(rows + renames), O(findings) without a rename.
+  /// Adds the renames that the findings of a plant propose. Of two proposals for one symbol the first counts. A
+  /// proposal is left out if a row or another proposal already has the new name. O(rows + renames), O(findings) without
+  /// a rename.
   void add(const model::PlantModel& plant, const diag::Diagnostics& findings);
 
   /// CSV with the columns `old`, `new`, `address`, `safe` (yes or no) and `why` (the rule).

@@ -14,14 +14,14 @@ namespace symplant::app {
 /// ", 4 sensors of parts", ", 1 by `follow`", ", 2 read by `material`, `follow` or `malfunctions`" if there are any.
 std::string score_text(const score::Counts& counts);
 
-/// Rounded; 0 of nothing.
+/// Rounded; 0 if `of` is 0.
 std::size_t percent_of(std::size_t count, std::size_t of);
 
-/// "match no rule": what is said of several symbols with a account; empty if they are accounted for.
+/// "match no rule": the reason that several symbols of an account have; empty if the account is not left over.
 std::string_view reason_text(name::Account account);
 
-/// The symbols that are left over, as lines; with `verbose` also the stations, and events to ask for. Empty for the
-/// built-in rule without `verbose`, because findings report each of its symbols.
+/// The symbols that are left over, as lines; with `verbose` also the stations, and the events to ask about. Empty for
+/// the built-in rule without `verbose`, because findings report each of its symbols.
 std::string score_details(const model::PlantModel& plant, const score::PlantScore& score, bool verbose);
 
 }  // namespace symplant::app

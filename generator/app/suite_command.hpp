@@ -1,4 +1,4 @@
-// What the command test works with.
+// The options and helper functions of the command test.
 #pragma once
 
 #include <cstddef>
@@ -29,10 +29,10 @@ struct TestOptions {
   std::vector<std::string> links;
   std::vector<suite::Speed> speeds{suite::Speed::normal};
   bool update = false;
-  std::size_t jobs = 0;  ///< 0: the processors
+  std::size_t jobs = 0;  ///< 0: as many as there are processors
   Shard shard;
-  std::string base;       ///< the case of which others are proposed; empty: none are
-  std::size_t most = 50;  ///< cases that are proposed
+  std::string base;       ///< the case from which others are proposed; empty: no case is proposed
+  std::size_t most = 50;  ///< the most cases that are proposed
   std::vector<std::string> merged;
   std::string output;
   std::string junit;
@@ -40,7 +40,7 @@ struct TestOptions {
   PlantOptions plant;
 };
 
-/// A folder for files of cases, which is gone at the end.
+/// A temporary folder for files of cases. The destructor removes it.
 class CaseFolder {
  public:
   CaseFolder();
@@ -64,7 +64,7 @@ std::size_t jobs_of(const TestOptions& options);
 /// Shows an error, and sets the exit code.
 void fail_test(Context& context, const std::string& message, int code);
 
-/// Writes cases into the folder of a suite: what the base case does, and one thing more.
+/// Writes cases into the folder of a suite: each does what the base case does, and one thing more.
 void propose_cases(const TestOptions& options, const suite::Suite& suite, const PreparedPlant& prepared,
                    Context& context);
 

@@ -1,4 +1,4 @@
-// Searches a text from its begin to its end, 64 bytes at a time.
+// Searches a text from beginning to end, 64 bytes at a time.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace symplant::base {
 
-/// Finds the next of three characters. Examines each byte once, however near they are, while `from` does not go back
-/// behind the last result.
+/// Finds the next of three characters. Examines each byte once, however close to each other the results are, as long as
+/// `from` is not before the last result.
 class ForwardSearch {
  public:
   ForwardSearch(std::string_view text, char a, char b, char c) : text_(text), a_(a), b_(b), c_(c) {}

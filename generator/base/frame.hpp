@@ -1,4 +1,4 @@
-// A text with places that others fill.
+// A text with marks that other texts replace.
 #pragma once
 
 #include <initializer_list>

@@ -10,7 +10,8 @@ namespace symplant::base {
 /// Hints to the system that all of a block, not yet written to, will be written. Does nothing for small blocks.
 void expect_large(void* begin, std::size_t bytes);
 
-/// Returns freed memory to the system, for a program that runs on with little of what it used. O(freed blocks).
+/// Returns freed memory to the system, for a program that continues with little of the memory that it used. O(freed
+/// blocks).
 void return_freed_memory();
 
 /// Reserves room for `count` items in a vector or string that will be filled.

@@ -26,7 +26,7 @@ struct ProcessError {
 struct ProcessCall {
   std::string program;                 ///< a name that is searched for on the path
   std::vector<std::string> arguments;  ///< passed as they are, without a shell
-  std::string_view input = {};         ///< its standard input
+  std::string_view input = {};         ///< the standard input of the program
   std::chrono::milliseconds limit{8'000};
   std::size_t most_output = std::size_t{64} << 20;  ///< bytes
 };

@@ -1,4 +1,4 @@
-// Replaces a file by a new one once that is complete.
+// Replaces a file with a new one once the new one is complete.
 #pragma once
 
 #include <sys/types.h>

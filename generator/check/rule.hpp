@@ -28,15 +28,16 @@ using model::Unit;
 using tables::Direction;
 struct Find;
 
-/// The plants that a rule is for: all; those with a list whose names follow the naming rule; of these the ones whose
-/// names have levels, line, process and device first, and whose devices are one unit each.
+/// The plants that a rule applies to. `named`: plants with a list whose names follow the naming rule. `levels`: of
+/// these, plants whose names have levels that begin with line, process and device, and whose devices are one unit each.
 enum class For : std::uint8_t { all, named, levels };
 
 struct Rule : diag::RuleInfo {
   using OfPlant = void (*)(const Find& find);
   using OfSymbol = void (*)(const Find& find, const Symbol& symbol);
   using OfUnit = void (*)(const Find& find, const Unit& unit);
-  /// Adds a finding for each root cause. Called once, or for each symbol or unit. Null if others report the rule.
+  /// Adds a finding for each root cause. Called once, or for each symbol or unit. Null if other code reports the
+  /// findings of the rule.
   using Check = std::variant<std::nullptr_t, OfPlant, OfSymbol, OfUnit>;
 
   constexpr Rule(std::string_view new_id, std::string_view name, diag::Severity level, Check function,
@@ -55,17 +56,17 @@ inline constexpr auto kError = diag::Severity::error;
 
 /// A finding that is being written. say() adds it.
 struct Finding {
-  /// Another location that belongs to it.
+  /// Adds another location that belongs to the finding.
   Finding& see(diag::Location location, std::string text);
   Finding& see(const read::ListRow& row, std::string_view cell, std::string text);
   Finding& see(const Symbol& symbol, std::string text) { return see(*symbol.row, symbol.name(), std::move(text)); }
-  // It is also about a subject, explains it, or follows from what explains it.
+  // Adds a subject that the finding is about, that it explains, or that explains it.
   Finding& also(Kind kind, std::string_view name);
   Finding& explains(Kind kind, std::string_view name);
   Finding& follows(Kind kind, std::string_view name);
-  /// A symbol of this name, which its device lacks, is missing because of the finding.
+  /// The finding explains why the device of this path lacks a symbol of this name.
   Finding& lacks(std::string_view name, std::string_view path);
-  /// Another name for a symbol; `safe` if the list itself proves it.
+  /// Proposes another name for a symbol; `safe` if the list itself proves it.
   Finding& rename(const Symbol& symbol, std::string to, bool safe = false);
 
   template <class... Args>
@@ -82,7 +83,8 @@ struct Finding {
 /// What a rule looks at: the plant, and what several rules need to know of it, made once. at() begins a finding.
 struct Find {
   Finding at(diag::Location location, diag::Subjects subjects = {}) const;
-  /// At a cell of a row. It is about its symbol, or about the row if that is left out. O(log symbols).
+  /// A finding at a cell of a row. It is about the symbol of the row, or about the row if the model has no symbol for
+  /// it. O(log symbols).
   Finding at(const read::ListRow& row, std::string_view cell) const;
   Finding at(const Symbol& symbol, std::string_view cell) const;
   Finding at(const Symbol& symbol) const { return at(symbol, symbol.name()); }
@@ -109,7 +111,7 @@ diag::Location location_of(const description::Pointer& pointer, diag::Location f
 
 /// The name that the built-in rule gives the symbol of a device for a task and a direction.
 std::string symbol_name(std::string_view path, Direction direction, std::string_view task);
-/// A device's name with `#` for each run of digits, in capitals: devices of one class have one.
+/// A device's name with `#` for each run of digits, in capitals: devices of one class have the same class name.
 std::string class_name(std::string_view device);
 constexpr Direction other_side(Direction direction) {
   return direction == Direction::operation ? Direction::event : Direction::operation;
@@ -125,7 +127,7 @@ std::span<const Rule> row_rules();
 std::span<const Rule> spelling_rules();
 std::span<const Rule> text_rules();
 
-/// Whether nothing leads to a state that a unit only reports, for want of an operation.
+/// Whether a unit only reports a state and nothing leads to it, because the state has no operation.
 bool is_left_alone(const Unit& unit, std::uint32_t state);
 /// For each list of the plant: whether its names follow another rule than the plant's. O(symbols).
 std::vector<bool> lists_named_otherwise(const PlantModel& plant);

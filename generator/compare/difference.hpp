@@ -24,19 +24,19 @@ struct Difference {
     actual_ends,    ///< EXPECTED has changes after the end of ACTUAL
   };
   Kind kind = Kind::missing;
-  const Series* of = nullptr;  ///< whose; null: of the whole trace
+  const Series* of = nullptr;  ///< the element that differs; null: the whole trace
   tables::Time time = 0;       ///< of EXPECTED's change; unexpected: of ACTUAL's; ends: of the last line
   tables::Time by = 0;         ///< late, early: the difference; deviates, a pulse: how long
   double expected = 0;         ///< the value; deviates: where the difference is greatest
   double actual = 0;
-  bool is_pulse = false;    ///< missing, unexpected: the change and the one back
+  bool is_pulse = false;    ///< missing, unexpected: the change and the change back
   std::size_t changes = 0;  ///< ends: how many changes of the other follow
 };
 
 enum class Align : std::uint8_t {
   none,    ///< times are compared as they are
-  symbol,  ///< from the first time that a symbol comes on
-  follow,  ///< from the last change that both have
+  symbol,  ///< times count from the first time that a symbol comes on
+  follow,  ///< times count from the last change that both have
 };
 
 struct Options {
@@ -50,10 +50,10 @@ struct Options {
 
 /// `none`, `follow`; any other text is the name of a symbol.
 Align align_of(std::string_view text);
-/// 0.025 of `2.5%`, or of `0`. Nothing for any other text.
+/// Reads a share: `2.5%` is 0.025. Only `0` needs no `%`. Nothing for any other text.
 std::optional<double> parse_tolerance(std::string_view text);
 
-/// Both traces must outlive it.
+/// The result of compare(). Both traces must outlive it.
 struct Comparison {
   const Recorded* expected = nullptr;
   const Recorded* actual = nullptr;
@@ -62,8 +62,8 @@ struct Comparison {
   std::vector<const Series*> not_recorded;  ///< elements that one trace, a recording, does not have
   std::size_t changes = 0;                  ///< of EXPECTED, up to the end of the comparison
   std::vector<Difference> differences;      ///< by time
-  std::string error;                        ///< why nothing could be compared; empty: it was
-  std::string warning;                      ///< what may be a mistake of the user; empty: nothing
+  std::string error;                        ///< why the traces could not be compared; empty: they were
+  std::string warning;                      ///< what may be a mistake of the user; empty: no warning
 };
 
 /// Compares two traces. O(changes * log(differences)).

@@ -19,9 +19,9 @@ void write_junit(const Comparison& comparison, base::TextSink& sink);
 /// Both traces as one chart with the differences marked: one page that needs no network.
 void write_html(const Comparison& comparison, base::TextSink& sink);
 
-/// What that page shows, as JSON.
+/// The data of the page of write_html(), as JSON.
 std::string chart_data(const Comparison& comparison);
-/// That page, with such data in the encoding of a script.
+/// Writes the page of write_html() with chart data that is encoded by diag::script_json().
 void write_chart_page(const std::string& title, const base::TextSource& data, base::TextSink& sink);
 
 }  // namespace symplant::compare

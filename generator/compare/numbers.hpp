@@ -14,8 +14,8 @@ struct Limits {
   tables::Time until;  ///< in EXPECTED's time
 };
 
-/// Adds where `actual`, which may be null, differs from `expected` by more than the tolerance, for longer than the
-/// window. Before its first change a number is 0. O(changes).
+/// Adds a difference wherever `actual`, which may be null, differs from `expected` by more than the tolerance, for
+/// longer than the window. Before its first change a number is 0. O(changes).
 void add_deviations(const Series& expected, const Series* actual, const Offsets& offsets, const Limits& limits,
                     std::vector<Difference>& differences);
 

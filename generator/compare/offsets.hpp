@@ -9,18 +9,18 @@
 
 namespace symplant::compare {
 
-/// What is added to EXPECTED's times for those of ACTUAL. It changes with each pair if one run follows the other.
+/// The offset from EXPECTED's times to ACTUAL's. It changes with each pair of changes if one run follows the other.
 class Offsets {
  public:
   explicit Offsets(tables::Time first) { steps_.push_back({std::numeric_limits<tables::Time>::min(), first}); }
 
   tables::Time last() const { return steps_.back().second; }
-  /// From EXPECTED's time `from` on, which is not before that of an earlier call.
+  /// Sets the offset from EXPECTED's time `from` on. `from` must not decrease from call to call.
   void add(tables::Time from, tables::Time offset) {
     if (offset != last()) steps_.push_back({from, offset});
   }
 
-  /// Translates ACTUAL's times, which do not go back, in EXPECTED's. O(steps) in all.
+  /// Translates ACTUAL's times to EXPECTED's. Times must not decrease from call to call. O(steps) over all calls.
   class Translation {
    public:
     explicit Translation(const Offsets& offsets) : steps_(offsets.steps_) {}

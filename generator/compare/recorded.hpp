@@ -13,7 +13,7 @@
 
 namespace symplant::compare {
 
-/// The latest time and the longest window, ns: their sums are still times. 73 years.
+/// The latest time and the longest window, in ns (73 years): their sums do not overflow.
 inline constexpr tables::Time kLatestTime = std::numeric_limits<tables::Time>::max() / 4;
 
 /// One element that a trace has lines of.
@@ -33,7 +33,7 @@ struct Series {
   std::vector<Change> changes;  ///< by time
   bool is_operation = false;    ///< a PLC writes it, as far as the trace says
 
-  /// Names the same element in every trace: a symbol and a location may have one name.
+  /// Identifies the same element in every trace: a symbol and a location may have the same name.
   std::string key() const { return kind == Kind::parts ? "@" + name + "@" + part : name; }
 };
 
@@ -60,7 +60,7 @@ struct ReadRecorded {
   std::string warning;  ///< as error: something was left out
 };
 
-/// Reads a trace. If the plant was reset or restored, what follows the last time counts. A trace does not have the
+/// Reads a trace. If the plant was reset or restored, only what follows the last time counts. A trace does not have the
 /// directions of symbols: an operation is what a program of its header writes, or what has the level `O` in its name.
 /// O(file).
 ReadRecorded read_recorded(std::istream& file, const std::string& name);

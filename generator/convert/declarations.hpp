@@ -25,7 +25,7 @@ struct Declaration {
 struct DeclarationGroup {
   std::string_view title;  ///< "inputs"
   Kind kind;
-  bool located;                        ///< all have addresses; where the dialect keeps both apart
+  bool located;                        ///< all have addresses; false if the dialect does not separate them
   std::vector<std::uint32_t> symbols;  ///< at least one, in the order of the rows
 };
 

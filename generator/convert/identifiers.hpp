@@ -21,7 +21,7 @@ std::string iec_identifier(std::string_view utf8_name);
 /// Whether TIA Portal accepts a name of a tag: at most 128 characters, no `"` and no control characters.
 bool is_tia_name(std::string_view name);
 
-/// The same name with `'` for `"`, blanks for control characters, and cut to `most` characters.
+/// The name with `'` for `"`, blanks for control characters, and cut to `most` characters.
 std::string tia_name(std::string_view utf8_name);
 
 }  // namespace symplant::convert

@@ -21,13 +21,13 @@ using Rename = std::pair<std::string, std::string>;
 
 class Report {
  public:
-  /// `loss` must outlive the report: kinds differ in their address.
+  /// `loss` must outlive the report: kinds are identified by their address.
   void add(const Loss& loss, std::string_view name);
   void rename(std::string_view from, std::string_view to, const Loss& why);
 
   /// One line for each kind, in the order of their first loss. Safe to show.
   std::vector<std::string> lines() const;
-  /// In the order of the rows.
+  /// The changed names, in the order of the rows.
   const std::vector<Rename>& renames() const { return renames_; }
 
  private:

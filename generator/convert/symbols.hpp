@@ -37,7 +37,7 @@ struct Symbol {
 /// One list of a plant.
 struct List {
   std::shared_ptr<const read::SymbolTable> table;
-  std::string controller;            ///< whose addresses these are; empty: the default controller
+  std::string controller;            ///< the controller that it belongs to; empty: the default one
   std::optional<address::Radix> xy;  ///< how X and Y count if no row proves it
 };
 
@@ -45,8 +45,8 @@ struct Symbols {
   std::vector<std::shared_ptr<const read::SymbolTable>> tables;  ///< hold what the symbols point to
   std::vector<Symbol> all;                                       ///< in the order of lists and rows
   std::size_t controllers = 0;
-  std::deque<read::ListRow> rows;  ///< those of symbols with other names than in their tables
-  std::deque<std::string> texts;   ///< these names
+  std::deque<read::ListRow> rows;  ///< rows of symbols that were renamed
+  std::deque<std::string> texts;   ///< the new names
 };
 
 /// O(rows).

@@ -18,11 +18,11 @@ inline constexpr std::size_t kMostSheetRows = 1048576;
 /// The most characters of a cell.
 inline constexpr std::size_t kMostCellCharacters = 32767;
 
-/// Each text once. Views must outlive the table.
+/// Keeps each text once. Views must outlive this object.
 class SharedStrings {
  public:
   std::uint32_t add(std::string_view text);
-  /// The same for a text that the table has to keep.
+  /// Like add(), for a text that this object must own.
   std::uint32_t keep(std::string text);
   const std::vector<std::string_view>& all() const { return all_; }
 

@@ -37,7 +37,7 @@ enum class Sequence : std::uint8_t {
 std::string_view sequence_name(Sequence sequence);
 
 struct GivenTransition {
-  std::string from;  ///< a state, or "*": every one other than `to`
+  std::string from;  ///< a state, or "*": every state except `to`
   std::string to;
   std::string on;    ///< the task of an operation; empty: that of `to`, unless `automatic`
   std::string when;  ///< a condition; empty: none
@@ -96,7 +96,7 @@ struct DeviceDescription {
   std::string type;                                         ///< the generated class; empty: named by the device level
   std::string behaviour;                                    ///< the custom class; empty: not given
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and condition
-  /// Symbols of the device, whatever their names, as task and symbol. Only of an exact name.
+  /// Symbols of the device, whatever their names, as task and symbol. Only in an entry with an exact name.
   std::vector<std::pair<std::string, std::string>> operations;
   std::vector<std::pair<std::string, std::string>> events;
   std::optional<tables::Time> overrun;  ///< kNever: not examined
@@ -114,10 +114,10 @@ struct DeviceDescription {
 
   /// Whether it is for several units, which may lack what it names.
   bool is_pattern() const { return covers_facets || path.find_first_of("*?") != std::string::npos; }
-  /// Whether it is for a unit; a device with several units has another path than they.
+  /// Whether it applies to a unit. A device with several units has another path than its units.
   bool matches(std::string_view unit_path, std::string_view device_path) const;
   bool gives(DeviceKey key) const;
-  /// Whether it makes the device of symbols.
+  /// Whether it makes the device from symbols that it names.
   bool names_symbols() const { return !operations.empty() || !events.empty(); }
   /// Copies a key from another entry, which must outlive this one.
   void take(DeviceKey key, const DeviceDescription& other);
@@ -152,7 +152,7 @@ struct Defaults {
 
 /// Settings of `symplant check`, as texts: rules by id or slug.
 struct GivenCheck {
-  /// Of `symplant check` by `rule`, or of a run by `finding`; the other one is empty.
+  /// An entry for `symplant check` has `rule`, an entry for a run has `finding`; the other member is empty.
   struct Ignore {
     std::string rule;
     std::string symbols;  ///< a pattern of symbols, devices or requirements; empty: all

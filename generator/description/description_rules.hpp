@@ -11,7 +11,7 @@
 
 namespace symplant::description {
 
-/// By id.
+/// The rules, by id.
 std::span<const diag::RuleInfo* const> rules();
 
 /// Adds the finding that the file is empty.

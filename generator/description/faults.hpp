@@ -22,8 +22,8 @@ std::string ticked(std::string_view text);
 /// "state `X` of `Y` not found; did you mean `Z`?", from "state `X` of `Y`"; `nearest` may be empty.
 std::string missing(const std::string& what, std::string_view nearest);
 
-/// A JSON pointer, extended key by key. Keys must outlive it: only text() writes them down, since few pointers become
-/// the location of a fault.
+/// A JSON pointer, extended key by key. Keys must outlive it: only text() copies them, since few pointers become the
+/// location of a fault.
 class Pointer {
  public:
   explicit Pointer(std::string begin) : begin_(std::move(begin)) {}
@@ -34,10 +34,11 @@ class Pointer {
   /// O(the text).
   std::string text() const;
 
-  /// A pointer into an entry that is resolved for each thing that the pattern matches. The pattern must outlive it.
+  /// A pointer into an entry that is resolved for each device or symbol that the pattern matches. The pattern must
+  /// outlive it.
   Pointer matched_by(std::string_view pattern) const;
 
-  /// The pattern whose entry it points into; null if it points into none.
+  /// The pattern whose entry it points into; null if there is none.
   const DeviceDescription* pattern() const { return pattern_; }
   DeviceKey key() const { return key_; }
   /// The text of that pattern, or of matched_by(); empty: none.
@@ -46,7 +47,7 @@ class Pointer {
  private:
   friend Pointer key_pointer(const DeviceDescription& device, DeviceKey key);
 
-  /// An index if the key has no characters in memory.
+  /// A key; an index if `key.data()` is null.
   struct Step {
     std::string_view key;
     std::size_t index = 0;
@@ -59,12 +60,13 @@ class Pointer {
   const DeviceDescription* pattern_ = nullptr;
   std::string_view matched_by_;
   DeviceKey key_{};
-  bool fixed_ = false;  ///< it is not extended
+  bool fixed_ = false;  ///< the operator `/` does not extend it
 };
 
 /// "/devices/L_P_D"; for a joined description its most specific entry.
 Pointer device_pointer(const DeviceDescription& device);
-/// "/devices/L_P_*/transitions": in the entry that gives the key. Of a key that the naming rule gives, the device's.
+/// "/devices/L_P_*/transitions": in the entry that gives the key. For a key that the naming rule gives, the pointer to
+/// the device.
 Pointer key_pointer(const DeviceDescription& device, DeviceKey key);
 
 /// The kind of thing that a name in the entry of a device refers to.
@@ -109,7 +111,7 @@ class Faults {
   void report_lacks(const SomeHave& some_have);
 
   /// The nearest of `count` names, each given by `name_at(i)`. Returns an empty name after some millions of
-  /// comparisons: a plant may have a hundred thousand names, and a description as many slips.
+  /// comparisons: a plant may have a hundred thousand names, and a description as many typing mistakes.
   template <class NameAt>
   std::string_view nearest(std::string_view wanted, std::size_t count, NameAt&& name_at) const {
     if (count > comparisons_left_) return {};

@@ -23,7 +23,7 @@ struct ListReference {
   read::ColumnMap columns;                 ///< of a table; empty: recognized
   address::IoRanges io_words;              ///< which words of CIO are inputs or outputs; empty: none
   std::string prefix;                      ///< put before the names of its symbols and the lines of its devices
-  std::size_t part = 0;                    ///< of several lists in one file; 0: all of it
+  std::size_t part = 0;                    ///< which of several lists in one file; 0: all of it
   std::string controller;                  ///< the PLC it belongs to; empty: the only one
   std::optional<address::Radix> xy;        ///< how X and Y count if no row proves it
 };
@@ -50,7 +50,7 @@ PlantFileReading read_plant_file(std::string_view text, std::string_view stem);
 /// Whether a file is read as plant.json: its name ends in .json or .jsonc, or its text begins with `{`.
 bool is_plant_file(std::string_view path, std::string_view bytes);
 
-/// A message: this encoding is unknown, the known ones, and the nearest one.
+/// For a message: that this encoding is unknown, the known encodings, and the nearest one.
 std::string no_such_encoding(std::string_view name);
 
 /// The schema of plant.json, as `symplant schema plant` prints it.

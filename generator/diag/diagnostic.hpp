@@ -37,8 +37,8 @@ enum class Rank : std::uint8_t {
 /// What an error of a rule means for the plant.
 enum class Effect : std::uint8_t {
   no_plant,      ///< there is no valid plant: the rule cannot be ignored
-  no_plant_yet,  ///< there is one if the rule is ignored
-  served,        ///< there is one, whose symbols can be served
+  no_plant_yet,  ///< there is a valid plant if the rule is ignored
+  served,        ///< there is a valid plant, whose symbols can be served
 };
 
 /// The properties of a rule. Ids and slugs are never reused.
@@ -47,11 +47,11 @@ struct RuleInfo {
   std::string_view slug;  ///< "wrong-number-of-levels"
   Severity severity;
   std::string_view summary;  ///< one line, for the catalogue
-  std::string_view page;     ///< the manual page, Markdown: what it means, or all of it
+  std::string_view page;     ///< the manual page, Markdown: the meaning of the rule, or the whole page
   Rank rank = Rank::last;
   std::string_view loses = {};       ///< what the model loses, if the page does not say it
   std::string_view fix = {};         ///< how to fix it
-  Effect effect = Effect::no_plant;  ///< of an error
+  Effect effect = Effect::no_plant;  ///< what an error of the rule means
 };
 
 /// The manual page with all of its sections, in lines of at most 120 characters if a section is one line.
@@ -105,8 +105,8 @@ struct Subjects {
   std::vector<Subject> about;     ///< what the user may name to ignore the finding; they make its fingerprint
   std::vector<Subject> explains;  ///< a finding that follows any of these may follow from this one
   std::vector<Subject> follows;   ///< what the finding may be a consequence of
-  /// Of the name of the first of `about`, such as `ST#_CLAMP#_O_ADV`, or of the type of its device. Findings of one
-  /// rule and one shape become one finding; empty if the finding stays single.
+  /// The shape of the name of the first of `about`, such as `ST#_CLAMP#_O_ADV`, or of the type of its device. Findings
+  /// of one rule and one shape become one finding; empty if the finding stays single.
   std::string shape = {};
 };
 
@@ -135,7 +135,7 @@ struct Ignored {
 struct LeftOutByOption {
   std::size_t not_selected = 0;
   std::size_t ignored = 0;
-  std::size_t consequences = 0;  ///< that follow from the ignored ones
+  std::size_t consequences = 0;  ///< findings that follow from the ignored ones
   std::size_t baseline = 0;
 
   std::size_t total() const { return not_selected + ignored + consequences + baseline; }
@@ -158,8 +158,8 @@ class Diagnostics {
   void sort_by_location(std::span<const text::SourceFile* const> files = {});
   /// The pointers of all locations, related ones too, that are not yet located: unique and sorted.
   std::vector<std::string> pointers() const;
-  /// Sets file and span of those locations: `spans[i]` is the span of the i-th of pointers(). A location without a span
-  /// does not change.
+  /// Sets file and span of the locations of pointers(): `spans[i]` is the span of the i-th of pointers(). A location
+  /// without a span does not change.
   void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
@@ -177,10 +177,10 @@ class Diagnostics {
     left_out_.baseline += more.baseline;
   }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
-  /// Makes findings consequences of others: `into[i]` is the index of the one that takes the i-th, or i itself. One
-  /// that takes others is taken by none.
+  /// Makes findings consequences of others: `into[i]` is the index of the finding that takes the i-th, or i itself. No
+  /// finding takes one that takes others.
   void fold(std::span<const std::uint32_t> into);
-  /// Makes related rows of all consequences. A finding becomes as severe as the most severe of them.
+  /// Turns all consequences into related rows. A finding becomes as severe as the most severe of them.
   void show_consequences();
 
   bool has_errors() const { return count(Severity::error) != 0; }

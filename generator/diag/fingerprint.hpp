@@ -11,8 +11,8 @@
 namespace symplant::diag {
 
 /// Gives each finding a fingerprint: 16 hexadecimal digits from its rule, its file and the symbols and devices that it
-/// is about (of a finding of many, their shape), then `:1`, `:2` ... for findings equal in these. Moved rows and a new
-/// wording of the message do not change it. For a finding about no symbol the message (without the numbers outside
+/// is about (if the finding joins many, their shape), then `:1`, `:2` ... for findings equal in these. Moved rows and a
+/// new wording of the message do not change it. For a finding about no symbol the message (without the numbers outside
 /// back-ticks) and the text at its location are used instead.
 class Fingerprints {
  public:

@@ -8,8 +8,8 @@
 
 namespace symplant::diag {
 
-/// The most severe first; of these the rules of rows and addresses, which hold for every naming rule; of these what
-/// concerns the most symbols. Others keep their order. O(findings * log(findings)).
+/// The most severe findings first; among these, findings of rows and addresses, which hold for every naming rule; among
+/// these, findings that concern the most symbols. Otherwise the order is kept. O(findings * log(findings)).
 std::vector<const Diagnostic*> by_importance(std::span<const Diagnostic> findings);
 
 }  // namespace symplant::diag

@@ -23,7 +23,7 @@ struct LeftOut {
 /// characters; `span` is in bytes of the file's text as UTF-8. A finding in an empty text has no line; one without a
 /// source has no file either.
 std::string render_json(std::span<const Diagnostic> findings, const LeftOut& left_out = {});
-/// The same for the findings of several parts, one part after the other. `plants` are JSON objects on one line each,
+/// The object for the findings of several parts, one part after the other. `plants` are JSON objects on one line each,
 /// for the key `plants`; without them there is no such key.
 std::string render_json(std::span<const std::span<const Diagnostic>> parts, const LeftOut& left_out,
                         std::span<const std::string> plants = {});

@@ -16,9 +16,8 @@ struct JunitOptions {
 
 /// One test suite for each plant. A rule without a failing finding is one passed test, with its lesser findings in the
 /// output. Each failing finding is a failed test of the class `plant.rule`, named after the subject of the finding.
-/// Each finding that plant.json ignores is a skipped test. Each gate is a
-/// test. A plant that cannot be read has only its findings, as
-/// errors. All times are 0, so that reports of equal runs are equal.
+/// Each finding that plant.json ignores is a skipped test. Each gate is a test. A plant that cannot be read has only
+/// its findings, as errors. All times are 0, so that reports of equal runs are equal.
 std::string render_junit(std::span<const Report> reports, const JunitOptions& options);
 
 }  // namespace symplant::diag

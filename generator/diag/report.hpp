@@ -8,7 +8,7 @@
 
 namespace symplant::diag {
 
-/// A requirement on the plant as a whole, which is no finding.
+/// A requirement on the plant as a whole, which is not a finding.
 struct Gate {
   std::string name;     ///< `min-score paired=0.3`
   std::string failure;  ///< why it is not met; empty if it is

@@ -12,9 +12,9 @@ namespace symplant::diag {
 struct TextOptions {
   bool colour = false;
   bool all = false;  ///< all findings in their order, with all related rows
-  // Else the most important ones; what is left out is counted by rule at the end.
+  // Without `all`: the most important findings; the others are counted by rule at the end.
   std::size_t most = 7;          ///< the most findings shown
-  std::size_t most_errors = 20;  ///< the same where all of them are errors
+  std::size_t most_errors = 20;  ///< the most findings shown if all of them are errors
   Severity least = Severity::warning;
 };
 

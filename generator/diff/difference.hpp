@@ -50,8 +50,8 @@ struct SymbolChange {
 /// Many changes of one cause.
 struct Cause {
   enum class Kind : std::uint8_t {
-    added,     ///< names that begin with `after`, as no old name does
-    removed,   ///< names that begin with `before`, as no new name does
+    added,     ///< names that begin with `after`; no old name does
+    removed,   ///< names that begin with `before`; no new name does
     replaced,  ///< in names, `after` instead of `before`; `#` is any number that both have
     shifted,   ///< addresses of `before` (inputs, outputs, memory), by `after` (`+4 bytes`)
     retyped,   ///< type `after` instead of `before`
@@ -71,7 +71,7 @@ struct ItemChange {
   std::string key;      ///< which one: `P1`, `(P1, O_P2) -> P2`; empty if there is only one
   std::optional<std::string> before;
   std::optional<std::string> after;
-  bool follows = false;  ///< from another change of the same device: the transitions of a new state
+  bool follows = false;  ///< it follows from another change of the same device: the transitions of a new state
 };
 
 /// A device that was added, removed, renamed or changed.

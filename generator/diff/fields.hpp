@@ -9,7 +9,7 @@
 
 namespace symplant::diff {
 
-/// The address that counts of a row; nothing without one that can be read.
+/// The address of a row that counts; nothing if the row has no readable address.
 std::optional<address::Address> address_of(const model::PlantModel& plant, const RowRef& at);
 
 /// The address as the list writes it: the vendor's, else the IEC one; empty without one.

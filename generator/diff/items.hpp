@@ -16,7 +16,7 @@ struct Item {
   std::string_view element;
   std::string key;
   std::string value;
-  std::array<std::string, 2> states = {};  ///< if it exists only together with these
+  std::array<std::string, 2> states = {};  ///< it exists only together with these; empty: none
 
   friend bool operator==(const Item&, const Item&) = default;
 };

@@ -17,9 +17,10 @@ struct SymbolPairs {
   const RowRef& after_of(const RowRef& old) const { return after[old.list][old.row]; }
 };
 
-/// Pairs rows of one name, first those that also have one address. Of the others it pairs rows of one address, then
-/// rows without an address that have one type and comment, each only if no other row has them. Rows without a name
-/// belong to no pair. Names of different controllers are different if both plants have several. O(rows).
+/// Pairs rows with equal names, first those that also have equal addresses. Of the other rows it pairs those with equal
+/// addresses, then those without an address that have equal types and comments, in both cases only if no other row has
+/// the same. Rows without a name belong to no pair. Names of different controllers are different if both plants have
+/// several. O(rows).
 SymbolPairs pair_symbols(const model::PlantModel& before, const model::PlantModel& after);
 
 std::vector<SymbolChange> symbol_changes(const model::PlantModel& before, const model::PlantModel& after,

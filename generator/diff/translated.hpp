@@ -8,17 +8,17 @@
 
 namespace symplant::diff {
 
-/// By old symbol: the new one; kNone if it was removed or is no I/O symbol any more.
+/// By old symbol: the new one; kNone if it was removed or is no longer an I/O symbol.
 std::vector<std::uint32_t> symbols_after(const model::PlantModel& before, const model::PlantModel& after,
                                          const SymbolPairs& pairs);
 
-/// By old device: the new one; kNone if it was removed. Devices of one name are a pair. Of the others, those of which
-/// more than half of the symbols are pairs: a renamed device. O(devices + symbols).
+/// By old device: the new one; kNone if it was removed. Devices with equal names are a pair. Two other devices are a
+/// pair, that is a renamed device, if more than half of their symbols are pairs. O(devices + symbols).
 std::vector<std::uint32_t> units_after(const model::PlantModel& before, const model::PlantModel& after,
                                        const std::vector<std::uint32_t>& symbols);
 
-/// The old state of a device that has, under another name, the operation or the event of a new one; by new state,
-/// kNone without one. A name that both devices have is never another name. O(states log states).
+/// By new state of a device: the old state that has its operation or event under another name; kNone without one. A
+/// state whose name is in both devices is not renamed. O(states log states).
 std::vector<std::uint32_t> renamed_states(const model::Unit& before, const model::Unit& after,
                                           const std::vector<std::uint32_t>& symbols);
 

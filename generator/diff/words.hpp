@@ -32,7 +32,7 @@ struct Report {
   std::vector<Section> sections;
 };
 
-/// The report with at most `most` rows a section. With `all`, changes with a cause also have a row.
+/// The report with at most `most` rows in each section. With `all`, changes with a cause also have a row.
 Report report_of(const Comparison& comparison, std::size_t most, bool all);
 
 /// `12 symbols`, `1 symbol`.

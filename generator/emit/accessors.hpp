@@ -13,7 +13,7 @@ namespace symplant::emit {
 /// The rows of these functions. Their names depend on the names and types of the devices, not on the order of rows.
 struct Accessors {
   RowSource groups;  ///< a class for each line and each process
-  RowSource plant;   ///< the plant's own: lines, and the processes and devices whose names are unique
+  RowSource plant;   ///< for the plant class: lines, and the processes and devices whose names are unique
 };
 
 /// `classes` are the names of the types, `name_space` that of the plant. The sources may be read as long as tables and

@@ -13,7 +13,7 @@ std::string comment_text(std::string_view utf8);
 
 /// A C++ string literal with its quotes: octal escapes of three digits, never `\x`, no trigraph.
 std::string string_literal(std::string_view bytes);
-/// Appends the inside of one, without quotes.
+/// Appends the inside of a string literal, without quotes.
 void append_literal(std::string& out, std::string_view bytes);
 void append_comment(std::string& out, std::string_view utf8);
 

@@ -17,7 +17,7 @@ struct SkeletonList {
   std::string naming;    ///< a naming.json relative to the description, or `@PROFILE`; empty: the built-in rule
 };
 
-/// The text of a plant.json: valid, and the same plant as the bare list. Each line with a key after `//` may be
+/// The text of a valid plant.json that gives the same plant as the bare list. Each line with a key after `//` may be
 /// uncommented, alone or together with others, and the text stays valid. One entry for each shape of devices.
 std::string skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list);
 

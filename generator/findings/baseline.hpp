@@ -16,19 +16,19 @@ namespace symplant::findings {
 /// be sorted. A baseline only shrinks: what it does not have is reported.
 class Baseline {
  public:
-  /// Has every finding: to write the first baseline.
+  /// A baseline that has every finding, to write the first file.
   Baseline() = default;
   /// From the text of a file. On error, findings of its rule (SP627) in the file.
   static base::Result<Baseline, diag::Diagnostics> read(std::shared_ptr<const text::SourceFile> file);
 
-  /// Removes the findings that it has, with what follows from them, and counts them as left out. If there are more than
-  /// it counts, all of that kind are reported, since none of them is known to be the new one. Errors that make a valid
-  /// plant impossible stay. O(findings * log(entries)).
+  /// Removes the findings that it has, with what follows from them, and counts them as left out. If there are more
+  /// findings of a kind than it counts, all of them are reported, since it is not known which are new. Errors that make
+  /// a valid plant impossible stay. O(findings * log(entries)).
   diag::Diagnostics apply(const std::string& plant, diag::Diagnostics findings);
-  /// Adds one finding (SP626) if it has more than what was found.
+  /// Adds one finding (SP626) if it has findings that were not found.
   void report_stale(diag::Diagnostics& findings) const;
 
-  /// The file for what was found of the baseline, and how many findings it has.
+  /// The text of a file with those findings of the baseline that were found, and their number.
   std::string text() const;
   std::size_t size() const;
 

@@ -13,9 +13,10 @@
 
 namespace symplant::findings {
 
-/// Whether a rule reports an error that makes a valid plant impossible: it is neither lowered nor ignored.
+/// Whether a rule reports an error that makes a valid plant impossible: its severity cannot be lowered, and it cannot
+/// be ignored.
 bool is_binding(const diag::RuleInfo& rule);
-/// For a message: such a rule cannot be what the user wishes, for example "ignored".
+/// For a message: that a binding rule cannot be what `wish` says, for example "ignored".
 std::string binding_text(const diag::RuleInfo& rule, std::string_view wish);
 
 /// Rules chosen by id, slug or the beginning of an id. The more exact word counts: `SP401` more than `SP40`, that more
@@ -24,7 +25,7 @@ class Selection {
  public:
   enum class Verdict { reported, not_selected, ignored };
 
-  /// Every rule.
+  /// Selects every rule.
   Selection() = default;
   /// From the words of the two options; an empty `select` takes every rule. On error, the text of a message: no rule
   /// has the word, or it ignores a binding one.

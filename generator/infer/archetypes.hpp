@@ -21,7 +21,7 @@ struct FoundArchetype {
 std::vector<FoundArchetype> archetypes_of(const Applied& applied, std::span<const Sample> samples,
                                           const name::CompiledNaming& naming);
 
-/// Adds the archetypes that pair more, one after the other, handshakes of one `done` joined.
+/// Adds the archetypes that pair symbols. Handshakes with the same `done` are joined.
 name::Naming with_archetypes(const name::Naming& naming, std::span<const Sample> samples,
                              std::vector<std::string>& steps);
 

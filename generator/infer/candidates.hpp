@@ -22,7 +22,7 @@ enum class CandidateKind : std::uint8_t {
 struct Candidate {
   CandidateKind kind = CandidateKind::motions;
   std::vector<name::SymbolRule> rules;
-  std::size_t support = 0;  ///< samples that it looks made for
+  std::size_t support = 0;  ///< samples that it seems to fit
   std::string why;          ///< for --verbose: "`sol` is on operations (120 of 120), `ls` on events (210 of 212)"
 };
 

@@ -10,7 +10,7 @@
 
 namespace symplant::infer {
 
-/// The words of a list of the vocabulary, of which some are phrases.
+/// Whether `words` contain one of the words or phrases of a list of the vocabulary.
 bool has_word(const std::vector<std::string>& words, std::span<const std::string_view> list,
               const name::Vocabulary& vocabulary);
 
@@ -20,7 +20,7 @@ enum class Cause : std::uint8_t {
   ack,      ///< the operation repeats the event
   work,     ///< the operation starts what the event reports as done
   sides,    ///< words that only say the side
-  unknown,  ///< the words say nothing: only their support counts
+  unknown,  ///< the words do not show a cause: only their support counts
 };
 Cause cause_of(const Difference& difference, const name::Vocabulary& vocabulary);
 /// Whether words or support are enough to link both sides.

@@ -11,7 +11,7 @@
 
 namespace symplant::infer {
 
-/// Operations and events whose texts are equal but for one run of words each.
+/// Operations and events whose texts are equal except for one run of words in each.
 struct Difference {
   std::vector<std::string> operation;      ///< words that only the operations have; may be empty
   std::vector<std::string> event;          ///< words that only the events have; may be empty
@@ -28,7 +28,7 @@ struct DifferenceLimits {
   std::size_t least_support = 3;
   std::size_t least_common = 2;  ///< words that both texts must have
   std::size_t most_words = 2;    ///< of a run
-  std::size_t fixed = 0;         ///< words at the begin that are never part of a difference
+  std::size_t fixed = 0;         ///< words at the beginning that are never part of a difference
 };
 
 /// The best supported first. Texts with more than two partners do not count. O(words).

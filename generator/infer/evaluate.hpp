@@ -29,7 +29,7 @@ name::Counts score_of(const pairing::Pairing& pairing, std::span<const Sample> s
 /// A rule applied to samples.
 struct Applied {
   std::unique_ptr<name::SymbolReader> reader;  ///< keeps the texts of the readings
-  std::vector<name::Reading> readings;         ///< one a sample
+  std::vector<name::Reading> readings;         ///< one for each sample
   pairing::Pairing pairing;
   name::Counts score;
 };

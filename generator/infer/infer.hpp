@@ -17,8 +17,8 @@ struct Proposal {
   std::vector<std::string> steps;  ///< what was found and why, for --verbose
 };
 
-/// Deterministic. `known` are rules that the result must not fall below. Looks at some thousand samples in search of
-/// rules, then applies them to all. O(samples).
+/// Deterministic. The result is not worse than any rule in `known`. Searches for rules in some thousand samples, then
+/// applies them to all. O(samples).
 Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known);
 
 }  // namespace symplant::infer

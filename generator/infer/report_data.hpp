@@ -25,17 +25,17 @@ struct SuspiciousPairs {
 /// A part of the naming rule that links operations with events.
 struct Correspondence {
   std::string what;            ///< "PROG SELECT {x} -> PROG ECHO {x}, mirror"
-  std::size_t linked = 0;      ///< operations, or events of a constant
-  std::size_t candidates = 0;  ///< of as many
+  std::size_t linked = 0;      ///< linked operations, or events of a constant
+  std::size_t candidates = 0;  ///< those and similar unlinked ones
   std::string operation;       ///< an example; empty for a constant
   std::string event;
   std::vector<std::size_t> rules;       ///< indexes in Naming::rules
   std::vector<std::size_t> archetypes;  ///< indexes in Naming::archetypes
-  std::vector<std::size_t> needed_by;   ///< archetypes that are found in the devices of these rules: correspondences
+  std::vector<std::size_t> needed_by;   ///< correspondences whose archetypes are in the devices of these rules
   std::vector<SuspiciousPairs> suspicious;
 };
 
-/// Texts that are equal but for their digits.
+/// Texts that are equal except for their digits.
 struct TextShape {
   std::string text;  ///< `#` for each run of digits
   std::size_t count = 0;
@@ -79,11 +79,11 @@ struct Report {
   std::size_t operator_panel = 0;
   std::size_t data = 0;
   std::vector<Correspondence> correspondences;  ///< the one that links most first
-  std::vector<Question> questions;              ///< the commonest first
-  std::size_t more_questions = 0;               ///< shapes that are not among them
+  std::vector<Question> questions;              ///< the most common first
+  std::size_t more_questions = 0;               ///< shapes that are not in `questions`
   std::size_t asked = 0;                        ///< symbols of all questions
   Shapes left_over;                             ///< without those of questions
-  Shapes direction_conflicts;                   ///< names that say the other side than the address
+  Shapes direction_conflicts;                   ///< names that give another side than the address
   std::vector<NearMiss> near_misses;
   std::vector<OpenLink> open_links;
 

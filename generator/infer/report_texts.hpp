@@ -21,7 +21,7 @@ enum TextKind : std::uint8_t {
   kStartText = 4,
   kDoneText = 8,
   kAnswerText = 16,   ///< an echo, an acknowledge or a reset
-  kHealthyText = 32,  ///< of a contact that is on in a healthy plant, and no alarm
+  kHealthyText = 32,  ///< of a contact that is on in a healthy plant, and not of an alarm
 };
 
 /// Each sample has one text: the one that its rule reads, or else the one that most rules read.
@@ -36,7 +36,7 @@ class ReportTexts {
   std::string normal(std::uint32_t sample) const;
   /// The text as the list has it, on one line, at most some 80 bytes.
   std::string shown(std::uint32_t sample) const;
-  /// Its words, folded.
+  /// The words of the text, folded.
   std::vector<std::string> words(std::uint32_t sample) const;
   /// Bits of TextKind.
   std::uint8_t kinds(std::uint32_t sample);

@@ -9,7 +9,7 @@
 
 namespace symplant::infer {
 
-/// Rules for what an operator sees and touches: a lamp and a button of one text are no pair. O(samples * words).
+/// Rules for what an operator sees and touches: a lamp and a button of one text are not a pair. O(samples * words).
 std::vector<name::SymbolRule> panel_rules(const name::Naming& frame, std::span<const Sample> samples);
 
 /// Adds rules for what nothing links. O(samples * words).

@@ -22,7 +22,7 @@ struct Choice {
 
 /// What the search begins with.
 struct Start {
-  std::size_t devices = SIZE_MAX;  ///< a candidate that is chosen in any case, since archetypes may join its tasks
+  std::size_t devices = SIZE_MAX;  ///< index of a candidate that is always chosen, since archetypes may join its tasks
   bool devices_first = true;       ///< rules of devices apply before those of motions
 };
 

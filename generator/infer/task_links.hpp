@@ -34,7 +34,7 @@ struct TaskLink {
   std::uint32_t event = 0;
 };
 
-/// Operations and events of a device whose tasks are equal but for these words.
+/// Operations and events of a device whose tasks are equal except for these words.
 struct TaskDifference {
   std::vector<std::string> operation;
   std::vector<std::string> event;
@@ -42,7 +42,7 @@ struct TaskDifference {
   std::vector<TaskLink> links;
 };
 
-/// The smallest and most causal first; tasks in at most nine words. O(tasks) for devices of usual size.
+/// The smallest and most causal first. Tasks of more than nine words do not count. O(tasks) for devices of usual size.
 std::vector<TaskDifference> task_differences(std::span<const Task> tasks, const name::Vocabulary& vocabulary);
 
 /// Whether words end in one of the phrases.

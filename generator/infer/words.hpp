@@ -33,7 +33,7 @@ std::string expression_of_shape(std::string_view shape);
 std::string quoted(std::string_view text);
 bool is_number(std::string_view word);
 /// Whether one of the words is `known`, digits at its end apart; words of scripts without blanks may be part of a word,
-/// and phrases several words. As rules with required words see it.
+/// and phrases several words. Follows the same rules as name::RequiredWords.
 bool contains(const std::vector<std::string>& words, std::string_view known, const name::Vocabulary& vocabulary);
 
 }  // namespace symplant::infer

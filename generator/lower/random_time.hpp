@@ -6,8 +6,8 @@
 
 namespace symplant::lower {
 
-/// A fixed time, or a negative number that refers to EngineTables::random_times, to which it is added if it is not
-/// there. O(random times).
+/// A fixed time, or a negative number that refers to EngineTables::random_times. A random time that is missing there is
+/// added. O(random times).
 tables::Time lower_time(const description::Duration& duration, EngineTables& tables);
 
 }  // namespace symplant::lower

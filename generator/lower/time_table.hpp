@@ -7,8 +7,8 @@
 namespace symplant::lower {
 
 /// Fills Type::times, Transition::dt, Type::travel, UnitRow::times, EngineTables::times and random_times; types and
-/// units must be complete. A time in which all devices of a type agree is the type's; others are rows of the devices,
-/// which devices of equal times share. O(devices, times transitions).
+/// units must be complete. A time that is equal in all devices of a type belongs to the type. Other times are rows,
+/// which devices with equal times share. O(devices * transitions).
 void lower_times(const model::PlantModel& plant, EngineTables& tables);
 
 }  // namespace symplant::lower

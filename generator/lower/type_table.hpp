@@ -19,7 +19,7 @@ class TypeTable {
  private:
   std::unordered_map<std::string, std::uint32_t> by_structure_;
   Type type_{};            ///< of the current unit
-  std::string structure_;  ///< also of the current unit
+  std::string structure_;  ///< of the current unit
 };
 
 }  // namespace symplant::lower

@@ -21,14 +21,14 @@ std::optional<std::string> moved_device(const LinkView& view, std::uint32_t symb
 /// O(readers).
 std::vector<std::string> readers_of(const LinkView& view, std::uint32_t symbol);
 
-/// What an operation drives: as why::driven_things(), and "plant time" for the link's clock. Of an event nothing.
+/// What an operation drives: as why::driven_things(), and "plant time" for the link's clock. Empty for an event.
 std::vector<std::string> driven_things(const LinkView& view, std::uint32_t symbol);
 
 /// The cell of `driven by`: "EXLINE_MB_AGV", "a condition", "the PLC", `-`.
 std::string driver_text(const LinkView& view, std::uint32_t symbol);
 
 /// The cell of `drives`: "EXLINE_MB_AGV", "L_P_CV, track CV1", "A, B, C and 2 more", "- (read by requirement slow)",
-/// `-`; of an event empty.
+/// `-`; empty for an event.
 std::string drives_text(const LinkView& view, std::uint32_t symbol);
 
 }  // namespace symplant::map

@@ -7,7 +7,7 @@
 
 namespace symplant::map {
 
-/// The link of plant.json of this controller, first one that goes to the PLC; null if there is none.
+/// The link of this controller in plant.json, preferably one that goes to the PLC; null if there is none.
 const description::LinkDescription* link_of(const model::PlantModel& plant, std::uint32_t controller);
 
 /// The link of plant.json to this controller that goes to the PLC; null if there is none.

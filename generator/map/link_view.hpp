@@ -35,13 +35,13 @@ struct LinkView {
   link::LinkChoice choice;  ///< the URL is empty if neither plant.json nor the command line gives one
   link::LinkMap map;
   std::vector<const link::MappedSymbol*> mapped;     ///< by symbol, into `map`; null: on no link
-  std::vector<const link::modbus::IoPoint*> points;  ///< by symbol, into `served()`; null; empty if there is none
+  std::vector<const link::modbus::IoPoint*> points;  ///< by symbol, into `served()`; null: not served; empty: no server
 
   const std::string& controller() const { return of->plant.controllers[choice.controller]; }
   /// Whether it is a server, whose clients poll served().
   bool is_server() const { return map.served != nullptr; }
   const link::modbus::IoMap& served() const { return *map.served; }
-  /// Where the protocol has it, or the address in the PLC that the link goes to, of a symbol on the link.
+  /// The location of a symbol on the link, as the protocol has it, or the address in the PLC that the link goes to.
   const std::string& location(std::uint32_t symbol) const { return mapped[symbol]->location; }
   bool is_operation(std::uint32_t symbol) const {
     return of->tables.symbols[symbol].direction() == tables::Direction::operation;
@@ -57,7 +57,7 @@ struct LinkView {
   }
 };
 
-/// The links whose maps to show: those of `links`, which are [CONTROLLER=]URL, or if there are none one for each
+/// The links whose maps to show: those of `links`, which are [CONTROLLER=]URL, or, if there are none, one for each
 /// controller, as in plant.json. An error if a URL is invalid, has no map or does not fit the plant. O(symbols log
 /// symbols).
 std::variant<std::vector<LinkView>, link::LinkError> views_of(const std::shared_ptr<const LinkedPlant>& of,

@@ -9,7 +9,7 @@
 
 namespace symplant::map {
 
-/// A channel and the bit or word of the PLC's inputs or outputs that its first number is.
+/// A channel, and the bit or word of the PLC's inputs or outputs at which it begins.
 struct PlacedChannel {
   Channel channel;
   std::uint32_t at;

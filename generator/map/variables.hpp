@@ -33,10 +33,10 @@ class VariableNames {
 /// "PLANT_LOST_EXCHANGES".
 std::string status_name(const link::StatusField& field);
 
-/// An unsigned number of so many words: UINT, UDINT, ULINT.
+/// The type of an unsigned number of this many words: UINT, UDINT, ULINT.
 std::string_view unsigned_type(std::uint32_t words);
 
-/// "input registers 100-101, high word first, inverted; renamed, row 7 of the list": nothing of it is the user's text.
+/// "input registers 100-101, high word first, inverted; renamed, row 7 of the list": it contains no text of the user.
 std::string variable_comment(const LinkView& view, const VariableNames& names, const link::modbus::IoPoint& point);
 
 /// "must be 16#550AC79417AA6039" for the digest, else the meaning of the field.

@@ -20,11 +20,11 @@ class ConditionReader {
 
   /// False, and a fault, if the text is not a condition of this plant.
   bool resolve(std::string_view text, const description::Pointer& pointer, condition::Tree& tree);
-  /// As resolve(), for a text under a pattern, in which names in braces refer to `matched`. It may be left out: then
-  /// `lacking` is what the plant lacks.
+  /// As resolve(), for a text under a pattern, in which names in braces refer to `matched`. If `lacking` is not null,
+  /// an unknown name is not a fault: `lacking` gets the message.
   bool resolve_made(const std::string& text, const MatchedNames& matched, const description::Pointer& pointer,
                     condition::Tree& tree, std::string* lacking = nullptr);
-  /// The text with names for those in braces; nothing, and a fault, if one is unknown.
+  /// The text with the names in braces replaced; nothing, and a fault, if one is unknown.
   std::optional<std::string> make(const std::string& text, const MatchedNames& matched,
                                   const description::Pointer& pointer);
   PlantNames& names() { return names_; }

@@ -21,7 +21,7 @@ Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
 /// model, resolves relations, shared addresses and links. A null `description` means that there is none; `source` is
 /// its file, null without one; `naming_files` are the files of the naming rule. Errors of the description are in
 /// Evidence::faults. O(rows), O(states squared) within a unit, and O(entries) of the description, where a `*` counts as
-/// one entry a state.
+/// one entry for each state.
 Derived describe(Derived derived, std::shared_ptr<const description::Description> description,
                  std::shared_ptr<const text::SourceFile> source = nullptr, std::vector<std::string> naming_files = {});
 

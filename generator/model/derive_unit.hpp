@@ -14,8 +14,9 @@ namespace symplant::model {
 UnitEvidence derive_states(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
                            description::Faults& faults);
 
-/// Then derives its transitions and outputs; those in Unit::left_out are left out. Relations to other units, conditions
-/// and disables, are left open. O(states squared): every state can be left by every operation.
+/// Derives the transitions and outputs of a unit after derive_states(), except those in Unit::left_out. Relations to
+/// other units (conditions and disables) are not resolved. O(states squared): every state can be left by every
+/// operation.
 void derive_transitions(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
                         UnitEvidence& evidence, description::Faults& faults);
 

@@ -10,7 +10,7 @@ namespace symplant::model {
 struct Derived {
   PlantModel plant;
   Evidence evidence;
-  MadeMaterial material{};  ///< with the names of matched devices, not resolved; PlantModel::material is
+  MadeMaterial material{};  ///< with the names of matched devices, not resolved; PlantModel::material is resolved
 };
 
 }  // namespace symplant::model

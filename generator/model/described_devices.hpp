@@ -9,7 +9,7 @@ namespace symplant::model {
 
 class SymbolNames;
 
-/// Gives the symbols that `operations` and `events` of devices name their device and task, before symbols are grouped.
+/// Sets device and task of the symbols that `operations` and `events` of devices name. Call before symbols are grouped.
 /// O(symbols) if the description has any.
 void claim_symbols(PlantModel& plant, const description::Description& description, const SymbolNames& names,
                    description::Faults& faults);

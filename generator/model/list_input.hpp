@@ -14,9 +14,9 @@ namespace symplant::model {
 struct ListInput {
   std::shared_ptr<const read::SymbolTable> table;
   name::NamedTable named;              ///< of `*table`
-  std::string controller{};            ///< whose addresses these are; empty: the default controller
+  std::string controller{};            ///< the controller that it belongs to; empty: the default one
   std::optional<address::Radix> xy{};  ///< without a value: what the rows prove, else hexadecimal
-  std::string prefix{};                ///< of the names of its symbols and the lines of its devices
+  std::string prefix{};                ///< put before the names of its symbols and the lines of its devices
 };
 
 }  // namespace symplant::model

@@ -1,4 +1,4 @@
-// Which entries of patterns a unit lacks, since they make names that the plant lacks.
+// Finds the entries of patterns that a unit lacks, because they make names that the plant lacks.
 #pragma once
 
 #include "description/faults.hpp"

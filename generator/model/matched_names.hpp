@@ -41,7 +41,8 @@ class MadeNames {
  public:
   /// A device, or symbol, takes the entry at `at`.
   void takes(const description::Pointer& at) { ++entries_[at.text()].takers; }
-  /// ... and lacks what it names: `message` says what is missing. `text` is what the entry of a device has at `at`.
+  /// A device, or symbol, lacks what the entry at `at` names: `message` says what is missing. `text` is what the entry
+  /// of a device has at `at`.
   void lacks(const description::Pointer& at, std::string_view path, std::string message, std::string_view text = {});
   /// Whether the plant has what `text` names for any device that the pattern of `at` matches.
   using SomeHave = std::function<bool(const description::Pointer& at, const std::string& text)>;
@@ -51,8 +52,8 @@ class MadeNames {
   struct Entry {
     std::size_t takers = 0;
     std::size_t lacking = 0;
-    std::vector<std::string> paths;  ///< of the first few
-    std::string message;             ///< for the first one
+    std::vector<std::string> paths;  ///< of the first few devices that lack it
+    std::string message;             ///< for the first of them
     std::string text;
     std::optional<description::Pointer> pattern;  ///< of the entry, if it is one of a device
   };

@@ -92,7 +92,7 @@ struct Symbol {
   bool described = false;       ///< the description gives its device and task, whatever its name
 
   std::string_view name() const { return row->name; }
-  /// The unit of its device: that it is in, or whose value it is; else kNone.
+  /// The unit that it is in, or whose value it is; else kNone.
   std::uint32_t unit_of_device() const { return unit != kNone ? unit : value_of; }
   /// The cell that `address` was read from; empty without an address.
   std::string_view address_cell() const {
@@ -100,7 +100,8 @@ struct Symbol {
   }
   /// Whether a condition or parts drive it: then it is in no unit.
   bool driven_without_unit() const { return account == Account::follows || account == Account::senses_parts; }
-  /// Whether the naming rule has no say: what drives it or its device is given, or that it has none.
+  /// Whether the naming rule does not apply: its device or what drives it is given, or it is given that it has no
+  /// device.
   bool is_given() const { return described || driven_without_unit() || account == Account::plain; }
   /// The address as the list writes it: the vendor's, else the IEC one; empty if there is none.
   std::string_view written_address() const {
@@ -176,7 +177,7 @@ struct Unit {
   bool rest_added = false;       ///< inference 1: NOT_X
   bool single_solenoid = false;  ///< inference 2
 
-  /// The first one in list order.
+  /// The first symbol in list order.
   std::uint32_t first_symbol() const {
     const auto front = [](const std::vector<std::uint32_t>& symbols) {
       return symbols.empty() ? kNone : symbols.front();
@@ -186,11 +187,11 @@ struct Unit {
   bool is_report(std::uint32_t symbol) const { return std::binary_search(reports.begin(), reports.end(), symbol); }
   /// The path of its device.
   std::string_view device_path() const { return facet == nullptr ? path : facet->path; }
-  /// Whether the naming rule gives all of its model.
+  /// Whether an archetype of the naming rule gives its whole model.
   bool is_archetype() const { return facet != nullptr && facet->by == pairing::FacetBy::archetype; }
   /// Whether digits at the end of its states are sequence numbers.
   bool has_sequence() const { return facet == nullptr || facet->numbered; }
-  /// Whether its symbols name no state: it has only the one that every unit has.
+  /// Whether its symbols name no state: it has only the state that every unit has.
   bool names_no_state() const {
     return states.size() == 1 && states.front().operation == kNone && states.front().event == kNone;
   }
@@ -202,8 +203,8 @@ struct Unit {
   bool moves() const { return !transitions.empty() || actuation == tables::Actuation::spring || has_behaviour(); }
   /// Whether the unit can reach a state: by a transition, by the return of a spring, or by custom code.
   bool reaches(std::uint32_t state) const;
-  /// Whether the unit drives the event at an index of `events`: as that of a state, by outputs, or by custom code.
-  /// O(states and outputs, times transitions).
+  /// Whether the unit drives the event at an index of `events`: as the event of a state, by outputs, or by custom code.
+  /// O((states + outputs) * transitions).
   bool moves_event(std::uint32_t event) const;
 };
 
@@ -254,11 +255,11 @@ struct PlantModel {
   std::array<std::size_t, kInternalReasons> internal{};
 
   const name::Naming& naming() const { return reader->naming().naming(); }
-  /// The levels that the naming rule gives names; null unless all of it is one exact rule.
+  /// The levels that the naming rule gives names; null unless it consists of one exact rule.
   const name::LevelRule* levels() const { return reader->naming().levels(); }
   /// For messages: the levels of names, or the name of the rule.
   std::string_view rule_text() const;
-  /// Whether the naming rule makes an operation and an event of its unit belong together; true if it makes no facets.
+  /// Whether the naming rule links a symbol with others of its unit; true if the rule makes no facets.
   bool is_linked(std::uint32_t symbol) const {
     return pairing == nullptr || symbols[symbol].described || pairing->accounts[symbol] == Account::modelled;
   }

@@ -38,7 +38,7 @@ inline constexpr std::size_t kAccounts = 18;
 
 /// Whether the score counts a BOOL symbol of this account.
 constexpr bool is_counted(Account account) { return account != Account::numeric && account != Account::ignored; }
-/// Whether the score has no explanation of it.
+/// Whether the score has no explanation for a symbol of this account.
 constexpr bool is_left_over(Account account) { return account >= Account::no_rule; }
 /// Whether it was read, and nothing links it.
 constexpr bool is_unpaired(Account account) { return account == Account::no_event || account == Account::no_operation; }
@@ -62,7 +62,7 @@ class Counts {
   double accounted_share() const { return share(accounted()); }
 
  private:
-  /// Of the accounts from `first` to before `end`.
+  /// The number of symbols with accounts from `first` up to, but not including, `end`.
   std::size_t sum(Account first, Account end) const;
   double share(std::size_t part) const {
     return counted() == 0 ? 0 : static_cast<double>(part) / static_cast<double>(counted());

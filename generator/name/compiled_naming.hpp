@@ -47,8 +47,8 @@ class ArchetypeText {
   ArchetypeText(ArchetypeText&&) noexcept;
   ArchetypeText& operator=(ArchetypeText&&) noexcept;
 
-  /// Whether the text matches `task`, which is TaskReading::text. Sets `x` to what `{x}` is, folded, words separated by
-  /// `_`; empty without `{x}`.
+  /// Whether the text matches `task`, which is TaskReading::text. Sets `x` to what `{x}` matches, folded, words
+  /// separated by `_`; empty without `{x}`.
   bool matches(std::string_view task, std::string& x) const;
 
  private:

@@ -18,13 +18,13 @@ class DeviceStore {
   enum class Case {
     ascii,
     unicode
-  };  ///< of which letters: only of ASCII, or of all that Unicode's folding makes equal
+  };  ///< whose case is ignored: ASCII letters, or all that Unicode's folding makes equal
 
   explicit DeviceStore(Case ignored) : ignored_(ignored) {}
 
   using Texts = std::array<std::string_view, 3>;  ///< line, process, device
 
-  /// The texts must outlive the store if `path` is not empty, which then is their joined text; else they are copied.
+  /// If `path` is not empty, it is the joined text, and the texts must outlive the store; else they are copied.
   /// O(texts).
   const DeviceLevels* find_or_add(const Texts& texts, std::string_view path);
   std::uint32_t size() const { return devices_; }

@@ -8,7 +8,8 @@
 
 namespace symplant::name {
 
-/// The pattern of an exact rule is fields that one separator joins. The pointer of a fault is below the rule.
+/// The pattern of an exact rule consists of fields that one separator joins. The pointer of a fault is relative to the
+/// rule.
 base::Result<LevelRule, NamingFault> exact_levels(const SymbolRule& rule);
 
 }  // namespace symplant::name

@@ -26,7 +26,7 @@ class IoRows {
   bool empty() const { return patterns_.empty(); }
   const std::vector<Pattern>& patterns() const { return patterns_; }
 
-  /// The direction of a row, which is the first pattern's that matches; nothing if none does. O(patterns).
+  /// The direction of the first pattern that matches a row; nothing if no pattern matches. O(patterns).
   std::optional<Direction> direction_of(std::string_view name, std::string_view vendor_address,
                                         std::string_view iec_address);
 

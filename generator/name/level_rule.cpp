@@ -1,4 +1,4 @@
-// Cuts names into levels, and says what is wrong with a name that has others.
+// Cuts names into levels, and finds the fault of a name that does not have the levels of its rule.
 #define BOOST_SPIRIT_X3_UNICODE
 #include "name/level_rule.hpp"
 

@@ -1,4 +1,4 @@
-// Names of levels, as LINE_PROC_DEV_I|O_TASK: the fast part of a naming rule whose pattern is `exact`.
+// Names that consist of levels, as in LINE_PROC_DEV_I|O_TASK: the fast rules, whose pattern is `exact`.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ using tables::Direction;
 enum class Level : std::uint8_t { line, process, device, direction, task };
 inline constexpr std::size_t kLevels = 5;
 
-/// What a word says of a symbol; nothing: that it is internal, neither operation nor event.
+/// The direction that a word gives a symbol; nothing: it is internal, neither operation nor event.
 using Said = std::optional<Direction>;
 
 /// A word of a direction field or of a class.
@@ -52,7 +52,7 @@ enum class NameFault : std::uint8_t {
 struct LevelReading {
   NameFault fault = NameFault::none;
   std::uint32_t levels = 0;                    ///< their number; 0 if an illegal character was found first
-  std::string_view where;                      ///< what the fault is about
+  std::string_view where;                      ///< the part of the name that has the fault
   std::array<std::string_view, kLevels> text;  ///< by Level; empty: the rule has no such level, or there is a fault
   const DirectionWord* direction = nullptr;    ///< null: the rule has no direction level
 

@@ -69,7 +69,7 @@ struct SymbolRule {
   std::optional<bool> value;  ///< of the role `constant`
 };
 
-/// What says a direction.
+/// What gives a symbol its direction.
 enum class Evidence : std::uint8_t { address, field, klass, prefix };
 
 struct DirectionRule {
@@ -132,9 +132,9 @@ struct Archetype {
   bool value = true;                                         ///< of constant
 };
 
-/// What names cannot say: the operation leads to `state`, which the event reports.
+/// A link that names cannot express: the operation leads to `state`, which the event reports.
 struct NamedLink {
-  std::string operation;  ///< empty: of the row above
+  std::string operation;  ///< empty: that of the row above
   std::string event;
   std::string state;
 };

@@ -30,7 +30,8 @@ class Replacements {
   std::vector<Compiled> compiled_;
 };
 
-/// `text` in normal form, with line breaks, columns and camel case made blanks, runs of blanks collapsed. O(text).
+/// `text` in normal form, with blanks for line breaks, columns and camel case, and with runs of blanks collapsed.
+/// O(text).
 std::string normalised(std::string_view text, const Normalise& rules, const Vocabulary& vocabulary,
                        const Separators& separators);
 

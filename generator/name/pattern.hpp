@@ -18,7 +18,7 @@
 
 namespace symplant::name {
 
-/// The fields that a pattern may have. `x` is only that of archetypes.
+/// The fields that a pattern may have. Only archetypes have `x`.
 enum class Field : std::uint8_t { line, process, device, direction, klass, task, x };
 inline constexpr std::size_t kFields = 7;
 std::string_view field_name(Field field);
@@ -64,7 +64,7 @@ class Pattern {
     bool known = false;
     bool fused = false;  ///< neither a separator nor the end follows
     bool may_be_empty = false;
-    std::uint32_t next = 0;                   ///< index of a step; always less than that of this one
+    std::uint32_t next = 0;                   ///< index of the next step; always less than that of this step
     std::string literal;                      ///< folded
     std::vector<std::uint32_t> alternatives;  ///< of a split, in their order
   };

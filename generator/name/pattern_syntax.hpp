@@ -29,7 +29,7 @@ struct Group {
   std::vector<Sequence> alternatives;
 };
 
-/// `open`: the whole is a list of alternatives. At most 1,000 bytes and 16 groups in each other.
+/// `open`: `|` separates alternatives of the whole pattern. At most 1,000 bytes and 16 nested groups.
 base::Result<Group, PatternFault> parse(std::string_view pattern, bool open);
 
 }  // namespace symplant::name::syntax

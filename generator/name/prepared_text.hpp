@@ -15,7 +15,7 @@ class Separators {
  public:
   explicit Separators(std::string_view characters);
 
-  /// The bytes of the separator at `offset`; else 0.
+  /// The length in bytes of the separator at `offset`; 0 if there is none.
   std::size_t length_at(std::string_view text, std::size_t offset) const {
     const auto byte = static_cast<unsigned char>(text[offset]);
     if (byte < 0x80) return ascii_[byte] ? 1 : 0;

@@ -20,7 +20,7 @@ struct TaskReading {
   /// Equal for tasks that exclude each other: the canonical words, in which the word of a pair is the pair's first one.
   std::string_view group;
   std::string_view numbered_group;  ///< `group` with the index of the sensor; equal to `group` without one
-  std::uint32_t pair = kNoPair;     ///< the pair of the vocabulary that its motion word is of
+  std::uint32_t pair = kNoPair;     ///< the pair of the vocabulary that has its motion word
   bool rest = false;                ///< its motion word is the pair's rest position
 };
 
@@ -54,7 +54,7 @@ struct Reading {
   bool is_read() const { return account == Account::modelled; }
 };
 
-/// What a symbol that is not read is accounted for as: a number without a rule is a number.
+/// The account of a symbol that is not read. A number that no rule matches is `numeric`.
 constexpr Account account_of(const Reading& reading, bool boolean) {
   return reading.account == Account::no_rule && !boolean ? Account::numeric : reading.account;
 }

@@ -18,7 +18,7 @@ class RequiredWords {
   RequiredWords(const std::vector<std::string>& words, const Separators& separators);
 
   bool empty() const { return words_.empty() && phrases_.empty() && inside_.empty(); }
-  /// A word that is itself a motion of the vocabulary has no other word within it.
+  /// A word that is itself a motion of the vocabulary is not searched for other words.
   bool are_in(const PreparedText& text, const Vocabulary& vocabulary) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace symplant::name {
 
-/// Devices repeat their tasks.
+/// Many devices have the same tasks.
 class TaskStore {
  public:
   /// The reading of a text on one side; a new one is made by `read(entry)`, which sets its texts. O(text).

@@ -1,4 +1,4 @@
-// The words of a naming rule: motions in pairs, synonyms, affixes and classes, its own and those that ship.
+// The words of a naming rule: motions in pairs, synonyms, affixes and classes, those of the rule and those that ship.
 #pragma once
 
 #include <cstdint>
@@ -48,9 +48,9 @@ struct BuiltInWords {
   std::span<const std::string_view> parts;  ///< of work pieces that sensors see
   std::span<const std::string_view> spare;
   std::span<const std::string_view> healthy;  ///< of contacts that are on in a healthy plant
-  std::span<const std::string_view> echo;     ///< that a text repeats what the other side says
-  std::span<const std::string_view> start;    ///< that work may begin
-  std::span<const std::string_view> done;     ///< that work is done
+  std::span<const std::string_view> echo;     ///< a text repeats what the other side says
+  std::span<const std::string_view> start;    ///< work may begin
+  std::span<const std::string_view> done;     ///< work is done
   std::span<const std::string_view> reset;
   std::span<const std::string_view> interlock;  ///< of permissions between machines
   std::span<const Cause> causes;                ///< words of an operation and of the event that it causes

@@ -16,7 +16,7 @@ std::string link_fault(const name::NamedLink& link, bool first);
 
 struct LinksFile {
   std::vector<name::NamedLink> links;
-  std::vector<text::Span> rows;  ///< one a link
+  std::vector<text::Span> rows;  ///< one for each link
 };
 
 /// Reads a table with the columns `operation`, `event` and `state` in any order, separated by `,`, `;` or TAB. Blank

@@ -15,7 +15,7 @@ namespace symplant::naming {
 /// What names a naming rule.
 struct NamingReference {
   std::string file;         ///< the path of a naming.json, or `@` and the name of a profile
-  std::string inline_text;  ///< without `file`: the rule as JSON, a value at `where` that `folder` belongs to
+  std::string inline_text;  ///< without `file`: the rule as JSON, a value in the file at `where`
   std::string folder;       ///< the folder that paths are relative to; empty: the current one
   diag::Location where;     ///< of the reference; without a source: an option of the command line
   std::string pointer;      ///< of the value of `inline_text`, such as "/naming"
@@ -28,9 +28,9 @@ struct LoadedNaming {
   std::shared_ptr<const name::CompiledNaming> rule;
   std::string shown;                                     ///< for messages: its file, `@PROFILE` or the plant.json
   std::shared_ptr<const text::SourceFile> source;        ///< the text with the rule
-  std::string pointer;                                   ///< of the rule in it; empty: it is the whole
+  std::string pointer;                                   ///< of the rule in `source`; empty: the whole text is the rule
   std::shared_ptr<const text::SourceFile> links_source;  ///< null: the links are in `source`
-  std::vector<text::Span> link_rows;                     ///< one a link; empty without `links_source`
+  std::vector<text::Span> link_rows;                     ///< one for each link; empty without `links_source`
   std::vector<std::string> files;                        ///< the read files, plant.json not included
 
   /// The location of a value of the rule, such as "/rules/0". One pass over the text.

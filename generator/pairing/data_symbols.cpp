@@ -1,4 +1,4 @@
-// Finds numbers that are spread over bits, and symbols of one text.
+// Finds numbers that are spread over bits, and symbols that have the same text.
 #include <bit>
 #include <string_view>
 #include <unordered_map>

@@ -40,7 +40,7 @@ struct Facet {
   std::string name;       ///< empty: the facet has the device's name
   std::string full_path;  ///< `DEVICE.FACET`; empty if the facet has the device's name
   FacetBy by = FacetBy::words;
-  bool linked = true;                  ///< false: its device has it because symbols name the device; nothing joins them
+  bool linked = true;                  ///< false: its symbols name the device, and nothing links them
   bool is_default = false;             ///< it has the name of its device, whatever other facets the device has
   bool numbered = false;               ///< its states are in the order of their sequence numbers
   std::uint32_t archetype = 0;         ///< index in Naming::archetypes
@@ -48,11 +48,11 @@ struct Facet {
   std::vector<std::uint32_t> numbers;  ///< numeric symbols of the device, if this is its default facet, in list order
   std::vector<std::string> states;     ///< S in its order; empty if `numbered`
   bool first_is_rest = false;  ///< the vocabulary or the archetype says that the first state is the rest position
-  /// What the rule says of its model; null if nothing. The user's description has priority, key by key.
+  /// What the naming rule gives of its model; null if nothing. The user's description has priority, key by key.
   std::shared_ptr<const description::DeviceDescription> base;
 
   std::string_view unit_path() const { return full_path.empty() ? path : std::string_view(full_path); }
-  /// The one that comes first in the lists.
+  /// The input that comes first in the lists.
   std::uint32_t first_input() const {
     return std::min(members.empty() ? UINT32_MAX : members.front().input,
                     numbers.empty() ? UINT32_MAX : numbers.front());
@@ -76,8 +76,8 @@ struct Remark {
 
 struct Pairing {
   std::vector<Facet> facets;            ///< in the order of their first symbol
-  std::vector<name::Account> accounts;  ///< one an input: `modelled` if it is linked
-  std::vector<bool> constant_on;        ///< one an input: the value of a constant
+  std::vector<name::Account> accounts;  ///< one for each input: `modelled` if it is linked
+  std::vector<bool> constant_on;        ///< one for each input: the value of a constant
   std::vector<Remark> remarks;
 };
 

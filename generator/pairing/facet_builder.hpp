@@ -60,7 +60,7 @@ class FacetBuilder {
   std::size_t count_ = 0;
   std::vector<std::uint32_t> unnamed_;  ///< states that no symbol names
   std::vector<Further> further_;        ///< symbols that are not the first of their state
-  /// Devices repeat their bases.
+  /// Bases by content, because many devices have equal ones.
   std::unordered_map<std::string, std::shared_ptr<const description::DeviceDescription>> bases_;
   std::unordered_map<std::string, std::size_t, text::HashIgnoringCase, text::EqualIgnoringCase> by_name_;
   std::unordered_map<std::string, std::size_t, text::HashIgnoringCase, text::EqualIgnoringCase> taken_;

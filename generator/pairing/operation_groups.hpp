@@ -44,7 +44,7 @@ class OperationGroups {
 
   /// kNone without one.
   std::uint32_t find(std::uint32_t device, std::string_view kind) const;
-  /// The group of a device that an event reports; kNone without one.
+  /// The group of a device that an event reports; kNone if there is none.
   std::uint32_t find(std::uint32_t device, const EventKinds& kinds) const;
   /// The group of an operation that was free.
   std::uint32_t of_operation(std::uint32_t operation) const;

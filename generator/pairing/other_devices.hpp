@@ -37,15 +37,15 @@ class FanOut {
 
  private:
   struct Word {
-    std::uint32_t device;  ///< one whose name has it
+    std::uint32_t device;  ///< a device whose name has the word
     std::string_view text;
-    std::uint32_t devices = 0;  ///< of the process that have it
+    std::uint32_t devices = 0;  ///< how many devices of the process have the word
   };
   /// Operations of one kind, found by one word of their device.
   struct Entry {
     std::uint32_t group;
     std::uint32_t word;
-    std::uint32_t next;  ///< of the same word and kind
+    std::uint32_t next;  ///< the next entry of the same word and kind
   };
 
   void find(std::uint32_t event, std::string_view kind, std::uint32_t& best) const;

@@ -45,7 +45,7 @@ struct Work {
 Account account_of(const Input& input, name::Role role);
 /// Joins symbols by the rows of Naming::links.
 void pair_by_links(Work& work);
-/// Accounts for symbols of one text.
+/// Accounts for symbols that have the same text.
 void set_repeated_texts_aside(Work& work);
 /// Accounts for numbers that are spread over bits, as far as nothing else joins them.
 void set_weights_aside(Work& work);
@@ -53,11 +53,11 @@ void set_weights_aside(Work& work);
 void pair_by_archetypes(Work& work);
 /// Joins symbols by their tasks.
 void pair_by_words(Work& work);
-/// Gives the role of a rule about the rest to each symbol that nothing links.
+/// Gives each symbol that nothing links the role of a rule of Naming::rest.
 void account_for_rest(Work& work);
 /// Adds to each device what nothing links: operations, events and numbers.
 void add_unlinked(Work& work);
-/// Names the facets, sorts them, and looks for paths of several devices.
+/// Names the facets, sorts them, and reports paths that several devices have.
 void finish(Work& work);
 
 /// Blanks become `_`.

@@ -1,4 +1,4 @@
-// What the table that symplant writes has, for its writer and its reader.
+// The columns of the table that symplant writes, for its writer and its reader.
 #pragma once
 
 #include <array>

@@ -33,7 +33,7 @@ struct Reading {
 };
 
 /// One kind of export. `likelihood` is 0 (another format) to 100 (certain); the reader with the highest reads the file.
-/// It looks at the begin of the text only. `read` returns nothing if it added an error.
+/// It looks at the beginning of the text only. `read` returns nothing if it added an error.
 struct ReaderInfo {
   std::string_view name;   ///< for --input-format: "gx-iec"
   std::string_view title;  ///< "GX IEC Developer 7 global variable list"

@@ -15,10 +15,11 @@ struct RecognizedFile {
 /// Whether the bytes begin as those of an archive, a document or a picture do.
 bool has_magic(std::string_view bytes);
 
-/// A file whose bytes are no text, by its content; the end of its path decides where the content does not. O(bytes).
+/// Recognizes a file whose bytes are not text by its content, or, if the content does not decide, by the end of its
+/// path. O(bytes).
 std::optional<RecognizedFile> recognize_bytes(std::string_view path, std::string_view bytes);
 
-/// A text that is no symbol list, by its beginning.
+/// Recognizes a text that is not a symbol list by its beginning.
 std::optional<RecognizedFile> recognize_text(std::string_view text);
 
 }  // namespace symplant::read

@@ -7,7 +7,7 @@
 
 namespace symplant::read {
 
-/// By id.
+/// All of these rules, by id.
 std::span<const diag::RuleInfo* const> rules();
 
 }  // namespace symplant::read

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kNoExtra = UINT32_MAX;
 /// are removed; a missing cell is empty.
 struct ListRow {
   std::string_view klass;           ///< VAR_GLOBAL, VAR_GLOBAL_CONSTANT ...
-  std::string_view name;            ///< of an address that has no name: the very cell of the address
+  std::string_view name;            ///< for an address without a name: the same view as its cell
   std::string_view vendor_address;  ///< in the table's notation
   std::string_view iec_address;     ///< an IEC 61131-3 address next to the vendor's (`IEC-Addr.`)
   std::string_view type;

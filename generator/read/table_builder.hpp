@@ -26,8 +26,8 @@ class TableBuilder {
 
   /// A new row that begins at `whole.begin`; `line` counts from 1. The reference is valid until the next call.
   ListRow& add(text::Span whole, std::uint32_t line);
-  /// An extra with a scope only, for `extra` of all rows of the scope, which must not be changed then; kNoExtra for an
-  /// empty scope.
+  /// The index of an extra that has only a scope, for `extra` of all rows of the scope. It must not be changed.
+  /// kNoExtra for an empty scope.
   std::uint32_t extra_for_scope(std::string_view scope);
   /// The row's extra, to be filled.
   RowExtra& extra(ListRow& row);
@@ -42,7 +42,7 @@ class TableBuilder {
 
   /// The table, or nothing, with an error, if it has no row (SP104) or a cell that is too long (SP111).
   std::optional<SymbolTable> finish();
-  /// The same where no cell can be too long.
+  /// Like finish(), for formats in which no cell can be too long.
   std::optional<SymbolTable> finish_bounded();
 
  private:

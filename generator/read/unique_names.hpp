@@ -5,8 +5,8 @@
 
 namespace symplant::read {
 
-/// Names of which there are several become `SCOPE.NAME`, in all rows that have a scope; all others stay as they are.
-/// Decides about them.
+/// Names that occur several times become `SCOPE.NAME` in all rows that have a scope; all others stay as they are. Adds
+/// a decision about the changes.
 void qualify_repeated_names(TableBuilder& builder);
 
 }  // namespace symplant::read

@@ -17,7 +17,7 @@ enum class Level : std::uint8_t {
   device,   ///< line, process and device
 };
 
-/// A list, or what the first levels of names say. Symbols whose names say no levels are in one part without names.
+/// A list, or what the first levels of names say. Symbols whose names have no levels are in one part without names.
 struct Part {
   std::uint32_t list = 0;  ///< index in PlantModel::lists; of Level::list only
   std::string_view line = {};

@@ -1,4 +1,4 @@
-// Events that are probably on in a healthy plant. They are asked for, never guessed.
+// Events that are probably on in a healthy plant. The user is asked about them; they are never guessed.
 #pragma once
 
 #include <string>

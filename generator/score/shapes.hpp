@@ -43,7 +43,7 @@ std::string_view known_text(const model::PlantModel& plant, const model::Symbol&
 /// Whether all rules of a custom naming rule read comments only.
 bool reads_comments_only(const model::PlantModel& plant);
 
-/// The symbols that are not accounted for, those to repair first in front. O(symbols).
+/// The symbols that are not accounted for, those to repair first come first. O(symbols).
 std::vector<Shape> left_over_shapes(const model::PlantModel& plant, const PlantScore& score);
 
 }  // namespace symplant::score

@@ -6,8 +6,8 @@
 
 namespace symplant::suite {
 
-/// The tables with each travel time of a device as the speed has it: a fifth (at least 1 ns), or three times. Times of
-/// custom behaviors and of tracks stay. O(tables).
+/// The tables with the travel times of devices at a speed: a fifth (at least 1 ns), or three times as long. Times of
+/// custom behaviors and of tracks do not change. O(tables).
 lower::EngineTables at_speed(const lower::EngineTables& tables, Speed speed);
 
 }  // namespace symplant::suite

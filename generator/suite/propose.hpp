@@ -1,4 +1,4 @@
-// Proposes cases for a suite: what a base case does, and one thing more.
+// Proposes cases for a suite: each does what a base case does, and one thing more.
 #pragma once
 
 #include <cstdint>
@@ -43,11 +43,11 @@ bool run_base(const Setup& setup, const host::PlantProgram& plant, const std::st
 std::vector<Proposal> proposals_of(const BaseRun& base, const std::string& name, const tables::PlantTables& tables,
                                    bool with_program);
 
-/// At most so many, evenly from all of each kind; a kind with few keeps them.
+/// At most `most` proposals, spread evenly over each kind. A kind with few proposals keeps all of them.
 std::vector<Proposal> spread(std::vector<Proposal> all, std::size_t most);
 
-/// The pairs of a proposed scenario that the base case does not have; none of one that
-/// cannot run. In this process, which a program may end.
+/// The pairs of a proposed scenario that the base case does not have; none if it cannot run. Runs in this process,
+/// which ends if a program crashes.
 std::vector<std::uint64_t> new_pairs(const Setup& setup, const host::PlantProgram& plant, const Proposal& proposal,
                                      const BaseRun& base, const std::string& folder);
 

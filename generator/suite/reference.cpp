@@ -1,4 +1,4 @@
-// Makes reference traces of traces.
+// Makes reference traces from traces.
 #include "suite/reference.hpp"
 
 #include <algorithm>

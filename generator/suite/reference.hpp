@@ -1,4 +1,4 @@
-// Reference traces: what of a run's trace they have.
+// Reference traces: the lines of a run's trace that they keep.
 #pragma once
 
 #include <istream>

@@ -1,4 +1,4 @@
-// What a case of a suite gave.
+// The result of a case of a suite.
 #pragma once
 
 #include <optional>

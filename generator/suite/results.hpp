@@ -1,4 +1,4 @@
-// The results of a suite, on disk: only where each begins is in memory.
+// The results of a suite on disk: only the offset of each is in memory.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Header {
 /// has a line for each result, in any order.
 class Results {
  public:
-  /// Writes to `path`, or to a file that is gone at the end if it is empty. `error` is set if that fails.
+  /// Writes to `path`, or, if it is empty, to a temporary file. `error` is set if that fails.
   Results(Header header, const std::string& path, std::string& error);
   Results(const Results&) = delete;
   Results& operator=(const Results&) = delete;
@@ -33,7 +33,7 @@ class Results {
   /// Adds a result, complete on disk when it returns. Empty, or why it cannot be written.
   std::string add(std::size_t number, const Result& result);
   bool has(std::size_t number) const { return places_[number] >= 0; }
-  /// Reads one that is there.
+  /// Reads a result; has() must be true.
   Result read(std::size_t number) const;
 
  private:

@@ -19,8 +19,8 @@ struct Setup {
   bool update = false;   ///< write reference traces
 };
 
-/// Runs a case on a plant with this speed, in this process, which a program may end. `trace` is a file that it may
-/// write, and is gone afterwards.
+/// Runs a case on a plant with this speed, in this process, which ends if a program crashes. `trace` is a file that
+/// it may write, and that does not exist afterwards.
 Result run_case(const Setup& setup, const host::PlantProgram& plant, const std::string& name, Speed speed,
                 const std::string& trace);
 

@@ -18,7 +18,7 @@ enum class Speed : std::uint8_t {
 };
 /// `fast`
 std::string_view speed_name(Speed speed);
-/// Nothing for any other text.
+/// The speed of a name; nothing for any other text.
 std::optional<Speed> speed_of(std::string_view name);
 
 struct Suite {
@@ -42,7 +42,7 @@ struct ReadSuite {
   std::vector<std::string> warnings;
 };
 
-/// Reads the suite of a folder. A case is each JSON file directly in it that has the key `symplant-scenario`, but for
+/// Reads the suite of a folder. A case is each JSON file directly in it that has the key `symplant-scenario`, except
 /// `before`. O(bytes of the JSON files).
 ReadSuite read_suite(const std::string& folder);
 

@@ -10,7 +10,7 @@
 
 namespace symplant::text {
 
-/// A likely code page of a text, and the word with the fault as read in it.
+/// A likely code page of a text, and the word with the fault as it reads in that code page.
 struct EncodingGuess {
   Encoding encoding;
   std::string sample;       ///< UTF-8, short

@@ -1,4 +1,4 @@
-// Makes texts that people read as equal the same: Unicode's normal form C and simple case folding.
+// Makes texts equal that people read as equal: Unicode's normal form C and simple case folding.
 #pragma once
 
 #include <string>

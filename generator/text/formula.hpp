@@ -9,7 +9,7 @@ namespace symplant::text {
 /// a line end, and is neither a number nor only signs.
 bool is_formula(std::string_view utf8);
 
-/// Whether the text is a formula, or one after apostrophes. With an apostrophe before it, it is text for a
+/// Whether the text is a formula, or apostrophes followed by one. With an apostrophe before it, it is text for a
 /// spreadsheet; unprotected() gives it back.
 bool needs_protection(std::string_view utf8);
 

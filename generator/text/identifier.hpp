@@ -18,8 +18,8 @@ inline constexpr std::size_t kMaxIdentifierBody = 100;
 /// at the end. An empty name is `unnamed`. Different names may give one identifier: see IdentifierScope. O(name).
 std::string identifier(std::string_view utf8_name);
 
-/// The same after `prefix`, which must be the beginning of an identifier: then a leading digit and keywords need no
-/// change (`k` and `class` is `kclass`).
+/// An identifier that begins with `prefix`, which must be the beginning of an identifier. After it, a leading digit and
+/// keywords need no change (`k` and `class` is `kclass`).
 std::string identifier(std::string_view utf8_name, std::string_view prefix);
 
 /// Whether a name needs no change after a prefix: ASCII letters and digits, single `_` between them, not too long.

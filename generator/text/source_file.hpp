@@ -34,8 +34,8 @@ class SourceFile {
   const std::string& path() const { return path_; }
   std::string_view text() const { return text_; }
 
-  /// At least 1; the text after the last line end counts as a line, even if it is empty.
-  /// The first call of this and the two below is O(text).
+  /// At least 1; the text after the last line end counts as a line, even if it is empty. The first call of
+  /// line_count(), position() or line_at() is O(text).
   std::size_t line_count() const { return line_begins().size(); }
 
   /// O(log lines + length of the line).

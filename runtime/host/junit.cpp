@@ -1,4 +1,4 @@
-// Reports expectations, requirements and what a run is worth as JUnit XML.
+// Writes the results of a run as JUnit XML: expectations, requirements, findings, and whether its PLCs took part.
 #include "symplant/host/junit.hpp"
 
 #include <fmt/format.h>

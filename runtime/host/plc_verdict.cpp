@@ -1,4 +1,4 @@
-// What a run in real time shows of its PLCs: whether they came, and whether plant time ran.
+// The verdict on the PLCs of a run in real time: whether they connected, and whether plant time ran.
 #include "symplant/host/plc_verdict.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Reads what a replay needs of a trace.
+// Reads from a trace what a replay needs.
 #include "symplant/host/read_replay.hpp"
 
 #include <fmt/format.h>

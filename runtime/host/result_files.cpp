@@ -1,4 +1,4 @@
-// The files that say whether a run was good: a file of an earlier run never survives a run that fails.
+// The result files of a run. A failed run never leaves a result file of an earlier run.
 #include "symplant/host/result_files.hpp"
 
 #include <array>

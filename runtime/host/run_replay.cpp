@@ -1,4 +1,4 @@
-// Runs a plant as a trace has it.
+// Repeats a recorded run from its trace, in virtual time.
 #include "symplant/host/run_replay.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The texts of what a server link finds in the requests of its clients.
+// The texts of findings of a server link about the requests of its clients.
 #include "symplant/trace/server_words.hpp"
 
 #include <fmt/format.h>

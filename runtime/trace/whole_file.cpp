@@ -1,4 +1,4 @@
-// Writes a file that is complete, or as it was before.
+// Replaces a file as a whole: it has the new contents, or still the old ones.
 #include "symplant/trace/whole_file.hpp"
 
 #include <cerrno>

@@ -1,4 +1,4 @@
-// What each I/O symbol has to do with the plant.
+// How the plant uses each I/O symbol: what reads an operation, what drives an event.
 #include "symplant/why/symbol_use.hpp"
 
 #include <algorithm>

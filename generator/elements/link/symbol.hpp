@@ -12,13 +12,14 @@ namespace symplant::model {
 
 struct PlantModel;
 
-/// Reports that a controller has no input or output of this name; `advice` is for a name that is in its lists.
-/// O(symbols + rows).
+/// Reports that a controller has no input or output of this name; The message ends with `advice` if the name is in the
+/// controller's lists. O(symbols + rows).
 void report_no_symbol(const PlantModel& plant, std::uint32_t controller, const std::string& name,
                       std::string_view advice, const description::Pointer& at, description::Faults& faults);
 
-/// The symbol of the link's clock; ClockSettings::kNone if it has none, or if it is a fault, which is reported: not
-/// found, not a whole number of 16, 32 or 64 bits that the PLC writes, a second clock of the plant. O(symbols + rows).
+/// The symbol of the link's clock; ClockSettings::kNone if it has none. Also kNone, with a fault, if the symbol is not
+/// found, is not a whole number of 16, 32 or 64 bits that the PLC writes, or is a second clock of the plant. O(symbols
+/// + rows).
 std::uint32_t resolve_clock(const PlantModel& plant, std::uint32_t controller, const description::LinkDescription& link,
                             description::Faults& faults);
 

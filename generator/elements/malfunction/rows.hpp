@@ -12,7 +12,7 @@ namespace symplant::emit {
 std::string malfunction_rows(const lower::EngineTables& tables);
 std::string malfunction_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string malfunction_force_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
-/// Enumerators.
+/// Enumerators of the malfunctions.
 std::string malfunction_constant_rows(const model::PlantModel& plant);
 
 }  // namespace symplant::emit

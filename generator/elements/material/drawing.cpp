@@ -1,5 +1,7 @@
-// Lays out tracks and places. The marks of a track are flags: a line at the position, and a text in one of several
-// rows, so that no line crosses a text.
+// Lays out tracks and places.
+//
+// The marks of a track are flags: a line at the position, and a text in one of several rows, so that no line crosses a
+// text.
 #include "elements/material/drawing.hpp"
 
 #include <fmt/format.h>

@@ -17,10 +17,10 @@ struct MadeBy {
   std::string key;          ///< in the description: the name with braces, if the list is an object
   std::string pattern;      ///< `for`; empty without it
   std::string device;       ///< the device that `for` matched
-  std::string lacking;      ///< what the plant lacks that the entry names: it is left out; empty: nothing
+  std::string lacking;      ///< what the entry names and the plant lacks, so that it is left out; empty: nothing
 };
 
-/// Entries without `for` and names in braces, each list with the origins of its entries.
+/// Entries in which `for` and names in braces are resolved, and for each list the origins of its entries.
 struct MadeMaterial {
   description::GivenMaterial entries;
   std::vector<MadeBy> tracks;

@@ -51,8 +51,8 @@ struct GivenEnd {
   std::string when;  ///< a condition; empty: always holds
 };
 
-/// `of` is the key `for` of tracks, places, transfers, work and sources: a pattern of devices, each of which has such
-/// an entry; empty: it is one.
+/// `of` is the key `for` of tracks, places, transfers, work and sources: a pattern of devices. There is one such
+/// element for each device that matches; if `of` is empty, there is one element.
 struct GivenTrack {
   std::string name;
   std::string of;

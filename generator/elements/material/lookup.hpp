@@ -11,9 +11,9 @@
 
 namespace symplant::model {
 
-/// Looks up names for one entry after the other. An empty text is a required one that is missing, which the reader of
-/// plant.json has reported. What the plant lacks that an entry with `for` names is not a fault:
-/// lacking() describes it.
+/// Looks up names, entry by entry. An empty text means that a required text is missing, which the reader of plant.json
+/// has reported. If an entry with `for` names something that the plant lacks, that is not a fault: lacking() describes
+/// it.
 class MaterialLookup {
  public:
   /// The plant's units have their states, its kinds of parts are complete, and its tracks and places have their names
@@ -23,7 +23,7 @@ class MaterialLookup {
   /// Begins an entry. Returns its location.
   description::Pointer begin(std::string_view list, const MadeBy& by);
   bool made_for_device() const { return made_for_device_; }
-  /// What the plant lacks that the entry names; empty: nothing.
+  /// What the entry names and the plant lacks; empty: nothing.
   const std::string& lacking() const { return lacking_; }
   description::Faults& faults() { return faults_; }
   const PlantModel& plant() const { return plant_; }
@@ -40,7 +40,7 @@ class MaterialLookup {
   std::uint32_t kind(const std::string& name, const description::Pointer& here);
   /// TRACK, TRACK@POSITION or PLACE; its location is kOut, with a fault, for other texts.
   tables::PartLocation location(const std::string& text, const description::Pointer& here);
-  /// The same, or `out`.
+  /// Like location(), or `out`.
   tables::PartLocation target(const std::string& text, const description::Pointer& here);
   /// TRACK, PLACE or `out`.
   std::uint32_t end(const std::string& text, const description::Pointer& here);

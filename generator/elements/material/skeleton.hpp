@@ -11,7 +11,7 @@ namespace symplant::emit {
 /// for each process, with the positions to be filled in. O(symbols).
 nlohmann::ordered_json proposed_material(const model::PlantModel& plant);
 
-/// Whether all symbols of a unit are sensors that the proposal takes: it is no device then.
+/// Whether all symbols of a unit are sensors that the proposal takes: then it is not a device.
 bool is_only_part_sensors(const model::PlantModel& plant, const model::Unit& unit);
 
 }  // namespace symplant::emit

@@ -39,7 +39,7 @@ class MaterialWords {
   const model::Material& material_;
 };
 
-/// One line for each track, place, transfer, work and source, and after that of a track or place, indented, one for
+/// One line for each track, place, transfer, work and source. Indented lines follow that of a track or place: one for
 /// each of its drives, stops, sensors and ends. Empty without material. O(material).
 std::vector<std::string> material_lines(const model::PlantModel& plant);
 

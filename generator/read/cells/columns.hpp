@@ -40,7 +40,7 @@ std::string_view field_name(Field field);
 /// The columns in words: "class 1, identifier 2 `Label Name`"; with the header's words if there is a header.
 std::string describe(const Columns& columns, std::span<const std::string> header = {});
 
-/// What was taken for what, short: "name `Tag`, address `Operand`, type `Typ`"; without a header by numbers.
+/// The columns of the fields, short: "name `Tag`, address `Operand`, type `Typ`"; without a header by numbers.
 std::string summary_of(const Columns& columns, std::span<const std::string> header);
 
 /// Two columns that name one field equally well.

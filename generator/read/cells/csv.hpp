@@ -14,10 +14,10 @@
 
 namespace symplant::read {
 
-/// The most cells of a row; more are ignored. No list has them, and a file of delimiters must not fill the memory.
+/// The most cells of a row; more are ignored. No list has that many, and a file of delimiters must not fill the memory.
 inline constexpr std::size_t kMaxCells = 4096;
 
-/// The one of TAB `;` `,` that divides the first rows most evenly, counted outside quotes; `,` if none occurs.
+/// The delimiter (TAB, `;` or `,`) that divides the first rows most evenly, counted outside quotes; `,` if none occurs.
 char sniff_delimiter(std::string_view text);
 
 struct CsvRow {

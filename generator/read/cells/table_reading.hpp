@@ -14,11 +14,11 @@ struct TableKind {
   address::Notation notation = address::Notation::melsec;
   /// Whether a row with an address and no name is a symbol, with its address as its name.
   bool address_for_name = false;
-  /// Whether a cell decides whether it is a vendor's or an IEC address, and not its column.
+  /// Whether the content of a cell, not its column, decides if it is a vendor's or an IEC address.
   bool sort_addresses = false;
   /// Whether an apostrophe may protect a cell from being run as a formula.
   bool is_protected = false;
-  /// Rows that are no symbols: remarks.
+  /// Whether a row is a remark, not a symbol; null: no row is.
   bool (*is_remark)(const CsvRow& row) = nullptr;
 };
 

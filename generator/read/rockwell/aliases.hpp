@@ -23,7 +23,7 @@ struct OperandParts {
 };
 OperandParts split_operand(std::string_view operand);
 
-/// Knows all tags of a controller and resolves operands over chains of aliases: with `Box:1:I` an alias of
+/// Knows all tags of a controller and resolves operands through chains of aliases: with `Box:1:I` an alias of
 /// `Box:I.Data[1]`, the operand `Box:1:I.3` is `Box:I.Data[1].3`. Names compare without regard to case. An operand is
 /// looked up in its program first, then in the controller. All views must outlive the resolver. O(length) for each
 /// operand and alias, over all calls.

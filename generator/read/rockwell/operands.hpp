@@ -22,7 +22,7 @@ class RockwellOperands {
   struct Operand {
     std::string_view text;
     std::string_view comment;
-    std::uint32_t parent = kNone;  ///< of which it is a part; set by `parent_of`
+    std::uint32_t parent = kNone;  ///< the operand of which it is a part; set by `parent_of`
     bool parent_known = false;
     bool comment_decoded = false;
     bool has_row = false;
@@ -40,7 +40,7 @@ class RockwellOperands {
   /// for an operand of more than `kLongestOperand` characters.
   std::uint32_t parent_of(std::uint32_t number);
 
-  /// Marks all of which an operand is a part.
+  /// Marks all operands of which an operand is a part.
   void mark_wholes(std::uint32_t number);
 
  private:

@@ -7,8 +7,8 @@
 namespace symplant::read {
 
 /// The text of a description: `$XXXX` is a UTF-16 unit, `$N`, `$L`, `$R` and `$P` are line ends (`$R$L` is one), `$T`
-/// is a TAB, `$Q` a double quote; after `$`, `$` and quotes mean themselves. Control characters become blanks, halves
-/// of pairs U+FFFD. An unknown escape stays as written. Blanks and line ends around the text are removed. O(text).
+/// is a TAB, `$Q` a double quote; after `$`, `$` and quotes mean themselves. Control characters become blanks, lone
+/// surrogates U+FFFD. An unknown escape stays as written. Blanks and line ends around the text are removed. O(text).
 std::string decode_rockwell_text(std::string_view text);
 
 }  // namespace symplant::read

@@ -16,9 +16,9 @@ struct ParsedDeclaration {
   std::string_view initial;
 };
 
-/// Reads a declaration without its `;`, which must be all of `range`, and whose tokens `tokens` has already read; it is
-/// somewhere else afterwards. False if the range is not a declaration. Nesting is counted, so no text needs a deep
-/// stack. `parsed` is reused from call to call, to save memory. O(range).
+/// Reads a declaration without its `;`. It must be all of `range`, and `tokens` must have read its tokens before.
+/// Afterwards the offset of `tokens` is unspecified. False if the range is not a declaration. Nesting is counted, so no
+/// text needs a deep stack. `parsed` is reused from call to call, to save memory. O(range).
 bool parse_declaration(Tokens& tokens, text::Span range, ParsedDeclaration& parsed);
 
 }  // namespace symplant::read::st

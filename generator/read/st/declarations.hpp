@@ -43,10 +43,10 @@ class DeclarationVisitor {
 /// Reads all blocks of variables in a range of a text, and skips all code. A block VAR_EXTERNAL or VAR_ACCESS declares
 /// nothing. The comment of a variable is the first one after it on the line of its `;`, else the first one in its
 /// declaration, else the one that ends on the line before it, or on its line. Pragmas may be between them, blank lines
-/// may not, and a comment above of which a line ends with `;` is code. O(range).
+/// may not, and a comment above with a line that ends with `;` is code. O(range).
 void read_declarations(std::string_view text, text::Span range, DeclarationVisitor& visitor);
 
-/// How certainly a text is Structured Text with variables, 0 to 100. Looks at its begin only.
+/// How certainly a text is Structured Text with variables, 0 to 100. Looks at its beginning only.
 int declarations_likelihood(std::string_view text);
 
 }  // namespace symplant::read

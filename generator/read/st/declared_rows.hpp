@@ -23,7 +23,7 @@ class DeclaredRows : public DeclarationVisitor {
   /// Reads a text that is not in the file as such, but comes from `origin`, to which findings point.
   void read_copy(std::string_view text, text::Span origin, std::string_view scope);
 
-  /// Decides about names and counts; the table, or nothing with an error.
+  /// Makes repeated names unique, and returns the table; nothing, with an error, if there is no row.
   std::optional<SymbolTable> finish();
 
   void declared(const VariableBlock& block, const Declaration& declaration) override;
@@ -42,7 +42,7 @@ class DeclaredRows : public DeclarationVisitor {
   std::string_view klass_;                ///< of the last block, kept
   bool entered_ = false;                  ///< the members below are those of a block of this text
   std::string_view written_scope_;        ///< of the last block, in the text
-  std::string_view block_scope_;          ///< the same as a cell
+  std::string_view block_scope_;          ///< that scope as a cell
   std::uint32_t scope_extra_ = kNoExtra;  ///< for rows that have only a scope
   std::size_t locals_ = 0;
   std::size_t faults_ = 0;

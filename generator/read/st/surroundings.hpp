@@ -11,7 +11,8 @@ namespace symplant::read::st {
 /// A comment without its delimiters and the stars and slashes of frames.
 std::string_view comment_text(std::string_view comment);
 
-/// What is before a declaration, and whether a comment is on the line of the one before. O(text) over all calls.
+/// What is before a declaration, and whether a comment is on the line of the declaration before it. O(text) over all
+/// calls.
 class Surroundings {
  public:
   explicit Surroundings(std::string_view text) : text_(text) {}
@@ -20,7 +21,7 @@ class Surroundings {
   void begin(std::size_t offset);
   /// Takes note of the next token. Returns whether it is on the line of begin().
   bool pass(const Token& token);
-  /// A comment of which a line ends with `;` is code, not a text about the next declaration.
+  /// Takes note of a comment above. If a line of it ends with `;`, it is code, not a text about the next declaration.
   void take_above(std::string_view comment);
   void take_link(std::string_view pragma);
 

@@ -14,7 +14,7 @@ enum class Kind : std::uint8_t {
   end,
   word,      ///< letters, digits and `_`
   quoted,    ///< 'text', "name" or `name`
-  unclosed,  ///< the same up to the line's end, without a closing quote
+  unclosed,  ///< a quoted text up to the line's end, without a closing quote
   comment,   ///< of any of the three kinds, delimiters included
   pragma,    ///< {...}, with texts in quotes
   mark,      ///< any other character
@@ -42,10 +42,10 @@ class Tokens {
   bool is_word(const Token& token, std::string_view word) const;
 
   std::size_t offset() const { return at_; }
-  /// Goes on at an offset. Going back over a text keeps what is known about its comments and pragmas.
+  /// Continues at an offset. Going back over a text keeps what is known about its comments and pragmas.
   void go_to(std::size_t offset) { at_ = offset; }
 
-  /// The begin of the first comment that is not closed.
+  /// The offset of the first comment that is not closed.
   std::optional<std::size_t> unclosed_comment() const { return unclosed_comment_; }
 
  private:

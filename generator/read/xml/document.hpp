@@ -28,7 +28,7 @@ class Element {
   friend bool operator==(const Element&, const Element&) = default;
 
   std::string_view name() const;
-  /// Its start tag in the file. O(length of the tag).
+  /// The start tag of the element in the file. O(length of the tag).
   text::Span tag() const;
 
   Text attribute(const char* name) const;
@@ -69,7 +69,7 @@ class Walk {
 
   /// Nothing at the end.
   Element next();
-  /// Leaves out the elements in the one that next() returned.
+  /// Skips the elements in the element that next() returned.
   void skip_content() { next_ = after(at_); }
 
  private:

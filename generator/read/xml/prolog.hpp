@@ -8,8 +8,8 @@
 namespace symplant::read::xml {
 
 struct Prolog {
-  std::string_view root;               ///< the root's name without prefix; empty if the begin has no element
-  std::string_view head;               ///< the begin of the text, from the root's `<` on
+  std::string_view root;               ///< the root's name without prefix; empty if the beginning has no element
+  std::string_view head;               ///< the beginning of the text, from the root's `<` on
   std::optional<std::size_t> doctype;  ///< the offset of a document type declaration
 };
 

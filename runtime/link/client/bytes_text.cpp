@@ -1,4 +1,4 @@
-// Bytes that no protocol of the link explains.
+// The text of bytes that are not a reply of the link's protocol, for messages.
 #include "symplant/link/client/bytes_text.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a protocol makes of a URL of a link that goes to the PLC.
+// The parts that a protocol builds from the URL of a link that goes to the PLC.
 #include "symplant/link/client/parts.hpp"
 
 #include <utility>

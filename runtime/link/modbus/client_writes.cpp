@@ -1,4 +1,4 @@
-// What a Modbus client writes, and what becomes of it if the PLC refuses.
+// What a Modbus client writes, and what happens if the PLC refuses it.
 #include <algorithm>
 #include <bit>
 #include <limits>

@@ -1,4 +1,4 @@
-// What a CPU says of itself, compared with the family of the link.
+// The CPU model that a PLC reports, compared with the family of the link.
 #include "symplant/link/slmp/cpu_model.hpp"
 
 #include <algorithm>

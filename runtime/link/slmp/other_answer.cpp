@@ -1,4 +1,4 @@
-// What answers a request of an SLMP link if it is not a reply of the link's framing.
+// Explains an answer to a request of an SLMP link that is not a reply in the link's framing.
 #include "symplant/link/slmp/other_answer.hpp"
 
 #include <algorithm>

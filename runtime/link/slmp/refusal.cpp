@@ -1,4 +1,4 @@
-// A request that a MELSEC PLC refused.
+// Packs a request that a MELSEC PLC refused into a tables::Refusal.
 #include "symplant/link/slmp/refusal.hpp"
 
 #include "symplant/link/slmp/end_code.hpp"

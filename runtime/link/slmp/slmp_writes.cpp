@@ -1,4 +1,4 @@
-// What an SLMP link writes, and what becomes of it if the PLC refuses.
+// What an SLMP link writes, and what happens if the PLC refuses it.
 #include <algorithm>
 #include <array>
 

@@ -1,4 +1,4 @@
-// Does the orders of the panel in the thread that runs the plant.
+// Carries out the orders of the panel in the thread that runs the plant.
 #include "symplant/panel/operate/operator.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the plant refused of acts and steps.
+// The actions of acts and steps that the plant refused; the other actions were done.
 #include "symplant/panel/operate/refusals.hpp"
 
 #include "symplant/scenario/player.hpp"

@@ -1,4 +1,4 @@
-// The states of the plant that an operator keeps.
+// The states of the plant that an operator keeps, and those that are kept automatically.
 #include "symplant/panel/operate/snapshots.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// May this request look, and may it act?
+// Decides whether a request may look and whether it may act: by tokens, and by the page of the browser that made it.
 #include "symplant/panel/web/access.hpp"
 
 #include <arpa/inet.h>

@@ -1,4 +1,4 @@
-// What a connection has still to send.
+// The texts that a connection still has to send.
 #include "symplant/panel/web/outbox.hpp"
 
 #include <utility>
