@@ -45,8 +45,8 @@ struct GivenTransition {
   bool once = false;
   std::optional<Duration> after = {};
   std::optional<Duration> takes = {};
-  std::string during = {};   ///< `while`: a condition; empty: none
-  std::uint32_t weight = 0;  ///< 0: none; else 1 to 1,000,000
+  std::string during = {};  ///< `while`: a condition; empty: none
+  tables::TransitionNumbers numbers = {};
 };
 
 /// l_enter and l_leave of a state besides its event: further events of the device, by task, in this order.

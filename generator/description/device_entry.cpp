@@ -76,8 +76,12 @@ class DeviceReader {
     given.during = text_or_empty(value, "while");
     given.automatic = flag_member(value, "automatic");
     given.once = flag_member(value, "once");
-    const Json* weight = member(value, "weight");
-    if (weight != nullptr && weight->is_number_unsigned()) given.weight = weight->get<std::uint32_t>();
+    for (const tables::TransitionNumber& number : tables::kTransitionNumbers) {
+      const Json* written = member(value, number.key);
+      if (written != nullptr && written->is_number_unsigned()) {
+        given.numbers.*number.member = written->get<std::uint32_t>();
+      }
+    }
     given.after = duration_member(value, "after", here, faults_);
     given.takes = duration_member(value, "takes", here, faults_);
     return given;

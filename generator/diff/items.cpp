@@ -81,7 +81,7 @@ class UnitItems {
     append_part(value, words.after);
     append_part(value, words.takes);
     append_part(value, words.during.empty() ? "" : "while " + words.during);
-    append_part(value, words.weight);
+    append_part(value, words.numbers);
     items_.push_back({element,
                       fmt::format("({}, {}) -> {}", state(t.from), words.on, state(t.to)),
                       std::move(value),

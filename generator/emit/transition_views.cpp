@@ -230,7 +230,10 @@ class TransitionViews {
     std::string text = fmt::format("go(State::{}, {})", state(t.to), times_.at({t.to, t.dt}));
     if (t.when != tables::kNoCondition) text += fmt::format(".when(Guard::{})", guards_[t.when]);
     if (t.during != tables::kNoCondition) text += fmt::format(".during(Guard::{})", guards_[t.during]);
-    if (t.weight != 0) text += fmt::format(".weight({})", t.weight);
+    for (const tables::TransitionNumber& number : tables::kTransitionNumbers) {
+      const std::uint32_t value = t.numbers.*number.member;
+      if (value != 0) text += fmt::format(".{}({})", number.key, value);
+    }
     if (t.once) text += ".once()";
     if (has_priority(n)) text += fmt::format(".priority({})", priorities_[n]);
     return text;

@@ -49,7 +49,7 @@ bool ReportInput::is_asked(std::uint32_t sample) const {
 
 bool Report::names_do_not_link() const {
   constexpr std::size_t kLeast = 5;     // outputs that are worth a sentence
-  constexpr std::size_t kFewPairs = 8;  // fewer than one of so many
+  constexpr std::size_t kFewPairs = 8;  // fewer than one of this number
   return operations >= kLeast && operations_paired * kFewPairs < operations;
 }
 

@@ -13,7 +13,8 @@ bool timed(const tables::TransitionTimes& times) { return times.after != 0 || ti
 void mark_transitions(EngineTables& tables) {
   for (Type& type : tables.types) {
     for (tables::Transition& t : type.transitions) {
-      t.timed = t.weight != 0 || ((t.dt & tables::kOfDevice) == 0 && timed(type.times[t.dt]));
+      t.timed =
+          t.numbers != tables::TransitionNumbers{} || ((t.dt & tables::kOfDevice) == 0 && timed(type.times[t.dt]));
     }
   }
   for (const tables::UnitRow& unit : tables.units) {

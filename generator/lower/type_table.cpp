@@ -5,6 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "symplant/tables/fields.hpp"
+
 namespace symplant::lower {
 namespace {
 
@@ -76,7 +78,7 @@ tables::Transition lowered(const model::Transition& t) {
   row.once = t.once;
   row.when = t.when == kNone ? tables::kNoCondition : static_cast<std::uint16_t>(t.when);
   row.during = t.during == kNone ? tables::kNoCondition : static_cast<std::uint16_t>(t.during);
-  row.weight = t.weight;
+  row.numbers = t.numbers;
   return row;
 }
 
@@ -126,7 +128,8 @@ void put_structure(const Type& type, const model::PlantModel& plant, std::string
     byte(t.to);
     byte(t.on);
     byte(t.once ? 1 : 0);
-    number(std::uint64_t{t.when} << 48 | std::uint64_t{t.during} << 32 | t.weight);
+    number(std::uint64_t{t.when} << 16 | t.during);
+    tables::fields(t.numbers, number);
   }
   for (const auto* side : {&type.enter, &type.leave}) {
     for (const tables::EventMasks& masks : *side) {

@@ -76,7 +76,7 @@ class TransitionExpander {
     transition.after = given.after.value_or(description::Duration::fixed(0));
     transition.takes = given.takes.value_or(description::Duration::fixed(given.automatic ? 0 : unit_.travel));
     transition.once = given.once;
-    transition.weight = given.weight;
+    transition.numbers = given.numbers;
     const auto count = static_cast<std::uint32_t>(unit_.states.size());
     for (std::uint32_t s = from_all ? 0 : from; s < (from_all ? count : from + 1); ++s) {
       transition.from = s;
@@ -91,8 +91,10 @@ class TransitionExpander {
   /// operation is missing.
   bool set_cause(Transition& transition, const description::GivenTransition& given, const description::Pointer& here,
                  bool& lacking) {
-    if (given.weight != 0 && !given.automatic) {
-      faults_.add(here / "weight", "`weight` is only allowed in an automatic transition; remove it or add `automatic`");
+    for (const tables::TransitionNumber& number : tables::kTransitionNumbers) {
+      if (given.automatic || !number.automatic_only || given.numbers.*number.member == 0) continue;
+      faults_.add(here / number.key, description::ticked(number.key) +
+                                         " is only allowed in an automatic transition; remove it or add `automatic`");
       return false;
     }
     if (given.automatic) {

@@ -132,8 +132,8 @@ struct Transition {
   bool once = false;
   std::uint32_t when = kNone;    ///< index in Unit::conditions
   std::uint32_t during = kNone;  ///< `while`: index in Unit::conditions
-  std::uint32_t weight = 0;      ///< of the draw among the automatic ones that are ready; 0: none
-  std::uint32_t given = kNone;   ///< index in DeviceDescription::transitions
+  tables::TransitionNumbers numbers = {};
+  std::uint32_t given = kNone;  ///< index in DeviceDescription::transitions
 };
 
 /// Events that l_enter or l_leave switches besides that of the state, by index in Unit::events, in this order.

@@ -33,7 +33,7 @@ constexpr std::string_view kListAdvice = "export the symbols of the PLC program 
 
 struct Signature {
   std::string_view bytes;      ///< what the file holds
-  bool at_begin;               ///< at its begin, or anywhere
+  bool at_begin;               ///< at its beginning, or anywhere
   std::string_view extension;  ///< of its path, without the dot, in lower case; empty: any
   RecognizedFile file;
 };

@@ -140,7 +140,7 @@ bool is_surrogate(std::string_view bytes) {
          (static_cast<unsigned char>(bytes[2]) & 0xC0U) == 0x80;
 }
 
-/// Whether well-formed text has so many characters beyond ASCII that it is UTF-8 by intention.
+/// Whether well-formed text has enough characters beyond ASCII that it is UTF-8 by intention.
 bool is_mostly_utf8(std::string_view text) {
   constexpr std::size_t kEnough = 4;
   std::size_t found = 0;

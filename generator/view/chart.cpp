@@ -46,7 +46,7 @@ std::vector<std::string> label_of(const model::Transition& t, const model::Unit&
   const std::string when = bracketed("", transition.when, t.when);
   const std::string during = bracketed("while ", transition.during, t.during);
   const std::string origin(t.origin == model::Origin::derived ? "" : origin_text(t.origin));
-  return packed({transition.on, when, transition.after, transition.takes, during, transition.weight, origin});
+  return packed({transition.on, when, transition.after, transition.takes, during, transition.numbers, origin});
 }
 
 std::string joined(const std::vector<std::pair<std::uint32_t, bool>>& events, const model::Unit& unit,

@@ -84,7 +84,7 @@ class KindWriter {
       const TransitionText transition = transition_text(t, unit_, plant_);
       json_.row(t.from, t.to, visible(transition.on), t.when == kNone ? 0 : t.when + 1, transition.after,
                 transition.takes, t.once ? 1 : 0, origin_text(t.origin), t.during == kNone ? 0 : t.during + 1,
-                transition.weight);
+                transition.numbers);
     };
     json_.key(key);
     json_.begin_array();

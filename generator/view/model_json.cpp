@@ -111,7 +111,9 @@ class UnitWriter {
       json_.key("takes");
       write_time(t.takes, json_);
       if (t.during != kNone) json_.member("while", model::condition_text(unit_.conditions[t.during], plant_));
-      if (t.weight != 0) json_.member("weight", t.weight);
+      for (const tables::TransitionNumber& number : tables::kTransitionNumbers) {
+        if (const std::uint32_t value = t.numbers.*number.member; value != 0) json_.member(number.key, value);
+      }
       if (t.once) json_.member("once", true);
       if (t.spring_return) json_.member("spring_way", true);
       json_.member("origin", origin_text(t.origin));

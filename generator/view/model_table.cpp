@@ -141,7 +141,7 @@ class TableWriter {
       if (!transition.after.empty()) content += ", " + transition.after;
       if (!transition.takes.empty()) content += ", " + transition.takes;
       if (!transition.during.empty()) content += ", while " + transition.during;
-      if (!transition.weight.empty()) content += ", " + transition.weight;
+      if (!transition.numbers.empty()) content += ", " + transition.numbers;
       row(content + "  [" + std::string(origin_text(t.origin)) + "]");
     }
     end();

@@ -181,7 +181,10 @@ class ScxmlWriter {
     if (t.during != kNone) {
       text_ += attribute("symplant:while", model::condition_text(unit.conditions[t.during], plant_));
     }
-    if (t.weight != 0) text_ += attribute("symplant:weight", std::to_string(t.weight));
+    for (const tables::TransitionNumber& number : tables::kTransitionNumbers) {
+      const std::uint32_t value = t.numbers.*number.member;
+      if (value != 0) text_ += attribute(fmt::format("symplant:{}", number.key), std::to_string(value));
+    }
     if (t.once) text_ += attribute("symplant:once", "true");
     text_ += attribute("symplant:origin", origin_text(t.origin)) + fmt::format(" symplant:place=\"{}\"/>\n", position);
   }

@@ -235,7 +235,10 @@ TransitionText transition_text(const model::Transition& transition, const model:
   if (transition.once) text.on += ", once";
   if (transition.when != kNone) text.when = model::condition_text(unit.conditions[transition.when], plant);
   if (transition.during != kNone) text.during = model::condition_text(unit.conditions[transition.during], plant);
-  if (transition.weight != 0) text.weight = fmt::format("weight {}", transition.weight);
+  for (const tables::TransitionNumber& number : tables::kTransitionNumbers) {
+    const std::uint32_t value = transition.numbers.*number.member;
+    if (value != 0) text.numbers += fmt::format("{}{} {}", text.numbers.empty() ? "" : ", ", number.key, value);
+  }
   if (!transition.after.is_zero()) text.after = "after " + duration_text(transition.after);
   if (transition.on != kNone || transition.spring_return || !transition.takes.is_zero()) {
     text.takes = "takes " + duration_text(transition.takes);

@@ -46,12 +46,12 @@ std::vector<model::Transition> spring_returns(const model::Unit& unit);
 
 /// The parts of a transition's text; a part is empty if the transition lacks it.
 struct TransitionText {
-  std::string on;      ///< `O_P2`; "by itself" for an automatic transition, "spring" for a spring return
-  std::string when;    ///< the condition
-  std::string after;   ///< "after 5 s"
-  std::string takes;   ///< "takes 2 s"; empty for an automatic transition that takes no time
-  std::string during;  ///< the condition of `while`
-  std::string weight;  ///< "weight 95"
+  std::string on;       ///< `O_P2`; "by itself" for an automatic transition, "spring" for a spring return
+  std::string when;     ///< the condition
+  std::string after;    ///< "after 5 s"
+  std::string takes;    ///< "takes 2 s"; empty for an automatic transition that takes no time
+  std::string during;   ///< the condition of `while`
+  std::string numbers;  ///< "weight 95"
 };
 TransitionText transition_text(const model::Transition& transition, const model::Unit& unit,
                                const model::PlantModel& plant);

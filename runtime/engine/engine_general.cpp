@@ -76,7 +76,7 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
 std::uint16_t Engine::drawn_by_weight(std::uint32_t unit, const TypeIndex& type, std::uint16_t first) noexcept {
   Record* const records = records_ + general_row(unit).first_record;
   const auto weight_of = [&](std::uint16_t n) -> std::uint32_t {
-    const std::uint32_t weight = type.transitions[n].weight;
+    const std::uint32_t weight = type.transitions[n].numbers.weight;
     if (weight == 0) return 0;
     const Record& record = records[type.record_of[n]];
     return record.holds != 0 && record.ready <= now_ ? weight : 0;
@@ -190,8 +190,8 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
   std::uint16_t transition = ready.first;
   std::uint8_t target = tables::kNoState;
   if (ready.automatic != kNoTransition) {
-    transition =
-        type.transitions[ready.automatic].weight == 0 ? ready.automatic : drawn_by_weight(unit, type, ready.automatic);
+    transition = type.transitions[ready.automatic].numbers.weight == 0 ? ready.automatic
+                                                                       : drawn_by_weight(unit, type, ready.automatic);
     target = type.transitions[transition].to;
   } else {
     target = destination(unit, type, on, ready);

@@ -15,7 +15,7 @@ bool draws(const tables::PlantTables& tables) noexcept {
   if (tables.random_times.size() + tables.behaviour_units.size() != 0) return true;
   return std::any_of(tables.types.begin(), tables.types.end(), [](const tables::TypeRow& type) {
     return std::any_of(type.transitions.begin(), type.transitions.end(),
-                       [](const tables::Transition& t) { return t.weight != 0; });
+                       [](const tables::Transition& t) { return t.numbers.weight != 0; });
   });
 }
 

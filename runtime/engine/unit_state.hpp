@@ -43,7 +43,7 @@ enum : std::uint16_t {
   kGeneral = 1 << 14,           ///< UnitRow::general, of a type that is not plain, or kSlowed: never on the fast path
   kBehaves = 1 << 15,           ///< constant: has a custom behavior
 };
-/// A unit with so many steps in the second half of the rounds before a search for loops is in a loop.
+/// A unit with this number of steps in the second half of the rounds before a search for loops is in a loop.
 inline constexpr std::uint8_t kLoopSteps = 3;
 /// A unit with one of these flags makes no step, and its times do not run.
 inline constexpr std::uint16_t kHalted = kDisabled | kFrozen;

@@ -40,7 +40,7 @@ Problem choose(const std::array<std::pair<std::string_view, Value>, Count>& name
   return "write one of " + known;
 }
 
-/// `keep` or `zero`: what becomes of the events at the end of the run.
+/// `keep` or `zero`: what happens to the events at the end of the run.
 Problem read_at_end(std::string_view text, bool& zero_at_end);
 
 /// A key of a URL and how it changes the settings.

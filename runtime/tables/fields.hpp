@@ -46,9 +46,13 @@ struct Optional {
 };
 
 template <class Visit>
+constexpr void fields(const TransitionNumbers& row, Visit&& visit) {
+  for (const TransitionNumber& number : kTransitionNumbers) visit(row.*number.member);
+}
+template <class Visit>
 constexpr void fields(const Transition& row, Visit&& visit) {
   visit(row.from), visit(row.to), visit(row.on), visit(row.once), visit(row.when), visit(row.timed), visit(row.dt);
-  visit(row.during), visit(row.weight);
+  visit(row.during), fields(row.numbers, visit);
 }
 template <class Visit>
 constexpr void fields(const EventMasks& row, Visit&& visit) {

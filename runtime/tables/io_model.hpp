@@ -41,22 +41,22 @@ struct Move {
   std::uint16_t order = kLast;
   bool disarms = false;
   std::uint16_t going = kNoCondition;
-  std::uint32_t share = 0;
+  TransitionNumbers numbers{};
 
   /// It starts only while a condition of the device holds.
   template <class Condition>
   constexpr Move<State, Condition> when(Condition condition) const noexcept {
-    return {to, dt, static_cast<std::uint16_t>(condition), order, disarms, going, share};
+    return {to, dt, static_cast<std::uint16_t>(condition), order, disarms, going, numbers};
   }
   /// It stops while a condition of the device does not hold, and then continues (`while` in plant.json).
   template <class Condition>
   constexpr Move<State, Condition> during(Condition condition) const noexcept {
-    return {to, dt, guard, order, disarms, static_cast<std::uint16_t>(condition), share};
+    return {to, dt, guard, order, disarms, static_cast<std::uint16_t>(condition), numbers};
   }
   /// Of several moves of d_int that are ready at once one is drawn, by weights from 1 to 1,000,000.
   constexpr Move weight(std::uint32_t number) const noexcept {
     Move move = *this;
-    move.share = number;
+    move.numbers.weight = number;
     return move;
   }
   /// Its operation works once: it must be off before it starts the move again (latched devices only).
@@ -104,7 +104,7 @@ class Moves {
     static_assert(std::is_same_v<Condition, Unguarded> || std::is_same_v<Condition, Guard>,
                   "a move has a Guard of its class: use the Guard of the base");
     if constexpr (std::is_same_v<To, State>) {
-      return {move.to, move.dt, move.guard, move.order, move.disarms, move.going, move.share};
+      return {move.to, move.dt, move.guard, move.order, move.disarms, move.going, move.numbers};
     }
     return {};
   }

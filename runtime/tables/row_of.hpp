@@ -30,7 +30,7 @@ struct Caused {
   std::uint16_t priority = kLast;
   Dt dt{};
   std::uint16_t during = kNoCondition;
-  std::uint32_t weight = 0;
+  TransitionNumbers numbers{};
 
   /// The commanded moves come first, then the automatic ones, then the returns of a spring.
   constexpr std::size_t kind() const noexcept { return on == kSpringReturn ? 2 : on == kNoOperation ? 1 : 0; }
@@ -46,7 +46,7 @@ constexpr Caused caused(State from, std::uint8_t on, const Move<State>& move) no
           move.order,
           move.dt,
           move.going,
-          move.share};
+          move.numbers};
 }
 
 template <class Class>
@@ -121,10 +121,10 @@ constexpr Numbered<Count> numbered() noexcept {
                                       move.on,
                                       move.once,
                                       move.guard,
-                                      timed || kCustom || move.weight != 0,
+                                      timed || kCustom || move.numbers != TransitionNumbers{},
                                       numbered.number(move.dt),
                                       move.during,
-                                      move.weight};
+                                      move.numbers};
     }
     priority = next;
   }
@@ -141,11 +141,14 @@ constexpr bool once_without_operation(const std::array<Transition, Count>& trans
   return false;
 }
 
-/// Whether a transition has a weight but is not automatic.
+/// Whether a transition that is not automatic has a number that only automatic ones may have.
 template <std::size_t Count>
-constexpr bool weight_with_operation(const std::array<Transition, Count>& transitions) noexcept {
+constexpr bool number_with_operation(const std::array<Transition, Count>& transitions) noexcept {
   for (const Transition& transition : transitions) {
-    if (transition.weight != 0 && transition.on != kNoOperation) return true;
+    if (transition.on == kNoOperation) continue;
+    for (const TransitionNumber& number : kTransitionNumbers) {
+      if (number.automatic_only && transition.numbers.*number.member != 0) return true;
+    }
   }
   return false;
 }
@@ -204,7 +207,7 @@ struct RowOf {
 
   static_assert(!kNumbered.unknown_state, "a move leads to a value that is no state of the class");
   static_assert(!once_without_operation(kTransitions), "`.once()` is for the moves of d_ext, which have an operation");
-  static_assert(!weight_with_operation(kTransitions), "`.weight()` is for the moves of d_int, which are automatic");
+  static_assert(!number_with_operation(kTransitions), "`.weight()` is for the moves of d_int, which are automatic");
   static_assert(kNumbered.unknown_state || !leads_to_itself(kTransitions),
                 "a move cannot lead from a state to itself: return kStay");
   static_assert(switches_soundly(kEnter, Class::kO.size()) && switches_soundly(kLeave, Class::kO.size()),

@@ -39,6 +39,22 @@ enum class Actuation : std::uint8_t {
   spring,    ///< a single-acting cylinder: returns to its rest state without a command
 };
 
+/// The whole-number parameters of a transition, each 0 if it is not given. kTransitionNumbers lists
+/// them: what reads, shows, compares, digests and writes them walks that list.
+struct TransitionNumbers {
+  std::uint32_t weight = 0;  ///< of the draw among the automatic transitions that are ready
+
+  friend constexpr bool operator==(const TransitionNumbers&, const TransitionNumbers&) noexcept = default;
+};
+
+/// A member of TransitionNumbers.
+struct TransitionNumber {
+  std::string_view key;  ///< in plant.json and in the views; Move has a function of this name
+  std::uint32_t TransitionNumbers::*member;
+  bool automatic_only;  ///< only the moves of d_int may have it
+};
+inline constexpr TransitionNumber kTransitionNumbers[] = {{"weight", &TransitionNumbers::weight, true}};
+
 /// One transition between two states. `on` is the operation that commands it, kNoOperation if it is automatic,
 /// kSpringReturn if it only gives the travel time of a spring return.
 struct Transition {
@@ -48,11 +64,11 @@ struct Transition {
   bool once = false;                  ///< firing it disarms its operation (latched units only)
   std::uint16_t when = kNoCondition;  ///< index among its unit's conditions (ConditionedUnit)
   /// The engine keeps a record of it: in some unit of the type its `after` is not a fixed 0, one of its times is
-  /// random, it has a weight, or the unit has a custom behavior.
+  /// random, it has a number, or the unit has a custom behavior.
   bool timed = false;
   std::uint16_t dt = 0;  ///< which of the TransitionTimes: an index in TypeRow::times, or kOfDevice and an index
   std::uint16_t during = kNoCondition;  ///< `while`, as `when`: the move stops while it does not hold
-  std::uint32_t weight = 0;             ///< of the draw among the automatic transitions that are ready; 0: none
+  TransitionNumbers numbers{};
 };
 
 /// How long a transition's cause must hold before the unit leaves the state, and the travel time, both in nanoseconds,

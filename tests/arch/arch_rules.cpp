@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <regex>
 #include <span>
 #include <string_view>
 
@@ -247,6 +248,22 @@ Faults missing_heads(const Tree& tree) {
     const std::string_view head = std::string_view(file.text).substr(0, file.text.find('\n'));
     if (!head.starts_with("// ") || head.size() < kLeastHead) {
       faults.push_back(fault(file, 1, "the first line does not say what the file is for"));
+    }
+  }
+  return faults;
+}
+
+Faults closed_pipes(const Tree& scripts) {
+  static const std::regex early(R"(\|\s*(grep\s+-[a-zA-Z]*q|head\b))");
+  Faults faults;
+  for (const File& file : scripts) {
+    std::size_t number = 0;
+    for (const std::string_view line : lines(file.text)) {
+      ++number;
+      if (std::regex_search(line.begin(), line.end(), early)) {
+        faults.push_back(
+            fault(file, number, "the pipe may be closed early: read all of it (`grep >/dev/null`, `sed -n 1p`)"));
+      }
     }
   }
   return faults;

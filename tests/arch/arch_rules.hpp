@@ -41,6 +41,10 @@ Faults stray_third_parties(const Tree& tree);
 /// Files whose first line is not a comment that states their purpose.
 Faults missing_heads(const Tree& tree);
 
+/// Pipes of shell scripts into a command that may end before it has read everything (`grep -q`, `head`). The command in
+/// front may then fail on its closed pipe, and with `pipefail` the script, now and then.
+Faults closed_pipes(const Tree& scripts);
+
 /// Files of more than 500 lines.
 Faults long_files(const Tree& tree);
 

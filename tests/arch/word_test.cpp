@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string>
 
+#include "arch/arch_rules.hpp"
 #include "arch/word_rules.hpp"
 #include "support/catch.hpp"
 
@@ -70,6 +71,17 @@ std::size_t found_in(const std::string& path, const std::string& text) {
 const std::string kWord = std::string("to") + "ld";  // or this file would be at fault
 
 }  // namespace
+
+TEST_CASE("No script pipes into a command that closes the pipe early") {
+  Tree scripts;
+  for (const File& file : all_texts()) {
+    if (file.path.ends_with(".sh") || file.path.starts_with("scripts/")) scripts.push_back(file);
+  }
+  CHECK(scripts.size() > 50);
+  CHECK(closed_pipes(scripts) == Faults{});
+  CHECK(closed_pipes({{"a.sh", "set -o pipefail\nlist | grep -qF -- x || fail\nlist |head -1\n"}}).size() == 2);
+  CHECK(closed_pipes({{"a.sh", "list | grep x >/dev/null\ngrep -q x file | sed -n 1p\n"}}).empty());
+}
 
 TEST_CASE("Docs, messages and comments keep to the project's words") {
   CHECK(words().size() > 20);

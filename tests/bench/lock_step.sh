@@ -8,7 +8,7 @@ best() { # COMMAND...: the least wall time of it, in seconds
   local run
   for ((run = 0; run < runs; run++)); do
     /usr/bin/time -f %e "$@" 2>&1 >/dev/null | tail -n 1
-  done | sort -n | head -n 1
+  done | sort -n | sed -n 1p
 }
 
 examples=$build/examples

@@ -42,7 +42,7 @@ for here in "$work"/[0-9]*/; do
   [ -e "$here/folder" ] || { echo "$page holds no description: has its form changed?"; exit 1; }
   cp "$source_dir/$(cat "$here/folder")/symbols.csv" "$here"
   # Its first line that is not a comment decides.
-  if grep -v '^ *//' "$here/plant.part" | head -1 | grep -q '^{'; then
+  if grep -v '^ *//' "$here/plant.part" | sed -n 1p | grep '^{' >/dev/null; then
     cp "$here/plant.part" "$here/plant.json"
   else
     { printf '{ "symplant": 1, "symbols": ["symbols.csv"],\n'; cat "$here/plant.part"; printf '}\n'; } >"$here/plant.json"

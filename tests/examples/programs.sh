@@ -12,7 +12,7 @@ says() {
   shift 2
   "$@" >"$work/out" 2>"$work/err" || code=$?
   ((code == wanted)) || fail "exit code $code, not $wanted: $*"
-  cat "$work/out" "$work/err" | grep -qF -- "$text" || fail "no \`$text\` from: $*"
+  grep -qF -- "$text" "$work/out" "$work/err" || fail "no \`$text\` from: $*"
 }
 run_cell() { # PROGRAM OPTION...
   local program=$1

@@ -50,7 +50,7 @@ grep -q '<error message=".*plant\.json:' "$work/plant.xml" || fail "the JUnit fi
 [[ $(cat "$work/list.csv") == name ]] || fail "an input is replaced"
 
 # The same explanation of a symbol that is on at the start.
-symbol=$(sed -n 's/.*"symbol":"\([^"]*\)".*/\1/p' "$work/compiled.jsonl" | head -n 1)
+symbol=$(sed -n 's/.*"symbol":"\([^"]*\)".*/\1/p' "$work/compiled.jsonl" | sed -n 1p)
 "$binary" --until 5s --clock virtual --why "$symbol" | sed -n '/^why: /,$p' >"$work/binary.why"
 "$tool" run "$list" --until 5s --clock virtual --why "$symbol" | sed -n '/^why: /,$p' >"$work/tool.why"
 grep -q "^why: $symbol has been on since the start, " "$work/binary.why" || fail "$symbol is not explained"

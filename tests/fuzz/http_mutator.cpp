@@ -42,7 +42,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (around >= most) return LLVMFuzzerMutate(data, size, most);
   std::vector<std::uint8_t> part(data + begin, data + end);
   const std::vector<std::uint8_t> rest(data + end, data + size);
-  if (seed / 4 % 8 == 0 && !part.empty()) {  // a part without its begin, which single bytes seldom lead to
+  if (seed / 4 % 8 == 0 && !part.empty()) {  // a part without its start, which single bytes seldom lead to
     part.erase(part.begin(), part.begin() + 1 + static_cast<std::ptrdiff_t>(seed / 32 % part.size()));
   } else {
     part.resize(most - around);

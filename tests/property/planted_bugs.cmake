@@ -55,7 +55,7 @@ function(symplant_planted_layer LAYER FOLDER)
   target_link_libraries(symplant_${LAYER}_planted PRIVATE symplant_options)
 endfunction()
 
-# symplant_planted_tests(PROGRAM PREFIX PLANTS): a test for each planted bug: PROGRAM must find it in so many plants. If none
+# symplant_planted_tests(PROGRAM PREFIX PLANTS): a test for each planted bug: PROGRAM must find it in this number of plants. If none
 # is on it must find nothing.
 function(symplant_planted_tests PROGRAM PREFIX PLANTS)
   get_property(names DIRECTORY PROPERTY symplant_planted_bugs)

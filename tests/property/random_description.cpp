@@ -79,7 +79,7 @@ class DeviceWriter {
   void while_and_weight(GivenTransition& given) {
     const bool turns = device_.actuation && device_.actuation != Actuation::latched;
     if (dice_.percent(turns ? 45 : 25)) given.during = random_condition(dice_, plan_, unit_);
-    if (given.automatic && dice_.percent(35)) given.weight = random_weight();
+    if (given.automatic && dice_.percent(35)) given.numbers.weight = random_weight();
   }
 
   std::uint32_t random_weight() {
@@ -98,7 +98,7 @@ class DeviceWriter {
       given.automatic = true;
       given.after = after;
       if (dice_.percent(40)) given.takes = random_duration(dice_);
-      if (dice_.percent(90)) given.weight = random_weight();
+      if (dice_.percent(90)) given.numbers.weight = random_weight();
       add(std::move(given));
     }
   }

@@ -100,8 +100,8 @@ class Edits {
   void transition(description::GivenTransition& given) {
     condition(given.when, true);
     condition(given.during, true);
-    if (given.weight != 0) edit([&] { given.weight = 0; });
-    if (given.weight > 1) edit([&] { given.weight = 1; });
+    if (given.numbers.weight != 0) edit([&] { given.numbers.weight = 0; });
+    if (given.numbers.weight > 1) edit([&] { given.numbers.weight = 1; });
     duration(given.after);
     duration(given.takes);
     if (given.once) edit([&] { given.once = false; });
@@ -147,7 +147,7 @@ std::size_t plant_size(const PlantText& plant) {
             (device.actuation ? 1 : 0) + (device.overrun ? 1 : 0) + (device.sequence ? 1 : 0) + (device.only ? 1 : 0) +
             device.type.size() + device.behaviour.size();
     for (const description::GivenTransition& given : device.transitions) {
-      size += 5 + given.when.size() + given.during.size() + (given.weight > 1 ? 2 : given.weight) +
+      size += 5 + given.when.size() + given.during.size() + (given.numbers.weight > 1 ? 2 : given.numbers.weight) +
               duration_size(given.after) + duration_size(given.takes) + (given.once ? 1 : 0);
     }
     for (const description::GivenOutputs& given : device.outputs) size += 1 + given.enter.size() + given.leave.size();

@@ -54,7 +54,7 @@ class Writer {
     if (given.once) text += " once";
     if (given.after) text += " after " + text_of(*given.after);
     if (given.takes) text += " takes " + text_of(*given.takes);
-    if (given.weight != 0) text += " weight " + std::to_string(given.weight);
+    if (given.numbers.weight != 0) text += " weight " + std::to_string(given.numbers.weight);
     if (!given.when.empty()) text += " when " + given.when;
     if (!given.during.empty()) text += " while " + given.during;
     line(text);

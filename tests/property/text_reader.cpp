@@ -114,7 +114,7 @@ class Reader {
       if (word == "once") given.once = true;
       if (word == "after") given.after = line.duration();
       if (word == "takes") given.takes = line.duration();
-      if (word == "weight") given.weight = line.number<std::uint32_t>();
+      if (word == "weight") given.numbers.weight = line.number<std::uint32_t>();
       if (word == "when") given.when = line.condition();
       if (word == "while") given.during = line.all();
     }

@@ -17,7 +17,7 @@ write_large_plant "$work" "$devices"
 "$program" run "$work/plant.json" --link PLC1=modbus-tcp-server://127.0.0.1:0 --link PLC2=modbus-tcp-server://127.0.0.1:0 \
   --cycle 1ms --lock-memory --rt-check "$cycles" --stats "$work/stats.json" >"$work/plant.log" 2>&1 &
 plant=$!
-port_of() { sed -n "s,^link PLC$1=modbus-tcp-server://127\.0\.0\.1:\([0-9]*\).*,\1,p" "$work/plant.log" | head -n 1; }
+port_of() { sed -n "s,^link PLC$1=modbus-tcp-server://127\.0\.0\.1:\([0-9]*\).*,\1,p" "$work/plant.log" | sed -n 1p; }
 both_listen() { [[ -n $(port_of 1) && -n $(port_of 2) ]]; }
 wait_until "both links listen" both_listen
 "$masters" $((seconds - 1)) 100 "$devices" "$(port_of 1)" "$(port_of 2)" >"$work/masters.log" || fail "the PLCs were cut off"

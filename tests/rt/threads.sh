@@ -13,7 +13,7 @@ run="$program run $work/plant.json --link PLC1=modbus-tcp-server://127.0.0.1:0 -
  --trace $work/trace.jsonl --vcd $work/plant.vcd --findings $work/findings.jsonl --junit $work/junit.xml --stats $work/stats.json"
 TERM=xterm script -qefc "echo process \$\$; exec ${run//$'\n'/ }" "$work/plant.log" </dev/null >/dev/null 2>&1 &
 plant=$!
-port_of() { sed -n "s,^link PLC$1=modbus-tcp-server://127\.0\.0\.1:\([0-9]*\).*,\1,p" "$work/plant.log" | head -n 1; }
+port_of() { sed -n "s,^link PLC$1=modbus-tcp-server://127\.0\.0\.1:\([0-9]*\).*,\1,p" "$work/plant.log" | sed -n 1p; }
 both_listen() { [[ -n $(port_of 1) && -n $(port_of 2) ]]; }
 wait_until "both links listen" both_listen
 process=$(sed -n 's/^process \([0-9]*\).*/\1/p' "$work/plant.log")

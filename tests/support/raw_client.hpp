@@ -27,7 +27,7 @@ using Bytes = std::vector<std::uint8_t>;
 /// A TCP client on the loopback that waits for data; a time limit only lets a failed test end.
 class RawClient {
  public:
-  /// With `room`, the bytes that the connection takes before they are received are about so many.
+  /// With `room`, the bytes that the connection takes before they are received are about this number.
   explicit RawClient(std::uint16_t port, int family = AF_INET, int room = 0)
       : socket_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     const int on = 1;

@@ -314,7 +314,7 @@ void add_test(CLI::App& app, Context& context) {
                           ->type_name("CASE")
                           ->needs(fresh);
   fresh->needs(base);
-  command->add_option("--most", options->most, "propose at most so many (default: 50)")
+  command->add_option("--most", options->most, "propose at most this number (default: 50)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000))
       ->needs(fresh);

@@ -67,7 +67,7 @@ base::Result<ColumnMap, std::string> column_map_of(std::string_view text) {
     const std::string_view entry = trimmed(text.substr(0, comma));
     const std::size_t equals = entry.find('=');
     if (equals == std::string_view::npos) {
-      return "`" + std::string(entry) + "` is no column; write it as name=Tag or address=3";
+      return "`" + std::string(entry) + "` is not a column; write it as name=Tag or address=3";
     }
     auto next = with_column(std::move(map), trimmed(entry.substr(0, equals)), trimmed(entry.substr(equals + 1)));
     if (!next) return next.error();

@@ -37,7 +37,7 @@ struct LayoutSearch {
 LayoutSearch find_gx_layout(std::string_view text);
 
 /// Any table of symbols: a header that names identifiers or addresses, the rest by the content of the cells; without
-/// such a header, all by content. Nothing if there is no column of names, or none of addresses. O(first rows).
+/// such a header, all by content. Nothing without a column of names or without one of addresses. O(first rows).
 LayoutSearch find_any_layout(std::string_view text);
 
 /// The layout below the first row that has a cell for each of `words` (as header_word() makes them), with the columns

@@ -18,7 +18,7 @@ nested comments; without one it goes on to the end of the file.
 **What the model loses.** All declarations after the begin of the comment, if nothing closes it. If a `*)` was found, the
 declarations after it are read, which may have been meant as a part of the comment.
 
-**How to fix it.** Close the comment, or remove its begin.
+**How to fix it.** Close the comment, or remove its beginning.
 )page",
     .rank = diag::Rank::row};
 

@@ -160,10 +160,10 @@
       code(symbol[IEC] || "-"), data.types[symbol[TYPE]], symbol[INITIAL] || "-", place(symbol)
         + (symbol[LEADER] ? ", follows " + symbol[LEADER] : "")];
   };
-  const wayText = (kind, [from, to, on, when, after, takes, once, origin, during, weight]) =>
+  const wayText = (kind, [from, to, on, when, after, takes, once, origin, during, numbers]) =>
     "(" + kind.states[from][0] + ", " + on + ") → " + kind.states[to][0] + (when ? ", when c" + when : "")
       + (after ? ", " + after : "") + (takes ? ", " + takes : "") + (during ? ", while c" + during : "")
-      + (weight ? ", " + weight : "") + "  [" + origin + "]";
+      + (numbers ? ", " + numbers : "") + "  [" + origin + "]";
   const outputs = (kind, side) => kind[side].flatMap((events, s) => events.length
     ? [kind.states[s][0] + ": " + events.map(([event, on]) => "I_" + kind.events[event] + (on ? " on" : " off")).join(", ")]
     : []);

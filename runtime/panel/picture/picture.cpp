@@ -111,7 +111,7 @@ void Picture::set_malfunction(const Record& record) {
   for (const std::uint32_t symbol : on.symbols) symbols_.mark(symbol);
 }
 
-/// A record has what is left of a move. Its whole time is the same at its begin; a move that stopped and goes on keeps
+/// A record has what is left of a move. Its whole time is the same at its start; a move that stopped and goes on keeps
 /// it; one that turned round has come as far in the time left as the other one had.
 void Picture::set_motion(const Record& record) {
   Motion& motion = motions_[record.of];

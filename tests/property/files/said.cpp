@@ -124,8 +124,8 @@ json Sayer::transition(const description::GivenTransition& given) {
   if (!given.when.empty()) said["when"] = condition(given.when);
   if (!given.during.empty()) said["while"] = condition(given.during);
   if (!given.during.empty()) ++counts_[Seen::whiles];
-  if (given.weight != 0) said["weight"] = given.weight;
-  if (given.weight != 0) ++counts_[Seen::weights];
+  if (given.numbers.weight != 0) said["weight"] = given.numbers.weight;
+  if (given.numbers.weight != 0) ++counts_[Seen::weights];
   if (given.automatic || (decorated_ && dice.percent(3))) said["automatic"] = given.automatic;
   if (given.once) said["once"] = true;
   if (given.after) said["after"] = duration(*given.after);

@@ -48,7 +48,7 @@ void add_given(Rules& rules, UnitRules& unit, const description::GivenTransition
   transition.takes = given.takes.value_or(Duration::fixed(given.automatic ? 0 : unit.travel));
   transition.when = condition_index(unit, given.when);
   transition.during = condition_index(unit, given.during);
-  transition.weight = given.weight;
+  transition.weight = given.numbers.weight;
   for (std::uint32_t i = 0; i < unit.states.size(); ++i) {
     if (i == to || (given.from != "*" && i != from)) continue;
     transition.from = static_cast<std::uint8_t>(i);

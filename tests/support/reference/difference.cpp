@@ -26,10 +26,10 @@ std::string number(std::uint32_t index) { return index == kNone ? "-" : std::to_
 
 /// Of either kind of transition.
 template <class Transition>
-std::string text(const Transition& transition, bool spring_return) {
+std::string text(const Transition& transition, std::uint32_t weight, bool spring_return) {
   std::ostringstream out;
   out << transition.from + 0U << "->" << transition.to + 0U << " on " << number(transition.on) << " when "
-      << number(transition.when) << " while " << number(transition.during) << " weight " << transition.weight
+      << number(transition.when) << " while " << number(transition.during) << " weight " << weight
       << (spring_return ? " spring's way" : "") << (transition.once ? " once" : "") << " after "
       << text(transition.after) << " takes " << text(transition.takes);
   return out.str();
@@ -76,11 +76,11 @@ std::string transitions_difference(const UnitRules& unit, const model::Unit& oth
     std::string theirs;
     if (i < unit.transitions.size()) {
       const Transition& transition = unit.transitions[i];
-      ours = text(transition, !transition.automatic && !transition.commanded());
+      ours = text(transition, transition.weight, !transition.automatic && !transition.commanded());
     }
     if (i < other.transitions.size()) {
       const model::Transition& transition = other.transitions[i];
-      theirs = text(transition, transition.spring_return);
+      theirs = text(transition, transition.numbers.weight, transition.spring_return);
     }
     if (const auto found = unequal("transition " + std::to_string(i), ours, theirs); !found.empty()) return found;
   }

@@ -146,7 +146,7 @@ TEST_CASE("Findings and violated requirements are in the stream, with their word
   CHECK(found);
 }
 
-TEST_CASE("A chart has the value at its begin and each change, and goes on") {
+TEST_CASE("A chart has the value at its start and each change, and goes on") {
   const PanelBench bench;
   bench.act(R"({"freeze":true})");
   const std::string symbol = std::to_string(bench.tables.symbol("AGV_O_P2"));

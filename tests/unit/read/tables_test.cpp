@@ -127,7 +127,7 @@ TEST_CASE("A map of columns that cannot be read is explained") {
     const auto map = read::column_map_of(text);
     return map ? std::string() : map.error();
   };
-  CHECK(fault("name") == "`name` is no column; write it as name=Tag or address=3");
+  CHECK(fault("name") == "`name` is not a column; write it as name=Tag or address=3");
   CHECK(test::contains(fault("nmae=1"), "unknown column `nmae`; choose one of `name`, `address`"));
   CHECK(fault("name=1,name=2") == "`name` is given twice; give it once");
   CHECK(fault("name=0") == "columns count from 1, but `name` is column 0");

@@ -12,7 +12,7 @@ Said chances(std::vector<std::uint32_t> weights) {
   for (std::uint32_t i = 0; i < weights.size(); ++i) {
     const std::string to = "S" + std::to_string(i + 2);
     transitions.push_back(automatic("S1", to, 10 * kMs));
-    transitions.back().weight = weights[i];
+    transitions.back().numbers.weight = weights[i];
   }
   for (std::uint32_t i = 0; i < weights.size(); ++i) {
     transitions.push_back(automatic("S" + std::to_string(i + 2), "S1", 10 * kMs));
@@ -79,7 +79,7 @@ TEST_CASE("One candidate is drawn too, between `after` and `takes`") {
   Said said;
   said.device("L_P_A").transitions = {automatic("S1", "S2"), automatic("S2", "S1", 10 * kMs)};
   auto& given = said.device("L_P_A").transitions[0];
-  given.weight = 4;
+  given.numbers.weight = 4;
   given.after = given.takes = description::Duration{description::Duration::Kind::uniform, 0, 999};
   Bench bench({"A_I_S1", "A_I_S2"}, said);
   const auto drawn = [](std::uint64_t k) {

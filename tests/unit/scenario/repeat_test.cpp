@@ -29,7 +29,7 @@ std::string faults_in_files(const std::string& text, const Play::Files& files = 
   return all;
 }
 
-TEST_CASE("A repeat does its steps so many times") {
+TEST_CASE("A repeat does its steps as often as it says") {
   const BenchTables tables(kAgv);
   const Play once(tables, kTurn + "," + kTurn + "," + kTurn + "," + R"({"plus":"1s","expect":"L_P_AGV.P1"})");
   const Play play(tables, repeated(3, kTurn) + "," + R"({"plus":"1s","expect":"L_P_AGV.P1"})");
