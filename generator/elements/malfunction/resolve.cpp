@@ -24,8 +24,8 @@ std::string_view before(std::string_view name, std::string_view ending) {
   return text::equal_ignoring_case(name.substr(length), ending) ? name.substr(0, length) : std::string_view();
 }
 
-/// Whether a text is `UNIT stuck`, `UNIT slow`, `SYMBOL stuck on` or `SYMBOL stuck off`, of a BOOL input of the PLC: the
-/// name of a malfunction that every plant has without describing it.
+/// Whether a text is `UNIT stuck`, `UNIT slow`, `SYMBOL stuck on` or `SYMBOL stuck off`, of a BOOL input of the PLC:
+/// the name of a malfunction that every plant has without describing it.
 bool is_ordinary_malfunction(std::string_view name, const PlantNames& names, const PlantModel& plant) {
   for (const std::string_view ending : {" stuck", " slow"}) {
     const std::string_view path = before(name, ending);
