@@ -140,6 +140,13 @@ void draw_tracks(MaterialPlan& plan) {
       if (plan.dice.percent(60)) track.stops.back().when = plan.dice.pick(plan.switches);
     }
     if (plan.dice.percent(10)) continue;
+    if (plan.tracks.size() > 1 && plan.dice.percent(15)) {
+      // Parts go to two tracks, so that a part may pass the tail of another one.
+      const std::string& first = plan.tracks[(i + 1) % plan.tracks.size()];
+      track.ends.push_back({first, "not " + first + ".part"});
+      track.ends.push_back({plan.tracks[(i + 2) % plan.tracks.size()], ""});
+      continue;
+    }
     if (plan.dice.percent(30)) track.ends.push_back({target_of_end(plan, i), plan.condition()});
     track.ends.push_back({target_of_end(plan, i), plan.dice.percent(25) ? plan.condition() : ""});
   }
