@@ -31,9 +31,7 @@ struct Drive {
 };
 
 /// Its symbol alone says how it moves: always forward, backward if the value is negative.
-inline bool runs_always(const Drive& drive) {
-  return drive.symbol != 0xFFFF'FFFF && !drive.forward && !drive.backward;
-}
+inline bool runs_always(const Drive& drive) { return drive.symbol != 0xFFFF'FFFF && !drive.forward && !drive.backward; }
 
 struct Stop {
   std::int64_t at = 0;
