@@ -14,7 +14,7 @@ fail() { # WHAT
 }
 
 value_of() { # KEY
-  sed -n "s/^$1 //p" "$folder/README" | head -n 1
+  awk -v key="$1" '$1 == key && !found++ { print $2 }' "$folder/README"
 }
 
 changes() { # FILE
