@@ -9,7 +9,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E09;  // "symplan" and the version of the block's layout
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E0A;  // "symplan" and the version of the block's layout
 
 bool draws(const tables::PlantTables& tables) noexcept {
   if (tables.random_times.size() + tables.behaviour_units.size() != 0) return true;

@@ -164,8 +164,7 @@ TransferView Plant::transfer(std::uint32_t transfer) const noexcept {
   const engine::Candidate found = flow.candidate(row.from);
   if (found.index == tables::kNone) return view;
   view.part = part(row.from.location, found.index).number;
-  const std::uint32_t obstacle = flow.obstacle(row.to, found.kind);
-  if (obstacle != tables::kNone) view.obstacle = part(row.to.location, obstacle).number;
+  view.obstacle = flow.obstacle(row, found);
   return view;
 }
 

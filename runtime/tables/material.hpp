@@ -45,7 +45,7 @@ struct TrackRow {
 /// A range of a track in which one motor moves the parts. It begins at the `until` of the drive before it.
 struct DriveRow {
   std::int64_t until = 0;      ///< the length of the track for its last drive
-  std::uint32_t forward = 0;   ///< a condition; kNone: never holds
+  std::uint32_t forward = 0;   ///< a condition; kNone: never holds, but always if `symbol` is given and both are kNone
   std::uint32_t backward = 0;  ///< a condition; kNone: never holds
   std::uint32_t symbol = 0;    ///< a numeric symbol that gives the speed; kNone: it is constant
   std::int64_t speed = 0;      ///< um/s, > 0: the speed, or what the value 1 of `symbol` means

@@ -164,6 +164,33 @@ symplant_planted_bug(engine work_changes_the_first_part_only
   "    work_on(location, i, row);"
   "    if (!BUG || !any) work_on(location, i, row);")
 
+# Of parts that lie across two tracks.
+symplant_planted_bug(engine tail_leaves_a_sensor_late
+  "    return time_to_pass(mark.at - (row.length - left), p.v);"
+  "    return time_to_pass(mark.at - (row.length - left), p.v) + (BUG ? 1 : 0);")
+
+symplant_planted_bug(engine tail_takes_no_room
+  "         tail_in_the_way(to.location, x, moving) == nullptr;"
+  "         (BUG || tail_in_the_way(to.location, x, moving) == nullptr);")
+
+symplant_planted_bug(engine no_room_appears_behind_a_tail
+  "    if (left > 0 && p.v > 0) due"
+  "    if (!BUG && left > 0 && p.v > 0) due")
+
+symplant_planted_bug(engine tail_of_a_part_that_was_taken_is_seen
+  "  sensors_under_tail(track);
+  tracks_[track].tail_on = 0;"
+  "  if (!BUG) sensors_under_tail(track);
+  tracks_[track].tail_on = 0;")
+
+symplant_planted_bug(engine tails_read_in_the_order_of_the_ends
+  "    if (seen == nullptr || is_further(p, *seen, time)) seen = &p;"
+  "    if (seen == nullptr || (!BUG && is_further(p, *seen, time))) seen = &p;")
+
+symplant_planted_bug(engine drive_without_direction_stands
+  "  const bool always = row.symbol"
+  "  const bool always = !BUG && row.symbol")
+
 # Of malfunctions.
 symplant_planted_bug(engine slower_changes_a_move_in_progress
   "void Malfunctions::slow(std::uint32_t unit) noexcept { engine_.units_[unit].flags |= kSlowed | kGeneral; }"

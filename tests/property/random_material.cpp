@@ -18,7 +18,7 @@ void draw_kinds(MaterialPlan& plan) {
   for (std::size_t i = 0; i < count; ++i) {
     description::GivenKind& kind = plan.material().kinds.emplace_back();
     kind.name = kNames[i];
-    kind.length = plan.unit * (1 + static_cast<std::int64_t>(plan.dice.below(2)));
+    kind.length = plan.unit * (1 + static_cast<std::int64_t>(plan.dice.below(plan.dice.percent(30) ? 6 : 2)));
     if (plan.dice.percent(15)) kind.length = std::max<std::int64_t>(1, kind.length / 2 + 1);
     if (i > 0 && plan.dice.percent(60)) kind.length = plan.material().kinds.front().length;
     kind.code = static_cast<std::uint32_t>(plan.dice.below(5));

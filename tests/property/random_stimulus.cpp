@@ -104,7 +104,7 @@ class StimulusWriter {
   void malfunctions() {
     if (chance_ == 0) return;
     const bool many = plant_.units.size() > 10;
-    if (many && other_.one_in(100)) {  // more ordinary ones than there may be
+    if (many && other_.one_in(30)) {  // more ordinary ones than there may be
       for (int i = 0; i < 70; ++i) add(Kind::start, ordinary(), other_.below(2), 0);
     }
     while (other_.percent(chance_)) {

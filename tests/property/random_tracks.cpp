@@ -43,6 +43,10 @@ GivenDrive random_drive(MaterialPlan& plan, bool reversed) {
   drive.forward = reversed ? other : main;
   drive.backward = reversed ? main : other;
   drive.speed = speed_of_drive(plan);
+  if (!drive.speed.of.empty() && plan.dice.percent(40)) {
+    drive.forward.clear();
+    drive.backward.clear();
+  }
   return drive;
 }
 
@@ -60,6 +64,7 @@ void draw_drives(MaterialPlan& plan, GivenTrack& track) {
     track.drives.back().until = before;
   }
   track.drives.back().until.reset();
+  if (track.drives.size() > 1 && plan.dice.percent(8)) track.drives[track.drives.size() - 2].until = track.length;
   if (track.drives.size() < 2 || !plan.dice.percent(30)) return;
   // Drives that face each other most of the time.
   track.drives[0].forward = plan.switch_atom();
@@ -111,10 +116,12 @@ std::string target_of_end(MaterialPlan& plan, std::size_t track) {
 }  // namespace
 
 void draw_tracks(MaterialPlan& plan) {
+  std::int64_t longest = 2 * plan.unit;
+  for (const description::GivenKind& kind : plan.material().kinds) longest = std::max(longest, kind.length);
   for (const std::string& name : plan.tracks) {
     GivenTrack& track = plan.material().tracks.emplace_back();
     track.name = name;
-    track.length = plan.unit * static_cast<std::int64_t>(2 + plan.dice.below(plan.dice.percent(60) ? 6 : 20));
+    track.length = longest + plan.unit * static_cast<std::int64_t>(plan.dice.below(plan.dice.percent(60) ? 6 : 20));
     if (plan.dice.percent(10)) ++track.length;
     if (plan.dice.percent(30)) track.gap = plan.dice.percent(50) ? plan.unit / 2 : plan.unit;
   }
@@ -133,6 +140,13 @@ void draw_tracks(MaterialPlan& plan) {
       if (plan.dice.percent(60)) track.stops.back().when = plan.dice.pick(plan.switches);
     }
     if (plan.dice.percent(10)) continue;
+    if (plan.tracks.size() > 1 && plan.dice.percent(15)) {
+      // Parts go to two tracks, so that a part may pass the tail of another one.
+      const std::string& first = plan.tracks[(i + 1) % plan.tracks.size()];
+      track.ends.push_back({first, "not " + first + ".part"});
+      track.ends.push_back({plan.tracks[(i + 2) % plan.tracks.size()], ""});
+      continue;
+    }
     if (plan.dice.percent(30)) track.ends.push_back({target_of_end(plan, i), plan.condition()});
     track.ends.push_back({target_of_end(plan, i), plan.dice.percent(25) ? plan.condition() : ""});
   }

@@ -116,7 +116,7 @@ class LocationDrawer {
       const int width = pixel(drive.until) - x;
       drawing_.shapes.push_back({Shape::Kind::rect, d % 2 == 0 ? "belt" : "belt other", x, y, width, kBeltHeight});
       const int middle = x + width / 2;
-      if (drive.forward) draw_chevron(middle + 5, y, 5);
+      if (drive.forward || model::runs_always(drive)) draw_chevron(middle + 5, y, 5);
       if (drive.backward) draw_chevron(middle - 5, y, -5);
       begin = drive.until;
     }

@@ -30,6 +30,9 @@ struct Drive {
   std::uint32_t symbol = 0xFFFF'FFFF;       ///< a numeric symbol; kNone: the speed is constant
 };
 
+/// Its symbol alone says how it moves: always forward, backward if the value is negative.
+inline bool runs_always(const Drive& drive) { return drive.symbol != 0xFFFF'FFFF && !drive.forward && !drive.backward; }
+
 struct Stop {
   std::int64_t at = 0;
   condition::Tree condition;

@@ -19,10 +19,8 @@ void check_range(const description::GivenTrack& given, std::size_t index, std::i
     faults.add(last ? here / "until" : here,
                last ? "the last drive moves parts up to the end of the track; remove `until`"
                     : "only the last drive has no `until`; add the position up to which this one moves parts");
-  } else if (until && *until >= given.length && given.length != 0) {
-    faults.add(here / "until",
-               "this is not before the end of the track; remove the drives after this one, or write a "
-               "smaller `until`");
+  } else if (until && *until > given.length && given.length != 0) {
+    faults.add(here / "until", "this is beyond the end of the track; write a smaller `until`");
   } else if (until && *until <= before) {
     faults.add(here / "until",
                index == 0 ? "this drive moves no part; write an `until` above 0"

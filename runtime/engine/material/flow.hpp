@@ -4,6 +4,7 @@
 // its speed, so that a part that moves freely costs nothing between two marks.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,16 +24,18 @@ class Engine;
 
 /// The changing state of a track in addition to its parts.
 struct TrackState {
-  tables::Time room_due;      ///< when room may appear for a part that waits for it
+  tables::Time room_due;      ///< when room may appear for a part that waits for it, or the order of tails changes
   tables::Time window_begin;  ///< of the millisecond in which `instants` are counted
   std::uint32_t instants;     ///< that its own parts caused in that time
   std::uint32_t size;         ///< the number of its parts
   std::uint32_t waiting_kind;
-  std::uint8_t waiting;   ///< 1: its end waits for room, for a part of `waiting_kind`
-  std::uint8_t frozen;    ///< as FollowState::frozen
-  std::uint8_t freezing;  ///< 1: it is frozen before the rounds of this instant
-  std::uint8_t loop;      ///< number of its loop in the instant in which it is frozen
-  std::uint8_t stale;     ///< 1: the due times of all its parts must be computed again
+  std::uint32_t tail_on;    ///< 1 + the track from whose end the last part came, which it may still cover; 0: none
+  std::uint32_t tail_mark;  ///< of that track: the tail covers the marks from this one on
+  std::uint8_t waiting;     ///< 1: its end waits for room, for a part of `waiting_kind`
+  std::uint8_t frozen;      ///< as FollowState::frozen
+  std::uint8_t freezing;    ///< 1: it is frozen before the rounds of this instant
+  std::uint8_t loop;        ///< number of its loop in the instant in which it is frozen
+  std::uint8_t stale;       ///< 1: the due times of all its parts must be computed again
   std::uint8_t unused[7];
 };
 
@@ -146,8 +149,8 @@ class Flow {
   const SourceState& source(std::uint32_t source) const noexcept { return sources_[source]; }
   /// The part that a transfer from `from` would move, or that would be taken by hand.
   Candidate candidate(const tables::PartLocation& from) const noexcept;
-  /// The first part that leaves no room at a target for a part of a kind; kNone: there is room.
-  std::uint32_t obstacle(const tables::PartLocation& to, std::uint32_t kind) const noexcept;
+  /// The number of the first part that leaves no room for the one that a transfer would move; 0: there is room.
+  std::uint64_t obstacle(const tables::TransferRow& row, const Candidate& found) const noexcept;
 
  private:
   /// A part between two locations.
@@ -197,6 +200,25 @@ class Flow {
   }
   void find_drive(std::uint32_t track, Part& part, Position x) const noexcept;
 
+  // Parts that lie across two tracks (flow_tails.cpp).
+  const Part* across(std::uint32_t track, std::uint32_t behind) const noexcept;
+  /// Calls `function(track, part)` for each part whose tail is on the track `behind`. O(ends).
+  template <class Function>
+  void for_tails(std::uint32_t behind, Function function) const noexcept;
+  bool has_tail(std::uint32_t track, const Part& part) const noexcept {
+    return tracks_[track].tail_on != 0 && &part == &this->part(track, tracks_[track].size - 1);
+  }
+  void begin_tail(std::uint32_t track, std::uint32_t behind) noexcept;
+  void end_tail(std::uint32_t track) noexcept;
+  void follow_tail(std::uint32_t track) noexcept;
+  void sensors_under_tail(std::uint32_t track) noexcept;
+  tables::Time time_to_tail_mark(std::uint32_t track, const Part& part) const noexcept;
+  tables::Time overtaking_due(std::uint32_t behind) const noexcept;
+  tables::Time tail_room_due(std::uint32_t behind, Position end) const noexcept;
+  void tails_due(std::uint32_t behind) noexcept;
+  const Part* tail_in_the_way(std::uint32_t behind, Position x, const Moving& moving) const noexcept;
+  const Part* tail_seen(const tables::SensorRow& sensor) const noexcept;
+
   // Due times (flow_times.cpp).
   void set_mark_due(std::uint32_t track, Part& part) const noexcept;
   void set_speed_due(std::uint32_t track, std::uint32_t index) const noexcept;
@@ -225,6 +247,7 @@ class Flow {
   std::uint32_t next_kind(std::uint32_t source) const noexcept;
   void set_next_due(std::uint32_t source) noexcept;
   void settle(std::uint32_t location) noexcept;
+  void settle_track(std::uint32_t track) noexcept;
 
   // Sensors (flow_round.cpp).
   void set_sensor(std::uint32_t sensor) noexcept;
@@ -282,6 +305,17 @@ void Flow::for_frozen_now(std::uint32_t first, Function function) const noexcept
   }
   for (std::uint32_t w = 0; w < material_->work.size(); ++w) {
     if (work_[w].frozen == kFrozenInThisInstant) function(first + track_count + transfer_count + w, work_[w].steps);
+  }
+}
+
+template <class Function>
+void Flow::for_tails(std::uint32_t behind, Function function) const noexcept {
+  const tables::Rows rows = material_->tracks[behind].ends;
+  const auto ends = material_->ends.subspan(rows.first, rows.count);
+  for (auto end = ends.begin(); end != ends.end(); ++end) {
+    const Part* const part = material_->is_track(end->to) ? across(end->to, behind) : nullptr;
+    const auto leads_there = [&](const tables::EndRow& other) { return other.to == end->to; };
+    if (part != nullptr && std::none_of(ends.begin(), end, leads_there)) function(end->to, *part);
   }
 }
 

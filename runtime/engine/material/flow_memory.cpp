@@ -299,6 +299,7 @@ void Flow::cover(std::uint32_t track, Part& part) noexcept {
   while (part.tail > 0 && row.marks[part.tail - 1].at >= tail) --part.tail;
   cover_changed(track, std::min(front_before, part.front), std::max(front_before, part.front));
   cover_changed(track, std::min(tail_before, part.tail), std::max(tail_before, part.tail));
+  if (has_tail(track, part)) follow_tail(track);
 }
 
 /// The coverage of the marks from `begin` to before `end` may have changed.

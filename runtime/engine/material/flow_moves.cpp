@@ -23,7 +23,8 @@ bool Flow::has_room(const tables::PartLocation& to, Position x, const Moving& mo
   }
   const std::uint32_t except = stays ? moving.index : tables::kNone;
   if (tracks_[to.location].size - (stays ? 1U : 0U) >= index_.tracks[to.location].capacity) return false;
-  return obstacle_on(to.location, x, length(moving.kind), except) == tables::kNone;
+  return obstacle_on(to.location, x, length(moving.kind), except) == tables::kNone &&
+         tail_in_the_way(to.location, x, moving) == nullptr;
 }
 
 Candidate Flow::candidate(const tables::PartLocation& from) const noexcept {
@@ -43,13 +44,17 @@ Candidate Flow::candidate(const tables::PartLocation& from) const noexcept {
   return {index, part(track, index).kind};
 }
 
-std::uint32_t Flow::obstacle(const tables::PartLocation& to, std::uint32_t kind) const noexcept {
-  if (to.location == tables::kOut) return tables::kNone;
-  if (material_->is_track(to.location)) {
-    return obstacle_on(to.location, arrival(to, kind), length(kind), tables::kNone);
+std::uint64_t Flow::obstacle(const tables::TransferRow& row, const Candidate& found) const noexcept {
+  if (row.to.location == tables::kOut) return 0;
+  if (!material_->is_track(row.to.location)) {
+    const std::uint32_t place = material_->place_of(row.to.location);
+    return places_[place].size < material_->places[place].holds ? 0 : part_in(place, 0).number;
   }
-  const std::uint32_t place = material_->place_of(to.location);
-  return places_[place].size < material_->places[place].holds ? tables::kNone : 0;
+  const Position x = arrival(row.to, found.kind);
+  const std::uint32_t index = obstacle_on(row.to.location, x, length(found.kind), tables::kNone);
+  if (index != tables::kNone) return part(row.to.location, index).number;
+  const Part* const tail = tail_in_the_way(row.to.location, x, {0, found.kind, row.from.location, found.index, false});
+  return tail != nullptr ? tail->number : 0;
 }
 
 /// A part may have been taken away: what waits for room there looks again.
@@ -106,6 +111,7 @@ void Flow::leave(const Moving& moving) noexcept {
   if (material_->is_track(moving.from)) {
     const Part& p = part(moving.from, moving.index);
     cover_changed(moving.from, p.tail, p.front);
+    if (has_tail(moving.from, p)) end_tail(moving.from);
     erase(moving.from, moving.index);
   } else {
     PlaceState& place = places_[material_->place_of(moving.from)];
@@ -120,6 +126,7 @@ void Flow::leave(const Moving& moving) noexcept {
 void Flow::arrive(const Moving& moving, const tables::PartLocation& to, Position x) noexcept {
   if (material_->is_track(to.location)) {
     Part& p = insert(to.location, x);
+    if (has_tail(to.location, p)) end_tail(to.location);  // it is over if a part arrives behind it
     p = {x, now(), 0, tables::kNever, tables::kNever, moving.number, now(), 0, moving.kind, 0, 0, 0, 1};
     locate(to.location, p);
   } else {
@@ -169,6 +176,7 @@ void Flow::try_end(std::uint32_t track) noexcept {
     const Moving moving{p.number, p.kind, track, 0, false};
     if (has_room({row.to, tables::kWhole}, 0, moving)) {
       move(moving, {row.to, tables::kWhole}, 0);
+      if (material_->is_track(row.to)) begin_tail(row.to, track);
       return;
     }
     state.waiting = 1;
@@ -238,9 +246,14 @@ bool Flow::take(const tables::PartLocation& from) noexcept {
 /// Before parts are put or taken by hand: those of a track that have just reached their position are put there.
 void Flow::settle(std::uint32_t location) noexcept {
   if (!material_->is_track(location)) return;
-  for (std::uint32_t i = 0; i < tracks_[location].size; ++i) {
-    if (part(location, i).speed_due > now()) continue;
-    put_overshot(location);
+  settle_track(location);
+  for_tails(location, [&](std::uint32_t track, const Part&) { settle_track(track); });
+}
+
+void Flow::settle_track(std::uint32_t track) noexcept {
+  for (std::uint32_t i = 0; i < tracks_[track].size; ++i) {
+    if (part(track, i).speed_due > now()) continue;
+    put_overshot(track);
     return;
   }
 }
@@ -257,7 +270,8 @@ double number_of(tables::DataType type, std::uint64_t value) noexcept {
 
 Position Flow::speed_of_drive(std::uint32_t drive) const noexcept {
   const tables::DriveRow& row = material_->drives[drive];
-  const bool forward = row.forward != tables::kNone && truth(row.forward);
+  const bool always = row.symbol != tables::kNone && row.forward == tables::kNone && row.backward == tables::kNone;
+  const bool forward = always || (row.forward != tables::kNone && truth(row.forward));
   const bool backward = row.backward != tables::kNone && truth(row.backward);
   if (forward == backward) return 0;
   Position speed = row.speed;
@@ -307,6 +321,7 @@ void Flow::track_due(std::uint32_t track) noexcept {
   if (state.room_due <= time) {
     state.room_due = tables::kNever;
     room_may_appear(track);
+    tails_due(track);
   }
   next_mark = tables::kNever;
   for (Part* p = &part(track, 0); p != end; ++p) {

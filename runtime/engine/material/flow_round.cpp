@@ -76,6 +76,7 @@ void Flow::round(bool counting) noexcept {
   due_speeds_.take_all([&](std::uint32_t track) {
     compute_speeds(track);
     due_rooms_.mark(track);
+    if (tracks_[track].tail_on != 0) due_rooms_.mark(tracks_[track].tail_on - 1);
   });
   due_rooms_.take_all([&](std::uint32_t track) {
     set_room_due(track);
@@ -112,6 +113,7 @@ std::uint64_t Flow::reading(std::uint32_t sensor) const noexcept {
     return 0;
   }
   const Position at = row.at * kMicrometer;
+  if (const Part* const tail = tail_seen(row)) return value(tail->number, tail->kind);
   for (std::uint32_t i = front_most_covering(row.location, at); i < tracks_[row.location].size; ++i) {
     const Part& p = part(row.location, i);
     if (p.at(now()) < at) return 0;
@@ -160,6 +162,7 @@ void Flow::work_on(std::uint32_t location, std::uint32_t index, const tables::Wo
     p.stale = 1;
     number = p.number;
     cover_changed(location, p.tail, p.front);
+    if (has_tail(location, p)) sensors_under_tail(location);
   } else {
     const std::uint32_t place = material_->place_of(location);
     PlacePart& p = place_part(place, index);
@@ -304,7 +307,12 @@ void Flow::hash_track(tables::Fnv1a64& hash, std::uint32_t track) const noexcept
     hash.time(p.t0);
     hash.time(p.v);
   }
-  hash.byte(tracks_[track].frozen != 0 ? 1 : 0);
+  const TrackState& state = tracks_[track];
+  const Part* const tail = state.tail_on != 0 ? across(track, state.tail_on - 1) : nullptr;
+  hash.byte(static_cast<std::uint8_t>((state.frozen != 0 ? 1 : 0) | (tail != nullptr ? 2 : 0)));
+  if (tail == nullptr) return;
+  hash.u32(state.tail_on - 1);
+  hash.time(tail->since);
 }
 
 void Flow::hash(tables::Fnv1a64& hash) const noexcept {

@@ -23,6 +23,7 @@ void Flow::set_mark_due(std::uint32_t track, Part& p) const noexcept {
     next = p.tail;
     while (next < row.mark_count && !matters(row.marks[next])) ++next;
     if (next < row.mark_count) due_in(time_to_pass(row.marks[next].at - tail, p.v));
+    if (has_tail(track, p)) due_in(time_to_tail_mark(track, p));
     return;
   }
   std::uint32_t next = p.front;
@@ -101,10 +102,11 @@ void Flow::set_room_due(std::uint32_t track) noexcept {
   TrackState& state = tracks_[track];
   const tables::Time time = now();
   const Position gap = index_.tracks[track].gap;
-  state.room_due = tables::kNever;
+  state.room_due = overtaking_due(track);
   const auto wait_for = [&](Position x, std::uint32_t kind) {
     const Position begin = x - length(kind) - gap;
     const Position end = x + gap;
+    state.room_due = std::min(state.room_due, tail_room_due(track, end));
     for (std::uint32_t i = state.size; i-- > 0;) {
       const Part& p = part(track, i);
       const Position front = p.at(time);

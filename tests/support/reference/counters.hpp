@@ -128,6 +128,13 @@ enum class Counted : std::size_t {
   work_frozen,
   track_frozen,
   found_part_blocked,
+  moved_without_direction,
+  tail_began,
+  tail_seen,
+  tail_left_a_sensor,
+  tail_in_the_way,
+  tail_moved_away,
+  tail_got_further,
   // Malfunctions.
   started_by_scenario,
   started_by_hand,

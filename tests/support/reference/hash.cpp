@@ -1,6 +1,7 @@
 // The fields of the digest, in their order.
 #include "support/reference/hash.hpp"
 
+#include "support/reference/material.hpp"
 #include "support/reference/round.hpp"
 #include "symplant/tables/digest.hpp"
 
@@ -80,7 +81,8 @@ void add_free_symbol(Digest& digest, const Rules& rules, const World& world, std
   digest.u64(symbol.forced ? symbol.forced_value : 0);
 }
 
-void add_track(Digest& digest, const TrackWorld& track) {
+void add_track(Digest& digest, const Rules& rules, const World& world, std::uint32_t index) {
+  const TrackWorld& track = world.material.tracks[index];
   digest.u32(static_cast<std::uint32_t>(track.parts.size()));
   for (const PartWorld& part : track.parts) {
     digest.u64(part.number);
@@ -88,6 +90,13 @@ void add_track(Digest& digest, const TrackWorld& track) {
     digest.i64(part.x0);
     digest.i64(part.t0);
     digest.i64(part.v);
+  }
+  for (const TailWorld& tail : world.material.tails) {
+    if (tail.to != index || across(rules, world.material, tail, world.time) == nullptr) continue;
+    digest.byte(track.frozen ? 3 : 2);
+    digest.u32(tail.on);
+    digest.i64(tail.left);
+    return;  // there is at most one
   }
   digest.flag(track.frozen);
 }
@@ -100,9 +109,10 @@ void add_place(Digest& digest, const std::vector<PartWorld>& parts) {
   }
 }
 
-void add_material(Digest& digest, const MaterialWorld& material) {
+void add_material(Digest& digest, const Rules& rules, const World& world) {
+  const MaterialWorld& material = world.material;
   if (material.tracks.empty() && material.places.empty()) return;
-  for (const TrackWorld& track : material.tracks) add_track(digest, track);
+  for (std::uint32_t i = 0; i < material.tracks.size(); ++i) add_track(digest, rules, world, i);
   for (const std::vector<PartWorld>& parts : material.places) add_place(digest, parts);
   for (const TransferWorld& transfer : material.transfers) {
     digest.byte(static_cast<std::uint8_t>((transfer.permission ? 1 : 0) | (transfer.moved ? 2 : 0) |
@@ -148,7 +158,7 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
     digest.i64(monitor.deadline);
     digest.flag(monitor.truth);
   }
-  add_material(digest, world.material);
+  add_material(digest, rules, world);
   add_malfunctions(digest, world.malfunctions);
   for (std::uint32_t i = 0; i < world.units.size(); ++i) {
     if (!world.units[i].conflicting) continue;

@@ -31,6 +31,7 @@ bool senses_parts(const model::PlantModel& model, std::uint32_t symbol);
 // Rooms and moves from one location to another (material_room.cpp).
 /// The front of a part that arrives at a track.
 std::int64_t front_at_target(const Rules& rules, const PartTarget& target);
+bool has_room_between_parts(const Rules& rules, const World& world, const PartTarget& target, Time time);
 bool has_room(const Rules& rules, const World& world, const PartTarget& target, Time time);
 /// The index of the part that a transfer takes from there.
 std::optional<std::size_t> part_to_take(const Rules& rules, const World& world, const tables::PartLocation& from);
@@ -42,6 +43,20 @@ void make_part(const Rules& rules, World& world, const tables::PartLocation& to,
 void move_part(const Rules& rules, World& world, std::uint32_t from, std::size_t index, const PartTarget& target,
                bool by_hand, std::vector<engine::PartChange>& changes);
 std::uint64_t parts_at(const MaterialWorld& world, std::uint32_t location, std::uint32_t kind);
+
+// Tails (material_tails.cpp).
+/// The part of a tail while it lies across; nullptr: it does so no longer.
+const PartWorld* across(const Rules& rules, const MaterialWorld& world, const TailWorld& tail, Time time);
+/// What it covers of the track that it left begins here, and ends with that track.
+std::int64_t begin_of_tail(const Rules& rules, const TailWorld& tail, const PartWorld& part, Time time);
+/// The parts that a track's sensor reads before those of the track, in this order.
+std::vector<const PartWorld*> tails_over(const Rules& rules, const MaterialWorld& world, std::uint32_t track,
+                                         std::int64_t position, Time time);
+bool has_room_between_tails(const Rules& rules, const World& world, const PartTarget& target, Time time);
+/// The next time at which a tail gets further than another one on the same track.
+Time order_due(const Rules& rules, const World& world);
+/// Forgets the tails that have ended.
+void drop_tails(const Rules& rules, World& world, Counters& counters);
 
 // Movement (material_move.cpp). `conditions`: the snapshot.
 std::int64_t drive_speed(const Rules& rules, const World& conditions, std::uint32_t track, const PartWorld& part);

@@ -8,6 +8,9 @@ namespace symplant::reference {
 bool Plant::put(const tables::PartLocation& to, std::uint32_t kind) {
   World next = world_;
   if (model_.material.is_track(to.location)) put_overshot(*rules_, next, to.location, counters);
+  for (const TailWorld& tail : world_.material.tails) {
+    if (tail.on == to.location) put_overshot(*rules_, next, tail.to, counters);
+  }
   if (!has_room(*rules_, next, {to, false, kind, 0}, next.time)) {
     ++counters[Counted::put_refused];
     return false;

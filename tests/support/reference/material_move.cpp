@@ -15,8 +15,11 @@ double as_double(tables::DataType type, std::uint64_t value) {
   return static_cast<double>(value);
 }
 
+/// It always runs forward, as fast as its symbol says.
+bool has_no_direction(const model::Drive& drive) { return drive.symbol != kNone && !drive.forward && !drive.backward; }
+
 std::int64_t speed_of(const Rules& rules, const World& conditions, const model::Drive& drive) {
-  const bool forward = drive.forward && holds(*drive.forward, conditions);
+  const bool forward = drive.forward ? holds(*drive.forward, conditions) : has_no_direction(drive);
   const bool backward = drive.backward && holds(*drive.backward, conditions);
   if (forward == backward) return 0;
   std::int64_t speed = drive.speed;
@@ -105,6 +108,8 @@ struct Speeds {
       PartWorld& part = world.parts[i];
       if (part.v == v[i]) continue;
       if (v[i] < 0) ++round.counters[Counted::moved_backward];
+      const std::int64_t middle = middle_of(round.rules, part, now);
+      if (has_no_direction(track.drives[drive_of(track, middle)])) ++round.counters[Counted::moved_without_direction];
       part.rebase(part.x(now), now);
       part.v = v[i];
     }
@@ -234,6 +239,7 @@ void begin_instant_of_parts(const Rules& rules, World& world, Counters& counters
     }
     ++track.own_instants;
   }
+  drop_tails(rules, world, counters);
 }
 
 }  // namespace symplant::reference

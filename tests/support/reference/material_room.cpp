@@ -65,8 +65,12 @@ std::uint64_t parts_at(const MaterialWorld& world, std::uint32_t location, std::
   return count;
 }
 
-// Part and interval are open: they may touch.
 bool has_room(const Rules& rules, const World& world, const PartTarget& target, Time time) {
+  return has_room_between_parts(rules, world, target, time) && has_room_between_tails(rules, world, target, time);
+}
+
+// Part and interval are open: they may touch.
+bool has_room_between_parts(const Rules& rules, const World& world, const PartTarget& target, Time time) {
   const model::Material& material = rules.model->material;
   const std::uint32_t location = target.to.location;
   if (location == tables::kOut) return true;
@@ -146,7 +150,11 @@ void move_part(const Rules& rules, World& world, std::uint32_t from, std::size_t
   change.what = engine::PartChange::What::moved;
   change.from = from;
   change.by_hand = by_hand;
+  std::erase_if(world.material.tails, [&](const TailWorld& tail) { return tail.number == part.number; });
   arrive(rules, world, part, target, changes, change);
+  if (!target.by_end || target.to.location == tables::kOut) return;
+  if (!rules.model->material.is_track(target.to.location)) return;
+  world.material.tails.push_back({part.number, from, target.to.location, world.time});
 }
 
 }  // namespace symplant::reference

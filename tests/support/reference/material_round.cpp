@@ -10,15 +10,22 @@ namespace {
 void acted(Round& round, std::size_t stepper, int number) { round.notes.steps[stepper].push_back(number); }
 
 bool use_ends(Round& round) {
+  const model::Material& material = round.rules.model->material;
   bool any = false;
   for (std::uint32_t i = 0; i < round.next.material.tracks.size(); ++i) {
     const auto target = leaving(round.rules, round.old, round.next, i);
     if (!target || !has_room(round.rules, round.next, *target, round.next.time)) continue;
     ++round.counters[target->to.location == tables::kOut ? Counted::end_out : Counted::end_with_room];
+    if (material.is_track(target->to.location)) ++round.counters[Counted::tail_began];
     move_part(round.rules, round.next, i, 0, *target, false, round.notes.parts);
     any = true;
   }
   return any;
+}
+
+bool lies_across(const Round& round, std::uint64_t number) {
+  const std::vector<TailWorld>& tails = round.next.material.tails;
+  return std::any_of(tails.begin(), tails.end(), [&](const TailWorld& tail) { return tail.number == number; });
 }
 
 bool make_transfer(Round& round, std::uint32_t index) {
@@ -37,6 +44,7 @@ bool make_transfer(Round& round, std::uint32_t index) {
   const PartWorld& it = round.next.material.at(rules.from.location)[*part];
   const PartTarget target{rules.to, false, it.kind, it.number};
   if (!has_room(round.rules, round.next, target, round.next.time)) return false;
+  if (lies_across(round, it.number)) ++round.counters[Counted::tail_moved_away];
   move_part(round.rules, round.next, rules.from.location, *part, target, false, round.notes.parts);
   transfer.permission = false;
   transfer.moved = true;
@@ -94,19 +102,30 @@ bool make_of_source(Round& round, std::uint32_t index) {
   return true;
 }
 
+/// What a sensor shows of a part, as a level.
+std::uint64_t shown_of(const Round& round, const model::PartSensor& sensor, const PartWorld& part) {
+  if (sensor.reads == tables::SensorReads::part) return 1;
+  const std::uint64_t number =
+      sensor.reads == tables::SensorReads::code ? round.rules.model->material.kinds[part.kind].code : part.number;
+  const tables::DataType type = round.rules.model->symbols[sensor.symbol].type;
+  const bool real = type == tables::DataType::real || type == tables::DataType::lreal;
+  return real ? std::bit_cast<std::uint64_t>(static_cast<double>(number)) : number;
+}
+
 /// What a sensor shows, as a level.
 std::uint64_t sensed(Round& round, std::uint32_t location, const model::PartSensor& sensor) {
-  const model::Material& material = round.rules.model->material;
-  const bool on_track = material.is_track(location);
+  const bool on_track = round.rules.model->material.is_track(location);
+  const std::int64_t at = units_of(sensor.at);
+  if (on_track) {
+    for (const PartWorld* part : tails_over(round.rules, round.next.material, location, at, round.next.time)) {
+      if (!sees(sensor, *part)) continue;
+      ++round.counters[Counted::tail_seen];
+      return shown_of(round, sensor, *part);
+    }
+  }
   for (const PartWorld& part : round.next.material.at(location)) {
     if (!sees(sensor, part)) continue;
-    if (on_track && !covers(round.rules, part, round.next.time, units_of(sensor.at))) continue;
-    if (sensor.reads == tables::SensorReads::part) return 1;
-    const std::uint64_t number =
-        sensor.reads == tables::SensorReads::code ? material.kinds[part.kind].code : part.number;
-    const tables::DataType type = round.rules.model->symbols[sensor.symbol].type;
-    const bool real = type == tables::DataType::real || type == tables::DataType::lreal;
-    return real ? std::bit_cast<std::uint64_t>(static_cast<double>(number)) : number;
+    if (!on_track || covers(round.rules, part, round.next.time, at)) return shown_of(round, sensor, part);
   }
   return 0;
 }

@@ -32,6 +32,18 @@ struct PartTimes {
   }
 };
 
+/// When a part that lies across leaves the sensors of the track that it came from.
+void times_of_tail(const Rules& rules, const World& world, const TailWorld& tail, PartTimes& times) {
+  const PartWorld& part = times.part;
+  if (across(rules, world.material, tail, world.time) == nullptr) return;
+  const model::Track& its = rules.model->material.tracks[tail.on];
+  for (const model::PartSensor& sensor : its.sensors) {
+    if (!sees(sensor, part)) continue;
+    if (sensor.at == its.length) times.reaches(length_of(rules, part));
+    if (sensor.at != its.length) times.passes(length_of(rules, part) - units_of(its.length - sensor.at));
+  }
+}
+
 /// The next time at which a part reaches something on its track.
 Time part_due(const Rules& rules, const World& world, std::uint32_t track, std::size_t index) {
   const model::Track& its = rules.model->material.tracks[track];
@@ -41,6 +53,9 @@ Time part_due(const Rules& rules, const World& world, std::uint32_t track, std::
   PartTimes times{part, world.time};
   for (const model::PartSensor& sensor : its.sensors) {
     if (sees(sensor, part)) times.covers(units_of(sensor.at), length);
+  }
+  for (const TailWorld& tail : world.material.tails) {
+    if (tail.number == part.number) times_of_tail(rules, world, tail, times);
   }
   for (const model::Transfer& transfer : rules.model->material.transfers) {
     if (transfer.from.location != track) continue;
@@ -79,6 +94,14 @@ Time room_due(const Rules& rules, const World& world, const PartTarget& target) 
     times.reaches(part.v > 0 ? front + gap + length_of(rules, part) : back - gap);
     if (times.due < due && has_room(rules, world, target, times.due)) due = times.due;
   }
+  for (const TailWorld& tail : world.material.tails) {
+    const PartWorld* const part = across(rules, world.material, tail, world.time);
+    if (tail.on != location || part == nullptr) continue;
+    const std::int64_t length = length_of(rules, *part);
+    PartTimes times{*part, world.time};
+    times.reaches(std::min(length, front + gap - units_of(material.tracks[location].length) + length));
+    if (times.due < due && has_room(rules, world, target, times.due)) due = times.due;
+  }
   return due;
 }
 
@@ -100,10 +123,11 @@ std::optional<PartTarget> waiting_for_transfer(const Rules& rules, const World& 
 
 /// The next time at which a source is due, or at which a waiting part has room.
 Time other_due(const Rules& rules, const World& world, Counters& counters) {
-  Time due = tables::kNever;
+  Time due = order_due(rules, world);
   const auto wait = [&](const PartTarget& target, Counted counted) {
     if (!waits_for_room(rules, world, target)) return;
     ++counters[counted];
+    if (has_room_between_parts(rules, world, target, world.time)) ++counters[Counted::tail_in_the_way];
     due = std::min(due, room_due(rules, world, target));
   };
   for (std::uint32_t i = 0; i < world.material.tracks.size(); ++i) {

@@ -39,6 +39,14 @@ struct TrackWorld {
   int own_instants = 0;  ///< in the current window
 };
 
+/// A part that an end moved from one track to another, and that may still cover the end of the first one.
+struct TailWorld {
+  std::uint64_t number = 0;  ///< of the part
+  std::uint32_t on = 0;      ///< the track that it left
+  std::uint32_t to = 0;      ///< the track of its front
+  Time left = 0;
+};
+
 struct TransferWorld {
   bool truth = false;  ///< of its `when` in the last round
   bool permission = false;
@@ -65,6 +73,7 @@ struct MaterialWorld {
   std::vector<TransferWorld> transfers;
   std::vector<WorkWorld> work;
   std::vector<SourceWorld> sources;
+  std::vector<TailWorld> tails;  ///< in the order in which the parts left
   std::uint64_t next_number = 1;
   std::vector<std::uint64_t> made;  ///< kinds
   std::vector<std::uint64_t> gone;

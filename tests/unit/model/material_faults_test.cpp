@@ -65,9 +65,9 @@ TEST_CASE("Only the last drive has no `until`, the others are in order within th
         "before this one");
   CHECK(drives_faults(R"({"until": "0 m", )" + drive + ", {" + drive) ==
         "/material/tracks/T/drives/0/until: this drive moves no part; write an `until` above 0");
-  CHECK(drives_faults(R"({"until": "3 m", )" + drive + ", {" + drive) ==
-        "/material/tracks/T/drives/0/until: this is not before the end of the track; remove the drives after this one, "
-        "or write a smaller `until`");
+  CHECK(drives_faults(R"({"until": "3 m", )" + drive + ", {" + drive) == "");  // the last one moves no part
+  CHECK(drives_faults(R"({"until": "3001 mm", )" + drive + ", {" + drive) ==
+        "/material/tracks/T/drives/0/until: this is beyond the end of the track; write a smaller `until`");
   CHECK(drives_faults(R"({"speed": "1 m/s"})") == "");  // it never moves
 }
 
