@@ -31,6 +31,7 @@ std::vector<std::string> more(const model::PlantModel& plant) {
   std::size_t outside = 0;  // by a custom naming rule
   std::size_t follows = 0;
   std::size_t sensors = 0;
+  std::size_t signals = 0;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.unit_of_device() != model::kNone) continue;
     if (symbol.account == model::Account::numeric) {
@@ -39,6 +40,8 @@ std::vector<std::string> more(const model::PlantModel& plant) {
       ++follows;
     } else if (symbol.account == model::Account::senses_parts) {
       ++sensors;
+    } else if (symbol.account == model::Account::shows_value) {
+      ++signals;
     } else {
       ++(is_faulty(plant, symbol.account) ? faulty : outside);
     }
@@ -49,6 +52,7 @@ std::vector<std::string> more(const model::PlantModel& plant) {
   }
   if (follows != 0) lines.push_back(fmt::format("in no device: {} driven by a condition (`follow`)", follows));
   if (sensors != 0) lines.push_back(fmt::format("in no device: {} driven by parts (sensors of `material`)", sensors));
+  if (signals != 0) lines.push_back(fmt::format("in no device: {} driven by formulas (`signals`)", signals));
   if (numeric != 0)
     lines.push_back(fmt::format(
         "in no device: {} numeric, since only BOOL symbols form states; the links still carry them", numeric));

@@ -132,7 +132,7 @@ std::string score_text(const score::Counts& counts) {
                         number(counts.of(Account::senses_parts), "sensor of parts", "sensors of parts"));
   if (counts.of(Account::follows) != 0) text += fmt::format(", {} by `follow`", counts.of(Account::follows));
   if (counts.of(Account::condition) != 0)
-    text += fmt::format(", {} read by `material`, `follow` or `malfunctions`", counts.of(Account::condition));
+    text += fmt::format(", {} read by `material`, `values`, `follow` or `malfunctions`", counts.of(Account::condition));
   return text;
 }
 

@@ -11,7 +11,8 @@
 namespace symplant::app {
 
 /// "of 23 BOOL I/O symbols 20 (87 %) paired, 23 (100 %) accounted for: 1 constant, 2 operator, 0 data", and
-/// ", 4 sensors of parts", ", 1 by `follow`", ", 2 read by `material`, `follow` or `malfunctions`" if there are any.
+/// ", 4 sensors of parts", ", 1 by `follow`", ", 2 read by `material`, `values`, `follow` or `malfunctions`" if there
+/// are any.
 std::string score_text(const score::Counts& counts);
 
 /// Rounded; 0 if `of` is 0.

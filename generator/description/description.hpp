@@ -19,6 +19,8 @@
 #include "elements/malfunction/given.hpp"
 #include "elements/material/given.hpp"
 #include "elements/requirement/given.hpp"
+#include "elements/signal/given.hpp"
+#include "elements/value/given.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -148,6 +150,7 @@ struct Defaults {
   tables::Actuation actuation = tables::Actuation::latched;
   tables::Time overrun = 2 * tables::kSecond;  ///< kNever: not examined
   Sequence sequence = Sequence::free;
+  tables::Time step = tables::kMillisecond * 10;  ///< of values and signals
 };
 
 /// Settings of `symplant check`, as texts: rules by id or slug.
@@ -171,6 +174,8 @@ struct Description {
   GivenIo io;
   std::vector<DeviceDescription> devices;
   std::vector<GivenFollow> follow;
+  std::vector<GivenValue> values;
+  std::vector<GivenSignal> signals;
   GivenMaterial material;
   std::vector<GivenMalfunction> malfunctions;
   std::vector<GivenRequirement> requirements;

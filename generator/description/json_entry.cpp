@@ -63,6 +63,16 @@ std::vector<std::string> texts_member(const Json& object, std::string_view key) 
   return texts;
 }
 
+std::string formula_text(const Json& formula) {
+  if (formula.is_number()) return formula.dump();
+  return formula.is_string() ? formula.get<std::string>() : std::string();
+}
+
+std::string formula_member(const Json& object, std::string_view key) {
+  const Json* value = member(object, key);
+  return value == nullptr ? std::string() : formula_text(*value);
+}
+
 bool flag_member(const Json& object, std::string_view key) {
   const Json* value = member(object, key);
   return value != nullptr && value->is_boolean() && value->get<bool>();

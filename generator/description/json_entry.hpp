@@ -20,6 +20,10 @@ const std::string* text_member(const nlohmann::json& object, std::string_view ke
 std::string text_or_empty(const nlohmann::json& object, std::string_view key);
 /// The texts of a member that is an array; none if it is missing.
 std::vector<std::string> texts_member(const nlohmann::json& object, std::string_view key);
+/// A member that is a formula: a text, or a number as text. Empty if it is missing.
+std::string formula_member(const nlohmann::json& object, std::string_view key);
+/// The text of a formula: that of a number as it is written. Empty for another type.
+std::string formula_text(const nlohmann::json& formula);
 bool flag_member(const nlohmann::json& object, std::string_view key);
 
 /// Collects faults of shape.

@@ -10,6 +10,8 @@
 #include "elements/malfunction/entry.hpp"
 #include "elements/material/entry.hpp"
 #include "elements/requirement/entry.hpp"
+#include "elements/signal/entry.hpp"
+#include "elements/value/entry.hpp"
 #include "read/io_words.hpp"
 #include "read/readers.hpp"
 #include "symplant/json/document.hpp"
@@ -85,6 +87,10 @@ void each(const Json& value, bool is_of_type, Read read) {
 constexpr std::array kElements{
     Element{"follow", [](const Json& value, ShapeFaults&,
                          Description& description) { description.follow = follow_entries(value); }},
+    Element{"values", [](const Json& value, ShapeFaults& faults,
+                         Description& description) { description.values = value_entries(value, faults); }},
+    Element{"signals", [](const Json& value, ShapeFaults& faults,
+                          Description& description) { description.signals = signal_entries(value, faults); }},
     Element{"devices",
             [](const Json& value, ShapeFaults& faults, Description& description) {
               each(value, value.is_object(), [&](const std::string& path, const Json& entry) {
@@ -234,6 +240,11 @@ class PlantFileReader {
     own.actuation = actuation_member(*defaults).value_or(own.actuation);
     own.sequence = sequence_member(*defaults).value_or(own.sequence);
     own.overrun = overrun_member(*defaults, here, faults_).value_or(own.overrun);
+    own.step = time_member(*defaults, "step", here, faults_).value_or(own.step);
+    if (own.step < 100 * tables::kMicrosecond || own.step > 3600 * tables::kSecond) {
+      faults_.add(here / "step", "`step` is from 100 us to 1 h");
+      own.step = Defaults().step;
+    }
   }
 
   void read_symbol_patterns() {
@@ -299,6 +310,7 @@ PlantFileReading read_plant_file(std::string_view text, std::string_view stem) {
   }
   reading.file = PlantFileReader(*document.root, reading.faults).read(stem);
   sort_as_written(reading.file->description.material, text);
+  sort_as_written(reading.file->description.values, text);
   return reading;
 }
 

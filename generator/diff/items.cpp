@@ -14,6 +14,7 @@
 #include "elements/malfunction/words.hpp"
 #include "elements/material/words.hpp"
 #include "elements/requirement/words.hpp"
+#include "elements/value/words.hpp"
 #include "model/condition_text.hpp"
 #include "view/words.hpp"
 
@@ -196,6 +197,12 @@ std::vector<Item> plant_items(const model::PlantModel& plant) {
   for (const model::Follow& follow : plant.follows) {
     items.push_back(
         {"follows", std::string(plant.symbols[follow.symbol].name()), model::condition_text(follow.condition, plant)});
+  }
+  for (const model::Value& value : plant.values) {
+    items.push_back({"value", value.name, view::value_line(value, plant)});
+  }
+  for (const model::Signal& signal : plant.signals) {
+    items.push_back({"signal", std::string(plant.symbols[signal.row.symbol].name()), view::signal_line(signal, plant)});
   }
   add_material(plant, items);
   for (const model::Malfunction& malfunction : plant.malfunctions) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "model/condition_text.hpp"
@@ -173,6 +174,21 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
                         short_condition_text(unless ? *malfunction.unless : *malfunction.condition, plant)));
         break;
       }
+      case tables::ReaderKind::change: {
+        const auto owner = std::find_if(plant.values.begin(), plant.values.end(), [&](const model::Value& value) {
+          const tables::Rows& changes =
+              tables.values.rows[static_cast<std::size_t>(&value - plant.values.data())].changes;
+          return row.reader >= changes.first && row.reader < changes.first + changes.count;
+        });
+        const tables::Rows& changes =
+            tables.values.rows[static_cast<std::size_t>(owner - plant.values.begin())].changes;
+        readers.push_back(fmt::format("{}, jump: {}", owner->name,
+                                      short_condition_text(owner->changes[row.reader - changes.first].when, plant)));
+        break;
+      }
+      case tables::ReaderKind::formula_input:
+        readers.push_back(fmt::format("input {} of the formulas", row.reader));
+        break;
     }
     ++index;
   }

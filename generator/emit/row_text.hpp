@@ -1,6 +1,7 @@
 // Writes rows of tables as C++, from their fields.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -11,12 +12,19 @@ namespace symplant::emit {
 
 /// `tables::Comparison::less`
 std::string_view enumerator(tables::Comparison value);
+std::string_view enumerator(tables::FormulaInputKind value);
+std::string_view enumerator(tables::FormulaOp value);
 std::string_view enumerator(tables::MalfunctionKind value);
 std::string_view enumerator(tables::NumberKind value);
+std::string_view enumerator(tables::Operand::Kind value);
 std::string_view enumerator(tables::RandomTime::Kind value);
 std::string_view enumerator(tables::ReaderKind value);
 std::string_view enumerator(tables::RequirementRow::Kind value);
 std::string_view enumerator(tables::SensorReads value);
+std::string_view enumerator(tables::ValueKind value);
+
+/// The shortest text of a double that C++ reads back as the same bits.
+std::string double_text(double value);
 
 /// Writes each field that it gets, with commas between.
 class FieldText {
@@ -25,6 +33,7 @@ class FieldText {
 
   void operator()(bool value) { next().text(value ? "true" : "false"); }
   void operator()(std::uint8_t value) { next().number(unsigned{value}); }
+  void operator()(double value) { next().text(double_text(value)); }
   void operator()(tables::Index index) { or_name(index.value, tables::kNone, "tables::kNone"); }
   void operator()(tables::Location location) { or_name(location.value, tables::kOut, "tables::kOut"); }
   void operator()(tables::Position position) { or_name(position.value, tables::kWhole, "tables::kWhole"); }
@@ -40,6 +49,12 @@ class FieldText {
   }
   void operator()(tables::Optional time) {
     if (time.value != 0) next().number(time.value);
+  }
+  void operator()(tables::OptionalIndex index) {
+    if (index.value != tables::kNone) next().number(index.value);
+  }
+  void operator()(tables::OptionalNumber number) {
+    if (number.value != 0) (*this)(number.value);
   }
   template <class Other>
   void operator()(const Other& value) {

@@ -11,6 +11,7 @@
 #include "elements/malfunction/rows.hpp"
 #include "elements/material/rows.hpp"
 #include "elements/requirement/rows.hpp"
+#include "elements/value/rows.hpp"
 #include "emit/condition_rows.hpp"
 #include "emit/encode.hpp"
 #include "emit/rows.hpp"
@@ -58,9 +59,13 @@ class TableViews {
         {{{"array", array}, {"row", row}, {"about", std::string(about)}, {"rows", std::move(rows)}}, {}});
   }
 
+  void nested_value(const char* member, const std::string& value) {
+    nested_.append(nested_.empty() ? "." : ", .").append(member).append(" = ").append(value);
+  }
+
   void nested_texts(const char* member, const char* array, std::string_view about, const std::string& blob) {
     if (blob.empty()) return;
-    nested_.append(fmt::format(", .{0} = {{{1}, sizeof {1} - 1}}", member, array));
+    nested_.append(fmt::format("{2}.{0} = {{{1}, sizeof {1} - 1}}", member, array, nested_.empty() ? "" : ", "));
     const RowSource source = [&blob](RowWriter& rows) { name_rows(rows, blob, 1); };
     text_tables_.push_back({{{"array", array}, {"about", std::string(about)}}, {}, {{"rows", source}}});
   }
@@ -120,6 +125,41 @@ void add_malfunctions(TableViews& views, const lower::EngineTables& tables, cons
                     "A symbol of a malfunction: symbol, value.", malfunction_force_rows(tables, plant));
   views.nested_texts("names", "kMalfunctionNames", "The malfunctions' names.", tables.malfunctions.names);
   views.nested("malfunctions");
+}
+
+void add_values(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
+  if (tables.values.tables().empty()) return;
+  views.nested_rows(
+      "rows", "kValues", "tables::ValueRow",
+      "A value: kind, start, min, max, step and trace (ns), output, formulas (first, number), factor, ti, "
+      "td (s), steps, device, numbers, states, outputs, whether it has d, jumps (first, number).",
+      value_rows(tables, plant));
+  views.nested_rows("order", "kValueOrder", "std::uint32_t", "Values that are computed from others, in this order.",
+                    value_order_rows(tables));
+  views.nested_rows("changes", "kChanges", "tables::ChangeRow", "A jump of a value: condition, formula.",
+                    change_rows(tables));
+  views.nested_rows(
+      "signals", "kSignals", "tables::SignalRow",
+      "A signal: symbol, formula, every (ns), whether it is scaled, from a to b, to c to d, noise, limits.",
+      signal_rows(tables, plant));
+  views.nested_rows("formulas", "kFormulas", "tables::FormulaRow",
+                    "A formula: its steps and its inputs (first, number).", formula_rows(tables));
+  views.nested_rows("steps", "kFormulaSteps", "tables::FormulaStep",
+                    "A step of a formula: what it does, with which input or points, with which number.",
+                    formula_step_rows(tables));
+  views.nested_rows("inputs", "kFormulaInputs", "tables::FormulaInput",
+                    "An input of a formula: kind, kind of number, output, slot, counter or location.",
+                    formula_input_rows(tables));
+  views.nested_rows("numbers", "kNumbers", "double", "Points of curves, numbers of positions, matrices.",
+                    number_rows(tables));
+  views.nested_rows("comparisons", "kComparisons", "tables::ComparisonRow",
+                    "A comparison of two operands: each with kind, kind of number, what, number; tolerance, condition, "
+                    "input, comparison.",
+                    comparison_rows(tables));
+  views.nested_value("outputs", std::to_string(tables.values.outputs));
+  views.nested_texts("names", "kValueNames", "The values' names and units.", tables.values.names);
+  views.nested_texts("formula_texts", "kFormulaTexts", "The texts of the formulas.", tables.values.formula_texts);
+  views.nested("values");
 }
 
 void add_material(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
@@ -205,6 +245,7 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
              "A device whose commands against its end are found: device, time (ns).", overrun_rows(tables, plant));
   add_material(views, tables, plant);
   add_malfunctions(views, tables, plant);
+  add_values(views, tables, plant);
   views.rows("behaviour_units", "kBehaviourUnits", "tables::BehaviourUnit",
              "A device with a custom behavior: device, class, its inputs (first, count), its values (first, count).",
              behaviour_unit_rows(tables, plant));

@@ -43,6 +43,10 @@ tables::MaterialTables Material::tables() const {
 
 tables::MalfunctionTables Malfunctions::tables() const { return {rows, units, forces, names}; }
 
+tables::ValueTables Values::tables() const {
+  return {rows, order, changes, signals, formulas, steps, inputs, numbers, comparisons, outputs, names, formula_texts};
+}
+
 tables::PlantTables EngineTables::tables() const {
   return {
       .name = name,
@@ -68,6 +72,7 @@ tables::PlantTables EngineTables::tables() const {
       .material = material.tables(),
       .part_watches = part_watches,
       .malfunctions = malfunctions.tables(),
+      .values = values.tables(),
       .behaviour_units = behaviour_units,
       .behaviour_values = behaviour_values,
       .operation_bits = operation_bits,

@@ -59,6 +59,24 @@ struct Malfunctions {
   tables::MalfunctionTables tables() const;
 };
 
+/// The values and signals, as tables::ValueTables.
+struct Values {
+  std::vector<tables::ValueRow> rows;
+  std::vector<std::uint32_t> order;
+  std::vector<tables::ChangeRow> changes;
+  std::vector<tables::SignalRow> signals;
+  std::vector<tables::FormulaRow> formulas;
+  std::vector<tables::FormulaStep> steps;
+  std::vector<tables::FormulaInput> inputs;
+  std::vector<double> numbers;
+  std::vector<tables::ComparisonRow> comparisons;
+  std::uint32_t outputs = 0;
+  std::string names;
+  std::string formula_texts;
+
+  tables::ValueTables tables() const;
+};
+
 /// Movable; `tables()` points into it.
 struct EngineTables {
   EngineTables() = default;
@@ -89,6 +107,7 @@ struct EngineTables {
   Material material;
   std::vector<tables::ValueWatch> part_watches;
   Malfunctions malfunctions;
+  Values values;
   std::vector<tables::BehaviourUnit> behaviour_units;
   std::vector<std::uint32_t> behaviour_values;
   std::uint32_t operation_bits = 0;

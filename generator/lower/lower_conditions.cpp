@@ -11,13 +11,15 @@
 #include "elements/malfunction/lower.hpp"
 #include "elements/material/lower.hpp"
 #include "elements/requirement/lower.hpp"
+#include "elements/value/lower.hpp"
 #include "symplant/condition/truth_table.hpp"
+#include "symplant/condition/type_info.hpp"
 
 namespace symplant::lower {
 namespace {
 
 /// The elements with conditions, in the order of their rows.
-constexpr std::array kElements{lower_requirements, lower_follows, lower_material, lower_malfunctions};
+constexpr std::array kElements{lower_requirements, lower_follows, lower_material, lower_malfunctions, lower_values};
 
 /// A table that reads another table of a network, and the input.
 struct Reader {
@@ -126,11 +128,36 @@ class ConditionLowering {
             .push_back({atom.operand, symbol.index, condition, input, atom.comparison, atom.number});
         return;
       }
+      case Kind::compare:
+        tables_.values.comparisons.push_back(
+            {operand(atom.left), operand(atom.right), atom.tolerance, condition, input, atom.comparison});
+        return;
       case Kind::parts:
         tables_.part_watches.push_back(
             {atom.operand, counter_of(atom.of, atom.part), condition, input, atom.comparison, atom.number});
         return;
     }
+  }
+
+  tables::Operand operand(const condition::Quantity& quantity) {
+    using Kind = condition::Quantity::Kind;
+    switch (quantity.kind) {
+      case Kind::number:
+        break;
+      case Kind::output:
+        return {tables::Operand::Kind::output, {}, quantity.of, 0};
+      case Kind::symbol: {
+        const tables::SymbolRow& symbol = tables_.symbols[quantity.of];
+        const bool operation = symbol.direction() == tables::Direction::operation;
+        return {operation ? tables::Operand::Kind::operation_value : tables::Operand::Kind::event_value,
+                condition::info_of(symbol.type()).kind, symbol.index, 0};
+      }
+      case Kind::parts:
+        return {tables::Operand::Kind::parts, {}, counter_of(quantity.of, tables::kNone), 0};
+      case Kind::weight:
+        return {tables::Operand::Kind::weight, {}, quantity.of, 0};
+    }
+    return {tables::Operand::Kind::number, {}, 0, quantity.number};
   }
 
   /// Sorts watches by what they watch, then by condition and input, so that equal plants have equal tables.

@@ -67,14 +67,10 @@ class SymbolLowering {
     return symbol_bits_[event] - tables_.units[plant_.symbols[event].unit].event_bit;
   }
 
-  static bool is_driven_by_condition_or_part(const model::Symbol& symbol) {
-    return symbol.account == model::Account::follows || symbol.account == model::Account::senses_parts;
-  }
-
   /// Whether a symbol acts: an operation of a unit that moves, or an event that its unit or a condition drives.
   bool moved(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
-    if (is_driven_by_condition_or_part(symbol)) return true;
+    if (symbol.driven_without_unit()) return true;
     if (symbol.unit == kNone) return false;
     const model::Unit& unit = plant_.units[symbol.unit];
     if (symbol.direction == tables::Direction::operation) return unit.moves();
@@ -109,7 +105,7 @@ class SymbolLowering {
   /// no condition, and that no part drives.
   bool keeps_initial(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
-    if (initial_of(symbol) == 0 || leader_of(i) != i || is_driven_by_condition_or_part(symbol)) return false;
+    if (initial_of(symbol) == 0 || leader_of(i) != i || symbol.driven_without_unit()) return false;
     if (symbol.type != tables::DataType::boolean) return true;
     if (symbol.direction == tables::Direction::operation) return false;
     return symbol.unit == kNone || !set_at_start(i);

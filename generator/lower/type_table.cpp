@@ -16,10 +16,7 @@ std::uint64_t bit(std::uint32_t position) { return std::uint64_t{1} << position;
 
 bool is_driven(const model::PlantModel& plant, std::uint32_t event) {
   const std::uint32_t unit = plant.symbols[event].unit;
-  if (unit == kNone) {
-    const model::Account why = plant.symbols[event].account;
-    return why == model::Account::follows || why == model::Account::senses_parts;
-  }
+  if (unit == kNone) return plant.symbols[event].driven_without_unit();
   const auto& events = plant.units[unit].events;
   const auto position = std::find(events.begin(), events.end(), event) - events.begin();
   return plant.units[unit].moves_event(static_cast<std::uint32_t>(position));

@@ -44,6 +44,27 @@ bool ConditionReader::resolve_made(const std::string& text, const MatchedNames& 
   return false;
 }
 
+bool ConditionReader::formula(const std::string& text, const MatchedNames* matched, const description::Pointer& pointer,
+                              condition::Formula& formula, std::string* lacking) {
+  const bool has_braces = matched != nullptr && text::has_braces(text);
+  const auto made = has_braces ? make(text, *matched, pointer) : std::optional<std::string>(text);
+  if (!made) return false;
+  auto parsed = condition::parse_formula(*made, names_);
+  if (auto* found = std::get_if<condition::Formula>(&parsed)) {
+    formula = std::move(*found);
+    return true;
+  }
+  const condition::Fault& fault = std::get<condition::Fault>(parsed);
+  if (has_braces && lacking != nullptr && fault.of_name) {
+    *lacking = fault.message;
+  } else if (has_braces) {
+    faults_.add(pointer, description::ticked(*made) + ": " + fault.message, description::FaultKind::condition);
+  } else {
+    faults_.add(pointer, fault.message, description::FaultKind::condition, fault.index.offset);
+  }
+  return false;
+}
+
 std::optional<std::string> ConditionReader::make(const std::string& text, const MatchedNames& matched,
                                                  const description::Pointer& pointer) {
   text::Replaced made = matched.replace(text);

@@ -8,6 +8,7 @@
 #include "description/faults.hpp"
 #include "model/matched_names.hpp"
 #include "model/plant_names.hpp"
+#include "symplant/condition/formula.hpp"
 #include "symplant/condition/tree.hpp"
 
 namespace symplant::model {
@@ -24,6 +25,9 @@ class ConditionReader {
   /// an unknown name is not a fault: `lacking` gets the message.
   bool resolve_made(const std::string& text, const MatchedNames& matched, const description::Pointer& pointer,
                     condition::Tree& tree, std::string* lacking = nullptr);
+  /// Reads a formula; `matched` is null for a text without names in braces. Otherwise as resolve_made().
+  bool formula(const std::string& text, const MatchedNames* matched, const description::Pointer& pointer,
+               condition::Formula& formula, std::string* lacking);
   /// The text with the names in braces replaced; nothing, and a fault, if one is unknown.
   std::optional<std::string> make(const std::string& text, const MatchedNames& matched,
                                   const description::Pointer& pointer);

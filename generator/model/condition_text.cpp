@@ -34,6 +34,8 @@ bool is_word(std::string_view name) {
          text::equal_ignoring_case(name, "not");
 }
 
+bool begins_with_digit(std::string_view name) { return !name.empty() && name.front() >= '0' && name.front() <= '9'; }
+
 /// Whether the grammar reads a name without quotes, apart from its keywords.
 bool is_plain(std::string_view name) {
   const auto ascii_letter = [](char c) {
@@ -108,11 +110,37 @@ class ConditionWriter {
         add_name(plant_.symbols[atom.of].name(), true);
         return;
       case Atom::Kind::number:
-        add_name(plant_.symbols[atom.of].name(), true);
+        add_operand_name(plant_.symbols[atom.of].name(), false);
         out_.append(" ").append(comparison_text(atom.comparison)).append(" ").append(operand_text(atom));
         return;
       case Atom::Kind::parts:
         add_parts(atom);
+        return;
+      case Atom::Kind::compare:
+        add_side(atom.left, false);
+        out_.append(" ").append(comparison_text(atom.comparison)).append(" ");
+        add_side(atom.right, true);
+        if (atom.tolerance != 0) out_ += fmt::format(" +- {}", atom.tolerance);
+        return;
+    }
+  }
+
+  void add_side(const condition::Quantity& quantity, bool on_right) {
+    using Kind = condition::Quantity::Kind;
+    switch (quantity.kind) {
+      case Kind::number:
+        out_ += fmt::format("{}", quantity.number);
+        return;
+      case Kind::output:
+        out_ += output_name(plant_, quantity.of);
+        return;
+      case Kind::symbol:
+        add_operand_name(plant_.symbols[quantity.of].name(), on_right);
+        return;
+      case Kind::parts:
+      case Kind::weight:
+        add_operand_name(plant_.material.location_name(quantity.of), on_right);
+        out_ += quantity.kind == Kind::parts ? ".parts" : ".weight";
         return;
     }
   }
@@ -146,15 +174,28 @@ class ConditionWriter {
       out_ += tree.value ? "always" : "never";
       return;
     }
-    add_name(plant_.symbols[tree.atom.of].name(), true);
+    add_operand_name(plant_.symbols[tree.atom.of].name(), false);
     out_.append(tree.value ? " >= " : " < ").append(least_of(plant_.symbols[tree.atom.of].type));
   }
 
   void add_name(std::string_view name, bool first) {
     if (is_plain(name) && !(first && is_word(name))) {
       out_ += name;
-      return;
+    } else {
+      add_quoted(name);
     }
+  }
+
+  /// A name at the start of an operand, which must not read as a number.
+  void add_operand_name(std::string_view name, bool on_right) {
+    if (on_right ? begins_with_digit(name) : condition::Number::read(name).has_value()) {
+      add_quoted(name);
+    } else {
+      add_name(name, true);
+    }
+  }
+
+  void add_quoted(std::string_view name) {
     out_ += '\'';
     for (const char c : name) out_.append(c == '\'' ? 2 : 1, c);
     out_ += '\'';

@@ -11,6 +11,8 @@
 #include "elements/material/entries.hpp"
 #include "elements/material/resolve.hpp"
 #include "elements/requirement/resolve.hpp"
+#include "elements/signal/resolve.hpp"
+#include "elements/value/resolve.hpp"
 #include "model/collect_symbols.hpp"
 #include "model/condition_reader.hpp"
 #include "model/derive_unit.hpp"
@@ -127,6 +129,7 @@ void derive_units(Derived& derived, MadeNames& made, description::Faults& faults
     ++kept;
   }
   plant.units.resize(kept);
+  name_values(plant, faults);
   if (!later) return;
   resolve_material(derived, made, faults);
   leave_out_unknown(plant, made, faults);
@@ -155,11 +158,16 @@ void prepare_material(Derived& derived, const description::GivenMaterial& given,
 /// Resolves all that conditions of the description say.
 void resolve_conditions(PlantModel& plant, MadeNames& made, description::Faults& faults) {
   const bool described = !plant.description->devices.empty() || plant.pairing != nullptr;
-  if (!described && plant.description->requirements.empty() && plant.follows.empty()) return;
+  if (!described && plant.description->requirements.empty() && plant.follows.empty() && plant.values.empty() &&
+      plant.signals.empty()) {
+    return;
+  }
   ConditionReader conditions(plant, faults);
   add_relations(plant, conditions, made, faults);
   resolve_requirements(plant, conditions, made, faults);
   resolve_follows(plant, conditions, made, faults);
+  resolve_values(plant, conditions, made, faults);
+  resolve_signals(plant, conditions, made);
 }
 
 }  // namespace

@@ -81,4 +81,12 @@ std::vector<std::string> PlantModel::input_files() const {
   return files;
 }
 
+std::string output_name(const PlantModel& plant, std::uint32_t output) {
+  const auto next = std::upper_bound(plant.values.begin(), plant.values.end(), output,
+                                     [](std::uint32_t a, const Value& b) { return a < b.row.output; });
+  const Value& value = *std::prev(next);
+  if (value.row.outputs == 1) return value.name;
+  return value.name + "[" + std::to_string(output - value.row.output + 1) + "]";
+}
+
 }  // namespace symplant::model

@@ -18,6 +18,8 @@
 #include "elements/malfunction/model.hpp"
 #include "elements/material/model.hpp"
 #include "elements/requirement/model.hpp"
+#include "elements/signal/model.hpp"
+#include "elements/value/model.hpp"
 #include "name/symbol_reader.hpp"
 #include "pairing/pairing.hpp"
 #include "read/symbol_table.hpp"
@@ -99,7 +101,9 @@ struct Symbol {
     return !address ? std::string_view() : address_is_iec ? row->iec_address : row->vendor_address;
   }
   /// Whether a condition or parts drive it: then it is in no unit.
-  bool driven_without_unit() const { return account == Account::follows || account == Account::senses_parts; }
+  bool driven_without_unit() const {
+    return account == Account::follows || account == Account::senses_parts || account == Account::shows_value;
+  }
   /// Whether the naming rule does not apply: its device or what drives it is given, or it is given that it has no
   /// device.
   bool is_given() const { return described || driven_without_unit() || account == Account::plain; }
@@ -249,6 +253,8 @@ struct PlantModel {
   std::vector<Unit> units;                ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<Follow> follows;  ///< sorted by symbol
+  std::vector<Value> values;    ///< as in the description, those of `for` in the order of their devices
+  std::vector<Signal> signals;  ///< sorted by symbol
   Material material;
   std::vector<Malfunction> malfunctions;  ///< as in the description
   std::vector<ControllerLink> links;      ///< by controller: the settings of its link, given or default
@@ -273,5 +279,8 @@ struct PlantModel {
   /// All files of the plant: plant.json, if there is one, then the lists in their order, then those of the naming rule.
   std::vector<std::string> input_files() const;
 };
+
+/// `TANK.level`, or `BOOM[2]` for an output of a value with several. O(log values).
+std::string output_name(const PlantModel& plant, std::uint32_t output);
 
 }  // namespace symplant::model

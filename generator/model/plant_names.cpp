@@ -26,6 +26,7 @@ PlantNames::PlantNames(const PlantModel& plant, const description::Faults& fault
     locations_.try_emplace(material.location_name(i), i);
   }
   for (std::uint32_t i = 0; i < material.kinds.size(); ++i) part_kinds_.try_emplace(material.kinds[i].name, i);
+  for (std::uint32_t i = 0; i < plant.values.size(); ++i) values_.try_emplace(plant.values[i].name, i);
 }
 
 std::optional<std::uint32_t> PlantNames::unit(std::string_view device, std::string_view facet) const {
@@ -58,6 +59,18 @@ std::optional<condition::Names::Symbol> PlantNames::symbol(std::string_view name
 std::optional<std::uint32_t> PlantNames::location(std::string_view name) const { return find(locations_, name); }
 
 std::optional<std::uint32_t> PlantNames::part_kind(std::string_view name) const { return find(part_kinds_, name); }
+
+std::optional<condition::Names::Value> PlantNames::value(std::string_view name) const {
+  const auto found = find(values_, name);
+  if (!found) return std::nullopt;
+  const tables::ValueRow& row = plant_.values[*found].row;
+  return Value{row.output, row.outputs};
+}
+
+std::string PlantNames::nearest_value(std::string_view name) const {
+  return std::string(faults_.nearest(name, plant_.values.size(),
+                                     [&](std::size_t i) -> std::string_view { return plant_.values[i].name; }));
+}
 
 std::string PlantNames::nearest_part_kind(std::string_view name) const {
   const std::vector<PartKind>& kinds = plant_.material.kinds;

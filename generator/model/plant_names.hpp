@@ -27,6 +27,8 @@ class PlantNames final : public condition::Names {
   std::optional<Symbol> symbol(std::string_view name) const override;
   std::optional<std::uint32_t> location(std::string_view name) const override;
   std::optional<std::uint32_t> part_kind(std::string_view name) const override;
+  std::optional<Value> value(std::string_view name) const override;
+  std::string nearest_value(std::string_view name) const override;
   std::string nearest_part_kind(std::string_view name) const override;
   std::string nearest_device(std::string_view device, std::string_view facet) const override;
   std::string nearest_state(std::uint32_t unit, std::string_view name) const override;
@@ -41,6 +43,7 @@ class PlantNames final : public condition::Names {
   text::ByName<std::uint32_t> symbols_;
   text::ByName<std::uint32_t> locations_;
   text::ByName<std::uint32_t> part_kinds_;
+  text::ByName<std::uint32_t> values_;
 };
 
 }  // namespace symplant::model

@@ -47,95 +47,148 @@ void for_each_bit(PlantModel& plant, const SymbolNames& names, const std::vector
   }
 }
 
-/// The entries of `follow`: exact names first, then patterns, the most specific first.
-std::vector<std::uint32_t> by_specificity(const std::vector<description::GivenFollow>& follow) {
-  std::vector<std::uint32_t> order(follow.size());
+/// An entry of `follow` or `signals`: the symbols that it means, and what they follow.
+struct Entry {
+  std::string_view symbol;  ///< a name, or a pattern
+  std::string_view text;
+};
+
+/// What the two elements differ in.
+struct EntryKind {
+  std::string_view key;  ///< "/follow"
+  bool (*may)(const Symbol&);
+  std::string_view may_not;  ///< what follows the name of a symbol that may not
+  std::string_view nothing;  ///< what follows a pattern that matches nothing
+  std::string_view what;     ///< "conditions"
+};
+
+constexpr EntryKind kFollow{
+    "/follow", [](const Symbol& symbol) { return is_bit(symbol) && symbol.direction == tables::Direction::event; },
+    " is not a BOOL input of the PLC; only those follow a condition", " matches no BOOL input of the PLC",
+    "conditions"};
+constexpr EntryKind kSignals{
+    "/signals", [](const Symbol& symbol) { return !is_bit(symbol) && symbol.direction == tables::Direction::event; },
+    " is not a numeric input of the PLC; a BOOL input that depends on a value has `follow`",
+    " matches no numeric input of the PLC", "formulas"};
+
+/// Entries by index: exact names first, then patterns, the most specific first.
+std::vector<std::uint32_t> by_specificity(const std::vector<Entry>& entries) {
+  std::vector<std::uint32_t> order(entries.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto rank = [&](std::uint32_t i) {
-    return is_pattern(follow[i].symbol) ? text::literal_characters(follow[i].symbol) : std::string::npos;
+    return is_pattern(entries[i].symbol) ? text::literal_characters(entries[i].symbol) : std::string::npos;
   };
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank(a) > rank(b); });
   return order;
 }
 
-class FollowMatcher {
+/// Finds the entry of each symbol.
+class PatternMatcher {
  public:
-  FollowMatcher(PlantModel& plant, const SymbolNames& names, const std::vector<description::GivenFollow>& given,
-                description::Faults& faults)
-      : plant_(plant), names_(names), given_(given), faults_(faults), entries_(plant.symbols.size(), kNone) {}
+  PatternMatcher(const PlantModel& plant, const SymbolNames& names, const EntryKind& kind, std::vector<Entry> entries,
+                 description::Faults& faults)
+      : plant_(plant),
+        names_(names),
+        kind_(kind),
+        given_(std::move(entries)),
+        faults_(faults),
+        entries_(plant.symbols.size(), kNone) {}
 
-  void run() {
+  /// By symbol: its entry, or kNone.
+  std::vector<std::uint32_t> run() {
     for (const std::uint32_t entry : by_specificity(given_)) {
-      const Pointer here = follow_key(entry);
       if (is_pattern(given_[entry].symbol)) {
-        match(entry, here);
+        match(entry);
       } else {
-        assign_exact(entry, here);
+        assign_exact(entry);
       }
     }
-    for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-      if (entries_[i] == kNone) continue;
-      plant_.symbols[i].account = Account::follows;
-      plant_.follows.push_back({i, {}, entries_[i]});
-    }
+    return std::move(entries_);
   }
 
  private:
-  Pointer follow_key(std::uint32_t entry) const { return Pointer("/follow") / std::string_view(given_[entry].symbol); }
+  Pointer key_of(std::uint32_t entry) const { return Pointer(std::string(kind_.key)) / given_[entry].symbol; }
 
-  static bool may_follow(const Symbol& symbol) {
-    return is_bit(symbol) && symbol.direction == tables::Direction::event;
-  }
-
-  void assign_exact(std::uint32_t entry, const Pointer& here) {
-    const std::uint32_t symbol = names_.find(given_[entry].symbol, here, faults_);
+  void assign_exact(std::uint32_t entry) {
+    const std::string_view name = given_[entry].symbol;
+    const std::uint32_t symbol = names_.find(std::string(name), key_of(entry), faults_);
     if (symbol == kNone) return;
-    if (!may_follow(plant_.symbols[symbol])) {
-      faults_.add(here,
-                  ticked(given_[entry].symbol) + " is not a BOOL input of the PLC; only those follow a condition");
+    if (!kind_.may(plant_.symbols[symbol])) {
+      faults_.add(key_of(entry), ticked(name) + std::string(kind_.may_not));
     } else if (entries_[symbol] != kNone) {
-      faults_.add(here, ticked(given_[entry].symbol) + " appears twice; remove one");
+      faults_.add(key_of(entry), ticked(name) + " appears twice; remove one");
     } else {
       entries_[symbol] = entry;
     }
   }
 
-  void match(std::uint32_t entry, const Pointer& here) {
-    const std::string& pattern = given_[entry].symbol;
+  void match(std::uint32_t entry) {
+    const std::string_view pattern = given_[entry].symbol;
     const std::size_t literals = text::literal_characters(pattern);
     bool any = false;
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
-      if (!may_follow(plant_.symbols[i]) || !text::matches_pattern(plant_.symbols[i].name(), pattern)) continue;
+      if (!kind_.may(plant_.symbols[i]) || !text::matches_pattern(plant_.symbols[i].name(), pattern)) continue;
       any = true;
       if (entries_[i] == kNone) {
         entries_[i] = entry;
         continue;
       }
-      const description::GivenFollow& other = given_[entries_[i]];
+      const Entry& other = given_[entries_[i]];
       const bool equal = is_pattern(other.symbol) && text::literal_characters(other.symbol) == literals;
-      if (equal && other.condition != given_[entry].condition) contradiction(i, entry, here);
+      if (equal && other.text != given_[entry].text) contradiction(i, entry);
     }
-    if (!any) faults_.warn(here, ticked(pattern) + " matches no BOOL input of the PLC", FaultKind::matches_nothing);
+    if (!any) faults_.warn(key_of(entry), ticked(pattern) + std::string(kind_.nothing), FaultKind::matches_nothing);
   }
 
-  void contradiction(std::uint32_t symbol, std::uint32_t entry, const Pointer& here) {
+  void contradiction(std::uint32_t symbol, std::uint32_t entry) {
     description::DescriptionFault fault{
-        here.text(), ticked(given_[entry].symbol) + " and " + ticked(given_[entries_[symbol]].symbol) +
-                         " are equally specific and give " + ticked(plant_.symbols[symbol].name()) +
-                         " different conditions; make one more specific or name the symbol"};
+        key_of(entry).text(), ticked(given_[entry].symbol) + " and " + ticked(given_[entries_[symbol]].symbol) +
+                                  " are equally specific and give " + ticked(plant_.symbols[symbol].name()) +
+                                  " different " + std::string(kind_.what) +
+                                  "; make one more specific or name the symbol"};
     fault.kind = FaultKind::patterns;
     fault.at_key = true;
-    fault.related = follow_key(entries_[symbol]).text();
-    fault.related_message = "the other condition";
+    fault.related = key_of(entries_[symbol]).text();
+    fault.related_message = "the other " + std::string(kind_.what).substr(0, kind_.what.size() - 1);
     faults_.add(std::move(fault));
   }
 
-  PlantModel& plant_;
+  const PlantModel& plant_;
   const SymbolNames& names_;
-  const std::vector<description::GivenFollow>& given_;
+  const EntryKind& kind_;
+  const std::vector<Entry> given_;
   description::Faults& faults_;
-  std::vector<std::uint32_t> entries_;  ///< by symbol: the entry that gives its condition
+  std::vector<std::uint32_t> entries_;  ///< by symbol
 };
+
+void match_follows(PlantModel& plant, const std::vector<description::GivenFollow>& given, const SymbolNames& names,
+                   description::Faults& faults) {
+  std::vector<Entry> entries;
+  entries.reserve(given.size());
+  for (const description::GivenFollow& follow : given) entries.push_back({follow.symbol, follow.condition});
+  const std::vector<std::uint32_t> found = PatternMatcher(plant, names, kFollow, std::move(entries), faults).run();
+  for (std::uint32_t i = 0; i < found.size(); ++i) {
+    if (found[i] == kNone) continue;
+    plant.symbols[i].account = Account::follows;
+    plant.follows.push_back({i, {}, found[i]});
+  }
+}
+
+void match_signals(PlantModel& plant, const std::vector<description::GivenSignal>& given, const SymbolNames& names,
+                   description::Faults& faults) {
+  std::vector<Entry> entries;
+  entries.reserve(given.size());
+  for (const description::GivenSignal& signal : given) entries.push_back({signal.symbol, signal.of});
+  const std::vector<std::uint32_t> found = PatternMatcher(plant, names, kSignals, std::move(entries), faults).run();
+  for (std::uint32_t i = 0; i < found.size(); ++i) {
+    if (found[i] == kNone) continue;
+    plant.symbols[i].account = Account::shows_value;
+    Signal signal;
+    signal.row.symbol = i;
+    signal.given = found[i];
+    plant.signals.push_back(std::move(signal));
+  }
+}
 
 void add_followed(const condition::Tree& tree, const std::vector<std::uint32_t>& index_of,
                   std::vector<std::uint32_t>& followed) {
@@ -154,7 +207,8 @@ description::Pointer follow_pointer(const PlantModel& plant, std::uint32_t given
 
 void apply_symbol_settings(PlantModel& plant, const description::Description& description,
                            description::Faults& faults) {
-  if (description.inverted.empty() && description.follow.empty() && description.plain.empty() &&
+  if (description.inverted.empty() && description.follow.empty() && description.signals.empty() &&
+      description.plain.empty() &&
       std::none_of(description.devices.begin(), description.devices.end(),
                    [](const description::DeviceDescription& device) { return device.names_symbols(); })) {
     return;
@@ -163,7 +217,8 @@ void apply_symbol_settings(PlantModel& plant, const description::Description& de
   for_each_bit(plant, names, description.inverted, "/inverted", faults, [](Symbol& symbol) { symbol.inverted = true; });
   for_each_bit(plant, names, description.plain, "/plain", faults,
                [](Symbol& symbol) { symbol.account = Account::plain; });
-  FollowMatcher(plant, names, description.follow, faults).run();
+  match_follows(plant, description.follow, names, faults);
+  match_signals(plant, description.signals, names, faults);
   claim_symbols(plant, description, names, faults);
 }
 

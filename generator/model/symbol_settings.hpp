@@ -6,8 +6,8 @@
 
 namespace symplant::model {
 
-/// Sets Symbol::inverted, marks the symbols that follow a condition and fills PlantModel::follows without the
-/// conditions. Before the symbols are grouped by device. O(symbols * patterns).
+/// Sets Symbol::inverted, marks the symbols that follow a condition or show a formula, and fills PlantModel::follows
+/// and signals without these. Before the symbols are grouped by device. O(symbols * patterns).
 void apply_symbol_settings(PlantModel& plant, const description::Description& description, description::Faults& faults);
 
 /// Reports a `follow` entry that depends on itself through other such entries alone. The conditions must be resolved.

@@ -22,6 +22,7 @@ enum class Account : std::uint8_t {
   data,            ///< a bit of a number, or one of several symbols of one text
   senses_parts,    ///< a sensor of the material flow
   follows,         ///< it follows a condition
+  shows_value,     ///< a number that shows a formula
   plain,           ///< plant.json says that it belongs to no device
   condition,       ///< for the score: an operation that drives no event, but parts or an input that follows
   // Left over:
@@ -34,7 +35,7 @@ enum class Account : std::uint8_t {
   named_internal,  ///< its name says that it is neither operation nor event
   role_none,       ///< its rule has the role `none`
 };
-inline constexpr std::size_t kAccounts = 18;
+inline constexpr std::size_t kAccounts = 19;
 
 /// Whether the score counts a BOOL symbol of this account.
 constexpr bool is_counted(Account account) { return account != Account::numeric && account != Account::ignored; }

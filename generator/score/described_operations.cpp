@@ -1,4 +1,4 @@
-// Walks the conditions of the material flow, of inputs that follow and of malfunctions.
+// Walks the conditions of the material flow, of inputs that follow and of malfunctions, and the formulas of values.
 #include "score/described_operations.hpp"
 
 #include <optional>
@@ -31,10 +31,24 @@ class ReadOperations {
       add(malfunction.condition);
       add(malfunction.unless);
     }
+    for (const model::Value& value : plant_.values) {
+      for (const condition::Formula& formula : value.formulas) add(formula);
+      for (const model::Change& change : value.changes) {
+        add(change.when);
+        add(change.to);
+      }
+    }
+    for (const model::Signal& signal : plant_.signals) add(signal.formula);
     return std::move(read_);
   }
 
  private:
+  void add(const condition::Formula& formula) {
+    for (const condition::FormulaInput& input : formula.inputs) {
+      if (input.kind == condition::FormulaInput::Kind::atom) add(input.atom);
+    }
+  }
+
   void add(const std::optional<Tree>& tree) {
     if (tree) add(*tree);
   }

@@ -7,8 +7,8 @@
 
 namespace symplant::score {
 
-/// For each symbol: whether it is an operation, and a condition of `material`, `follow` or `malfunctions` reads it or a
-/// state that it commands. O(symbols + conditions).
+/// For each symbol: whether it is an operation, and a condition of `material`, `follow` or `malfunctions`, or a
+/// formula, reads it or a state that it commands. O(symbols + conditions).
 std::vector<bool> described_operations(const model::PlantModel& plant);
 
 }  // namespace symplant::score

@@ -7,19 +7,46 @@ namespace {
 using condition::Atom;
 using condition::Tree;
 
-/// Adds `requirement` to every unit that a condition names, unless it is already the last entry there.
-void note(std::uint32_t requirement, const Tree& tree, const model::PlantModel& plant, CrossReferences& references) {
-  const bool of_parts = tree.atom.kind == Atom::Kind::parts;  // they are in no unit
-  if ((tree.kind == Tree::Kind::atom && !of_parts) ||
-      (tree.kind == Tree::Kind::constant && tree.atom.kind == Atom::Kind::number)) {
-    const bool of_unit = tree.atom.kind == Atom::Kind::settled || tree.atom.kind == Atom::Kind::moving;
-    const std::uint32_t unit = of_unit ? tree.atom.of : plant.symbols[tree.atom.of].unit;
+class Notes {
+ public:
+  Notes(const model::PlantModel& plant, CrossReferences& references) : plant_(plant), references_(references) {}
+
+  /// Adds `requirement` to every unit that a condition names, unless it is already the last entry there.
+  void note(std::uint32_t requirement, const Tree& tree) {
+    if (tree.kind == Tree::Kind::atom || (tree.kind == Tree::Kind::constant && tree.atom.kind == Atom::Kind::number)) {
+      note(requirement, tree.atom);
+    }
+    for (const Tree& child : tree.children) note(requirement, child);
+  }
+
+ private:
+  void note(std::uint32_t requirement, const Atom& atom) {
+    switch (atom.kind) {
+      case Atom::Kind::settled:
+      case Atom::Kind::moving:
+        return note_unit(requirement, atom.of);
+      case Atom::Kind::bit:
+      case Atom::Kind::number:
+        return note_unit(requirement, plant_.symbols[atom.of].unit);
+      case Atom::Kind::compare:
+        for (const condition::Quantity& side : {atom.left, atom.right}) {
+          if (side.kind == condition::Quantity::Kind::symbol) note_unit(requirement, plant_.symbols[side.of].unit);
+        }
+        return;
+      case Atom::Kind::parts:  // they are in no unit
+        return;
+    }
+  }
+
+  void note_unit(std::uint32_t requirement, std::uint32_t unit) {
     if (unit == model::kNone) return;
-    std::vector<std::uint32_t>& noted = references.requirements[unit];
+    std::vector<std::uint32_t>& noted = references_.requirements[unit];
     if (noted.empty() || noted.back() != requirement) noted.push_back(requirement);
   }
-  for (const Tree& child : tree.children) note(requirement, child, plant, references);
-}
+
+  const model::PlantModel& plant_;
+  CrossReferences& references_;
+};
 
 }  // namespace
 
@@ -33,9 +60,10 @@ CrossReferences cross_references(const model::PlantModel& plant) {
       for (const std::uint32_t unit : disables[state]) references.disabled_by[unit].push_back({by, state});
     }
   }
+  Notes notes(plant, references);
   for (std::uint32_t i = 0; i < plant.requirements.size(); ++i) {
-    note(i, plant.requirements[i].condition, plant, references);
-    note(i, plant.requirements[i].expected, plant, references);
+    notes.note(i, plant.requirements[i].condition);
+    notes.note(i, plant.requirements[i].expected);
   }
   return references;
 }

@@ -9,6 +9,7 @@
 #include "elements/malfunction/json.hpp"
 #include "elements/material/json.hpp"
 #include "elements/requirement/json.hpp"
+#include "elements/value/json.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
 #include "symplant/tables/digest.hpp"
@@ -221,7 +222,7 @@ void write_list(const model::PlantList& list, const model::PlantModel& plant, Js
 }
 
 /// The elements that are not part of a device, in the order of their members.
-constexpr std::array kElements{write_requirements, write_follows, write_material, write_malfunctions};
+constexpr std::array kElements{write_requirements, write_follows, write_values, write_material, write_malfunctions};
 
 void write_model(const Scene& scene, JsonWriter& json) {
   const model::PlantModel& plant = scene.plant;

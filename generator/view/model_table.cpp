@@ -10,6 +10,7 @@
 #include "elements/malfunction/words.hpp"
 #include "elements/material/words.hpp"
 #include "elements/requirement/words.hpp"
+#include "elements/value/words.hpp"
 #include "model/condition_text.hpp"
 #include "view/cross_references.hpp"
 #include "view/words.hpp"
@@ -32,6 +33,16 @@ class TableWriter {
         line("  " + requirement.name + ": " + requirement_text(requirement, plant_));
       }
       text_.add("\n");
+    }
+    if (!plant_.values.empty()) {
+      line("values");
+      for (const model::Value& value : plant_.values) line("  " + value.name + ": " + value_line(value, plant_));
+    }
+    if (!plant_.signals.empty()) {
+      line("signals");
+      for (const model::Signal& signal : plant_.signals) {
+        line(fmt::format("  {}: {}", plant_.symbols[signal.row.symbol].name(), signal_line(signal, plant_)));
+      }
     }
     if (!plant_.follows.empty()) {
       line("follow");

@@ -10,6 +10,7 @@ namespace symplant::view {
 namespace {
 
 using condition::Atom;
+using condition::Quantity;
 using condition::Tree;
 
 std::string_view operator_text(tables::Comparison comparison) {
@@ -38,6 +39,33 @@ std::string ScxmlNames::parts(const condition::Atom& atom) const {
   std::string variable = "parts_" + locations_[atom.of];
   if (atom.part != model::kNone) variable.append("_").append(kinds_[atom.part]);
   return variable;
+}
+
+std::string ScxmlNames::side(const Quantity& quantity, std::vector<std::string>& variables) const {
+  switch (quantity.kind) {
+    case Quantity::Kind::number:
+      return fmt::format("{}", quantity.number);
+    case Quantity::Kind::output:
+      variables.push_back(fmt::format("output_{}", quantity.of));
+      break;
+    case Quantity::Kind::symbol:
+      variables.push_back(variable(quantity.of));
+      break;
+    case Quantity::Kind::parts:
+      variables.push_back("parts_" + locations_[quantity.of]);
+      break;
+    case Quantity::Kind::weight:
+      variables.push_back("weight_" + locations_[quantity.of]);
+      break;
+  }
+  return variables.back();
+}
+
+std::string ScxmlNames::compared(const Atom& atom, std::vector<std::string>& variables) const {
+  const std::string left = side(atom.left, variables);
+  const std::string right = side(atom.right, variables);
+  if (atom.tolerance == 0) return fmt::format("{} {} {}", left, operator_text(atom.comparison), right);
+  return fmt::format("Math.abs({} - ({})) <= {}", left, right, atom.tolerance);
 }
 
 std::string ScxmlNames::expression(const Tree& tree, std::vector<std::string>& variables) const {
@@ -75,6 +103,8 @@ std::string ScxmlNames::expression(const Tree& tree, std::vector<std::string>& v
       variables.push_back(variable(tree.atom.of));
       return fmt::format("{} {} {}", variables.back(), operator_text(tree.atom.comparison),
                          model::operand_text(tree.atom));
+    case Atom::Kind::compare:
+      return compared(tree.atom, variables);
     case Atom::Kind::parts:
       variables.push_back(parts(tree.atom));
       return fmt::format("{} {} {}", variables.back(), operator_text(tree.atom.comparison),

@@ -32,6 +32,10 @@ class ScxmlNames {
   std::string expression(const condition::Tree& tree, std::vector<std::string>& variables) const;
 
  private:
+  /// The variable of a side of a comparison, which is added to `variables`, or a number.
+  std::string side(const condition::Quantity& quantity, std::vector<std::string>& variables) const;
+  std::string compared(const condition::Atom& atom, std::vector<std::string>& variables) const;
+
   std::vector<std::string> units_;
   std::vector<std::vector<std::string>> states_;
   std::vector<std::string> symbols_;

@@ -113,6 +113,8 @@ std::string_view unmodelled_key(model::Account reason) {
       return "none";
     case model::Account::follows:
       return "follows";
+    case model::Account::shows_value:
+      return "signal";
     case model::Account::senses_parts:
       return "senses-parts";
     case model::Account::plain:
@@ -154,6 +156,8 @@ std::string_view unmodelled_reason(model::Account reason) {
       return "of no role, by the naming rule";
     case model::Account::follows:
       return "driven by a condition";
+    case model::Account::shows_value:
+      return "driven by a formula";
     case model::Account::senses_parts:
       return "driven by a sensor of parts";
     case model::Account::plain:

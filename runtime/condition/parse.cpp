@@ -47,20 +47,22 @@ std::string unquoted(std::string_view text) {
   return result;
 }
 
-struct PlacedNumber {
-  Number number;
-  Location index;
-};
-
 // Messages use these names for what is expected.
 const x3::rule<struct ConditionTag, Expression> condition = "a name, `not` or `(`";
 const x3::rule<struct BothTag, Expression> both = "a name, `not` or `(`";
 const x3::rule<struct PartTag, Expression> part = "a name, `not` or `(`";
 const x3::rule<struct PrimaryTag, Expression> primary = "a name or `(`";
-const x3::rule<struct OperandTag, Expression> operand = "a name";
+const x3::rule<struct TestTag, Expression> test = "a name";
+const x3::rule<struct ComparedTag, Expression> compared = "a name";
+const x3::rule<struct AloneTag, Expression> alone = "a name";
+const x3::rule<struct LeftTag, Operand> left = "a name";
+const x3::rule<struct RightTag, Operand> right = "a number";
 const x3::rule<struct NameTag, Name> name = "a name";
 const x3::rule<struct LevelTag, Name> level = "a name";
-const x3::rule<struct NumberTag, PlacedNumber> number = "a number";
+const x3::rule<struct PlainNameTag, Name> plain_name = "a name";
+const x3::rule<struct OutputTag, Name> output = "the number of an output";
+const x3::rule<struct NumberTag, Operand> number = "a number";
+const x3::rule<struct CloseIndexTag> close_index = "`]`";
 const x3::rule<struct CloseTag> close = "`and`, `or` or `)`";
 const x3::rule<struct EndTag> end = "`and`, `or` or the end";
 
@@ -88,12 +90,20 @@ const auto take_number = [](const auto& context) {
   const std::string_view text = text_of(x3::_attr(context));
   auto read = Number::read(text);
   x3::_pass(context) = read.has_value();
-  if (read) x3::_val(context) = {std::move(*read), location_of(context, text)};
+  if (read) x3::_val(context) = {{}, {}, std::move(*read), location_of(context, text)};
 };
 const auto add_name = [](const auto& context) { x3::_val(context).names.push_back(std::move(x3::_attr(context))); };
-const auto set_number = [](const auto& context) {
-  x3::_val(context).number = std::move(x3::_attr(context).number);
-  x3::_val(context).number_index = x3::_attr(context).index;
+/// Adds an identifier to an operand, or the number of an output.
+const auto add_identifier = [](const auto& context) {
+  Operand& operand = x3::_val(context);
+  const Location last = x3::_attr(context).index;
+  if (operand.names.empty()) operand.index.offset = last.offset;
+  operand.index.length = last.offset + last.length - operand.index.offset;
+  operand.names.push_back(std::move(x3::_attr(context)));
+};
+const auto set_output = [](const auto& context) { x3::_val(context).output = std::move(x3::_attr(context)); };
+const auto add_operand = [](const auto& context) {
+  x3::_val(context).operands.push_back(std::move(x3::_attr(context)));
 };
 template <tables::Comparison comparison>
 const auto compare = [](const auto& context) {
@@ -131,18 +141,30 @@ const auto comparison = x3::lexeme[x3::lit('<') >> '='][compare<tables::Comparis
                         x3::lit('=')[compare<tables::Comparison::equal>];
 
 const auto level_def = x3::raw[quoted | plain][take_name];
+const auto plain_name_def = x3::raw[plain][take_name];
 const auto name_def = !(word_and | word_or | word_not) >> level[take];
 const auto number_def = x3::raw[number_text][take_number];
 const auto further_name = x3::lit('.') > level[add_name];
-const auto operand_def = name[add_name] >> -(further_name >> -further_name) >> -(comparison > number[set_number]);
-const auto primary_def = (x3::lit('(') > condition[take] > close) | operand[take];
+const auto alone_def = name[add_name] >> -(further_name >> -further_name);
+const auto further_level = x3::lit('.') > level[add_identifier];
+const auto output_def = plain_name[take];
+const auto close_index_def = x3::lit(']');
+const auto element = x3::lit('[') > output[set_output] > close_index;
+const auto left_def = number[take] | (name[add_identifier] >> *further_level >> -element);
+/// A name that begins with a digit is more likely a wrong number.
+const auto right_def = number[take] | (!x3::lexeme[digit] >> name[add_identifier] >> *further_level >> -element);
+const auto tolerance = x3::lexeme[x3::lit('+') >> '-'] > number[add_operand];
+const auto compared_def = ((left[add_operand] >> comparison) > right[add_operand]) >> -tolerance;
+const auto test_def = compared[take] | alone[take];
+const auto primary_def = (x3::lit('(') > condition[take] > close) | test[take];
 const auto part_def = (+word_not[negate] > primary[take_negated]) | primary[take];
 const auto both_def = part[add_part] >> *(word_and > part[add_part]) >> x3::eps[join<Expression::Kind::all>];
 const auto condition_def = both[add_part] >> *(word_or > both[add_part]) >> x3::eps[join<Expression::Kind::any>];
 const auto close_def = x3::lit(')');
 const auto end_def = x3::eoi;
 
-BOOST_SPIRIT_DEFINE(condition, both, part, primary, operand, name, level, number, close, end)
+BOOST_SPIRIT_DEFINE(condition, both, part, primary, test, compared, alone, left, right, name, level, plain_name, output,
+                    number, close_index, close, end)
 
 /// Offset of the first parenthesis that exceeds kDeepestNesting; the text's size if there is no such parenthesis.
 std::size_t too_deep(std::string_view text) {
@@ -174,6 +196,26 @@ Location token_at(std::string_view text, std::size_t offset) {
   return {offset, stop - offset};
 }
 
+bool has_comparison(std::string_view text) {
+  bool in_quotes = false;
+  for (const char c : text) {
+    if (c == '\'') in_quotes = !in_quotes;
+    if (!in_quotes && (c == '<' || c == '=' || c == '>')) return true;
+  }
+  return false;
+}
+
+/// What to do about an operator or a call of a function in a comparison; empty if there is neither at an offset.
+std::string instead_of_formula(std::string_view text, std::size_t offset) {
+  const char there = text[offset];
+  const bool is_call = there == '(' && offset > 0 && is_letter(text[offset - 1]);
+  if (!is_call && std::string_view("+-*/").find(there) == std::string_view::npos) return {};
+  if (!has_comparison(text)) return {};
+  return std::string("; a condition does not calculate: make the formula a value, as in ") +
+         "`\"sum\": { \"is\": \"a + b\" }`, and compare that" +
+         (there == '-' ? ", or put a name with `-` in single quotes" : "");
+}
+
 Fault fault_at(std::string_view text, std::size_t offset, const std::string& expected) {
   const Location index = token_at(text, offset);
   if (index.length == 0) return {index, "expected " + expected + ", but the condition ends"};
@@ -181,7 +223,8 @@ Fault fault_at(std::string_view text, std::size_t offset, const std::string& exp
   if (there.front() == '\'' && (there.size() == 1 || there.back() != '\'')) {
     return {{offset, 1}, "this quote is not closed; add a `'` after the name"};
   }
-  return {index, "expected " + expected + ", but found `" + there + "`"};
+  if (there == "[") return {index, "an output of a value has no comparison; compare it, as in `NAME[1] = 1`"};
+  return {index, "expected " + expected + ", but found `" + there + "`" + instead_of_formula(text, offset)};
 }
 
 }  // namespace

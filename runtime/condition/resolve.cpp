@@ -1,9 +1,10 @@
-// Looks up the names of conditions, and folds comparisons.
+// Makes the trees of conditions, and folds comparisons.
 #include "symplant/condition/resolve.hpp"
 
 #include <utility>
 
 #include "symplant/condition/compare.hpp"
+#include "symplant/condition/lookup.hpp"
 
 namespace symplant::condition {
 namespace {
@@ -26,30 +27,41 @@ Tree constant(bool value, Atom::Kind kind, std::uint32_t of) {
   return tree;
 }
 
-/// Whether a name is `word`, which is in lower case.
-bool is_word(std::string_view name, std::string_view word) {
-  if (name.size() != word.size()) return false;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    if ((name[i] | 0x20) != word[i]) return false;
+/// The comparison with the sides exchanged.
+tables::Comparison mirrored(tables::Comparison comparison) {
+  using tables::Comparison;
+  switch (comparison) {
+    case Comparison::less:
+      return Comparison::greater;
+    case Comparison::less_equal:
+      return Comparison::greater_equal;
+    case Comparison::equal:
+      break;
+    case Comparison::greater_equal:
+      return Comparison::less_equal;
+    case Comparison::greater:
+      return Comparison::less;
   }
-  return true;
+  return Comparison::equal;
 }
 
-std::string ticked(std::string_view name) { return "`" + std::string(name) + "`"; }
+bool is_number(const Operand& operand) { return operand.names.empty(); }
 
-/// "... not found", with the nearest known name.
-std::string missing(const std::string& what, const std::string& nearest) {
-  return what + " not found" + (nearest.empty() ? "" : "; did you mean " + ticked(nearest) + "?");
+/// The number of an operand or of a tolerance, or what is wrong with it.
+std::variant<double, Fault> real_of(const Operand& operand) {
+  const auto real = operand.number.real();
+  if (!real) return Fault{operand.index, "the number is out of range"};
+  return *real;
 }
 
 class Resolver {
  public:
-  explicit Resolver(const Names& names) : names_(names) {}
+  explicit Resolver(const Names& names) : lookup_(names) {}
 
   Resolved resolve(const Expression& expression) const {
     switch (expression.kind) {
       case Expression::Kind::name:
-        return expression.names.size() == 1 ? bit(expression.names.front()) : state(expression);
+        return alone(expression);
       case Expression::Kind::comparison:
         return comparison(expression);
       case Expression::Kind::negation:
@@ -71,9 +83,23 @@ class Resolver {
   }
 
  private:
+  /// Names without a comparison.
+  Resolved alone(const Expression& expression) const {
+    const Path path = expression.names;
+    if (const auto output = lookup_.output(path, {})) {
+      const bool has_several = std::holds_alternative<Fault>(*output);
+      return Fault{whole(path), ticked(dotted(path)) + " is a value and has no comparison; compare it, as in " +
+                                    ticked(dotted(path) + (has_several ? "[1]" : "") + " = 1")};
+    }
+    if (path.size() == 1) return bit(path.front());
+    auto found = lookup_.state(path);
+    if (auto* fault = std::get_if<Fault>(&found)) return std::move(*fault);
+    return tree_of(std::get<Atom>(found));
+  }
+
   Resolved bit(const Name& name) const {
-    const auto symbol = names_.symbol(name.text);
-    if (!symbol) return no_symbol(name);
+    const auto symbol = lookup_.symbol(name);
+    if (!symbol) return lookup_.no_symbol(name);
     if (symbol->type != tables::DataType::boolean) {
       return Fault{name.index, ticked(name.text) + " is of type " + std::string(type_name(symbol->type)) +
                                    " and has no comparison; compare it, as in " + ticked(name.text + " > 0")};
@@ -85,32 +111,46 @@ class Resolver {
   }
 
   Resolved comparison(const Expression& expression) const {
-    const Name& name = expression.names.front();
-    if (expression.names.size() != 1) {
-      const Name& last = expression.names.back();
-      const auto location = names_.location(name.text);
-      if (location && expression.names.size() != 2) return no_facet_of_location(expression);
-      if (location && is_word(last.text, "parts")) return compared_parts(expression, *location);
-      if (location) {
-        return Fault{whole(expression),
-                     "only the number of parts is compared, as in " + ticked(name.text + ".parts > 0")};
-      }
-      if (expression.names.size() == 2 && is_word(last.text, "parts") && units_of(name.text, {}).empty()) {
-        return Fault{name.index, missing("track or place " + ticked(name.text), names_.nearest_device(name.text, {}))};
-      }
-      return Fault{whole(expression), "a state is compared with a number; only numeric symbols can be compared"};
+    const Operand& left = expression.operands[0];
+    const Operand& right = expression.operands[1];
+    if (is_number(left) && is_number(right)) {
+      return Fault{{left.index.offset, right.index.offset + right.index.length - left.index.offset},
+                   "both sides are numbers; compare a name, which is in single quotes if it reads as a number"};
     }
-    const auto symbol = names_.symbol(name.text);
-    if (!symbol) return no_symbol(name);
-    if (symbol->type == tables::DataType::boolean) {
-      return Fault{name.index,
-                   ticked(name.text) + " is of type BOOL and compared with a number; remove the comparison"};
+    if (expression.operands.size() > 2) return near(expression);
+    if (is_number(right)) return with_number(left, expression.comparison, right);
+    if (is_number(left)) return with_number(right, mirrored(expression.comparison), left);
+    return of_two(left, expression.comparison, right, 0);
+  }
+
+  /// With a tolerance.
+  Resolved near(const Expression& expression) const {
+    const Operand& tolerance = expression.operands[2];
+    if (expression.comparison != tables::Comparison::equal) {
+      return Fault{tolerance.index, "a tolerance is only for `=`; write `=`, or remove the `+-`"};
     }
-    const auto folded = fold(symbol->type, expression.comparison, expression.number);
+    if (tolerance.number.negative) {
+      return Fault{tolerance.index, "a tolerance is at least 0; remove the `-`"};
+    }
+    const auto real = real_of(tolerance);
+    if (const auto* fault = std::get_if<Fault>(&real)) return *fault;
+    const bool exchanged = is_number(expression.operands[0]);
+    return of_two(expression.operands[exchanged ? 1 : 0], tables::Comparison::equal,
+                  expression.operands[exchanged ? 0 : 1], std::get<double>(real));
+  }
+
+  Resolved with_number(const Operand& operand, tables::Comparison comparison, const Operand& number) const {
+    const auto found = lookup_.quantity(operand);
+    if (const auto* fault = std::get_if<Fault>(&found)) return *fault;
+    const auto& quantity = std::get<Quantity>(found);
+    const bool is_symbol = quantity.kind == Quantity::Kind::symbol;
+    if (!is_symbol && quantity.kind != Quantity::Kind::parts) return of_two(operand, comparison, number, 0);
+    const auto folded = fold(is_symbol ? quantity.type : tables::DataType::ulint, comparison, number.number);
     if (!folded) {
-      return Fault{expression.number_index, "the number is out of range for " + std::string(type_name(symbol->type))};
+      return Fault{number.index, is_symbol ? "the number is out of range for " + std::string(type_name(quantity.type))
+                                           : "the number is out of range"};
     }
-    return folded_tree(*folded, Atom::Kind::number, symbol->index);
+    return folded_tree(*folded, is_symbol ? Atom::Kind::number : Atom::Kind::parts, quantity.of);
   }
 
   static Tree folded_tree(const std::variant<FoldedComparison, bool>& folded, Atom::Kind kind, std::uint32_t of) {
@@ -125,133 +165,30 @@ class Resolver {
     return tree_of(atom);
   }
 
-  static Resolved compared_parts(const Expression& expression, std::uint32_t location) {
-    const auto folded = fold(tables::DataType::ulint, expression.comparison, expression.number);
-    if (!folded) return Fault{expression.number_index, "the number is out of range"};
-    return folded_tree(*folded, Atom::Kind::parts, location);
-  }
-
-  /// LOCATION.part or LOCATION.KIND
-  Resolved parts(const Expression& expression, std::uint32_t location) const {
-    if (expression.names.size() != 2) return no_facet_of_location(expression);
-    const Name& name = expression.names.front();
-    const Name& last = expression.names.back();
+  Resolved of_two(const Operand& left, tables::Comparison comparison, const Operand& right, double tolerance) const {
+    const auto first = side(left);
+    if (const auto* fault = std::get_if<Fault>(&first)) return *fault;
+    const auto second = side(right);
+    if (const auto* fault = std::get_if<Fault>(&second)) return *fault;
     Atom atom;
-    atom.kind = Atom::Kind::parts;
-    atom.of = location;
-    atom.comparison = tables::Comparison::greater_equal;
-    atom.number = tables::NumberKind::unsigned_integer;
-    atom.operand = 1;
-    if (is_word(last.text, "part")) return tree_of(atom);
-    if (is_word(last.text, "parts")) {
-      return Fault{last.index, ticked(name.text + ".parts") + " is a number; compare it, as in " +
-                                   ticked(name.text + ".parts > 0") + ", or write " + ticked(name.text + ".part")};
-    }
-    const auto kind = names_.part_kind(last.text);
-    if (!kind) {
-      return Fault{last.index, missing("kind of part " + ticked(last.text), names_.nearest_part_kind(last.text))};
-    }
-    atom.part = *kind;
+    atom.kind = Atom::Kind::compare;
+    atom.comparison = comparison;
+    atom.left = std::get<Quantity>(first);
+    atom.right = std::get<Quantity>(second);
+    atom.tolerance = tolerance;
     return tree_of(atom);
   }
 
-  Resolved state(const Expression& expression) const {
-    const Name& device = expression.names.front();
-    const Name& last = expression.names.back();
-    if (const auto location = names_.location(device.text)) return parts(expression, *location);
-    const std::string_view facet = expression.names.size() == 3 ? std::string_view(expression.names[1].text) : "";
-    const std::vector<std::uint32_t> units = units_of(device.text, facet);
-    if (units.empty()) return no_unit(expression, facet);
-    Atom atom;
-    std::vector<std::uint32_t> having;
-    for (const std::uint32_t unit : units) {
-      if (const auto found = names_.state(unit, last.text)) {
-        if (having.empty()) atom.state = *found;
-        having.push_back(unit);
-      }
-    }
-    if (having.empty() && is_word(last.text, "moving")) {
-      atom.kind = Atom::Kind::moving;
-      having = units;
-    }
-    // The facet with the device's name comes first: it has no longer name.
-    if (having.size() > 1 && names_.unit(device.text, facet) != having.front()) return several(expression, having);
-    if (!having.empty()) {
-      atom.of = having.front();
-      return tree_of(atom);
-    }
-    std::string why;
-    for (const std::uint32_t unit : units) {
-      if (why.empty()) why = names_.why_no_state(unit, last.text);
-    }
-    for (std::size_t i = 0; why.empty() && i < units.size(); ++i) {
-      const std::string nearest = names_.nearest_state(units[i], last.text);
-      if (nearest.empty() && i + 1 < units.size()) continue;
-      why = missing("state " + ticked(last.text) + " of " + ticked(device.text), nearest);
-    }
-    return Fault{last.index, std::move(why)};
+  std::variant<Quantity, Fault> side(const Operand& operand) const {
+    if (!is_number(operand)) return lookup_.quantity(operand);
+    const auto real = real_of(operand);
+    if (const auto* fault = std::get_if<Fault>(&real)) return *fault;
+    Quantity quantity;
+    quantity.number = std::get<double>(real);
+    return quantity;
   }
 
-  /// The unit that a name means, and all facets of a device.
-  std::vector<std::uint32_t> units_of(std::string_view device, std::string_view facet) const {
-    std::vector<std::uint32_t> units;
-    if (const auto unit = names_.unit(device, facet)) units.push_back(*unit);
-    if (facet.empty()) {
-      const std::vector<std::uint32_t> facets = names_.facets(device);
-      units.insert(units.end(), facets.begin(), facets.end());
-    }
-    return units;
-  }
-
-  Fault several(const Expression& expression, const std::vector<std::uint32_t>& having) const {
-    const Name& device = expression.names.front();
-    const Name& last = expression.names.back();
-    constexpr std::size_t kMostNamed = 3;
-    std::string paths;
-    for (std::size_t i = 0; i < having.size() && i < kMostNamed; ++i) {
-      paths += (i == 0 ? "" : ", ") + ticked(names_.path(having[i]) + "." + last.text);
-    }
-    if (having.size() > kMostNamed) paths += " and others";
-    return {whole(expression),
-            ticked(device.text + "." + last.text) + " is in several facets of the device; write " + paths};
-  }
-
-  /// From the first name to the last one.
-  static Location whole(const Expression& expression) {
-    const Name& first = expression.names.front();
-    const Name& last = expression.names.back();
-    return {first.index.offset, last.index.offset + last.index.length - first.index.offset};
-  }
-
-  static Fault no_facet_of_location(const Expression& expression) {
-    const std::string& name = expression.names.front().text;
-    return {whole(expression), ticked(name) + " is a track or place of parts; write " + ticked(name + ".part")};
-  }
-
-  Fault no_symbol(const Name& name) const {
-    if (names_.location(name.text)) {
-      return {name.index, ticked(name.text) + " is a track or place of parts; write " + ticked(name.text + ".part")};
-    }
-    if (!units_of(name.text, {}).empty()) {
-      return {name.index,
-              ticked(name.text) + " is a device; name one of its states, as in " + ticked(name.text + ".STATE")};
-    }
-    return {name.index, missing("symbol " + ticked(name.text), names_.nearest_symbol(name.text))};
-  }
-
-  Fault no_unit(const Expression& expression, std::string_view facet) const {
-    const Name& device = expression.names.front();
-    const std::string nearest = names_.nearest_device(device.text, facet);
-    if (!facet.empty() && !units_of(device.text, {}).empty()) {
-      return {expression.names[1].index, missing("facet " + ticked(facet) + " of " + ticked(device.text), nearest)};
-    }
-    if (facet.empty() && names_.symbol(device.text)) {
-      return {device.index, ticked(device.text) + " is a symbol and has no states; use its name only"};
-    }
-    return {device.index, missing("device " + ticked(device.text), nearest)};
-  }
-
-  const Names& names_;
+  const Lookup lookup_;
 };
 
 }  // namespace

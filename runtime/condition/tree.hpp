@@ -1,4 +1,4 @@
-// A condition as a tree of a plant's units and symbols: the form in PlantModel.
+// A condition as a tree of a plant's units, symbols and values: the form in PlantModel.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,24 @@
 
 namespace symplant::condition {
 
-/// A test of one unit, symbol or location of parts.
+/// One side of a comparison of two operands, which compare as doubles.
+struct Quantity {
+  enum class Kind : std::uint8_t {
+    number,  ///< `number`, nothing else is valid
+    output,  ///< output `of` of a value
+    symbol,  ///< numeric symbol `of` of type `type`, after forces
+    parts,   ///< the number of parts at location `of`
+    weight,  ///< the sum of the weights of the parts at location `of`
+  };
+  Kind kind = Kind::number;
+  std::uint32_t of = 0;
+  tables::DataType type = tables::DataType::boolean;  ///< of a symbol
+  double number = 0;
+
+  friend bool operator==(const Quantity&, const Quantity&) = default;
+};
+
+/// A test of one unit, symbol or location of parts, or a comparison of two operands.
 struct Atom {
   enum class Kind : std::uint8_t {
     settled,  ///< unit `of` is settled in `state`
@@ -16,6 +33,7 @@ struct Atom {
     bit,      ///< BOOL symbol `of` is on, after forces
     number,   ///< numeric symbol `of`, after forces, compares with `operand`
     parts,    ///< the number of parts at location `of`, of kind `part`, compares with `operand`
+    compare,  ///< `left` compares with `right`; `equal` holds within `tolerance`, at its ends too
   };
   Kind kind = Kind::settled;
   std::uint32_t of = 0;
@@ -24,6 +42,10 @@ struct Atom {
   tables::Comparison comparison = tables::Comparison::equal;
   tables::NumberKind number = tables::NumberKind::signed_integer;
   std::uint64_t operand = 0;  ///< two's complement, or the bits of a double, by `number`
+  // Only these and `comparison` are valid in `compare`. A number is always on the right.
+  Quantity left{};
+  Quantity right{};
+  double tolerance = 0;
 
   friend bool operator==(const Atom&, const Atom&) = default;
 };

@@ -22,6 +22,7 @@
 #include "symplant/engine/pulses.hpp"
 #include "symplant/engine/short_events.hpp"
 #include "symplant/engine/unit_state.hpp"
+#include "symplant/engine/value/values.hpp"
 #include "symplant/tables/digest.hpp"
 #include "symplant/tables/tables.hpp"
 
@@ -31,6 +32,7 @@ class Engine {
   friend class BehaviourView;  // what a custom behavior sees and does is part of the engine
   friend class Flow;           // the material flow is part of the engine
   friend class Malfunctions;   // malfunctions are part of the engine
+  friend class Values;         // values are part of the engine
 
  public:
   /// Constructs an engine and all its arrays in the memory of `arena`; null if the arena only counts.
@@ -52,6 +54,7 @@ class Engine {
   void set_quality(std::size_t behaviour, bool well) noexcept;
   bool put(const tables::PartLocation& to, std::uint32_t kind) noexcept;
   bool take(const tables::PartLocation& from) noexcept;
+  bool set_value(std::uint32_t value, double number) noexcept;
   bool start_malfunction(std::uint32_t number, MalfunctionChange::By by) noexcept {
     return malfunctions_.start(number, by);
   }
@@ -83,6 +86,7 @@ class Engine {
   const UnitState& unit(std::uint32_t unit) const noexcept { return units_[unit]; }
   const Flow& flow() const noexcept { return flow_; }
   const Malfunctions& malfunctions() const noexcept { return malfunctions_; }
+  const Values& values() const noexcept { return values_; }
   /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
   tables::Time remaining(std::uint32_t unit) const noexcept {
     const UnitState& state = units_[unit];
@@ -96,7 +100,7 @@ class Engine {
   // position() sets all other members.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
   Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
-      : tables_(plant_tables), behaviours_(code), flow_(*this), malfunctions_(*this) {}
+      : tables_(plant_tables), behaviours_(code), flow_(*this), malfunctions_(*this), values_(*this) {}
   void position(Arena& arena) noexcept;
   void position_names(Arena& arena) noexcept;
   void place_block(Arena& arena) noexcept;
@@ -296,10 +300,11 @@ class Engine {
   EngineIndex index_;
   Flow flow_;
   Malfunctions malfunctions_;
+  Values values_;
 
   // --- in the flat block, from `head` on
   BlockHead* head_;
-  UnitState* units_;  ///< followed by wheel entries: requirements, behaviors, overruns, the flow's
+  UnitState* units_;  ///< followed by wheel entries: requirements, behaviors, overruns, the flow's, the values'
   BitPlane operations_;
   BitPlane events_;
   ValuePlane operation_values_;
@@ -356,7 +361,8 @@ class Engine {
   bool unseen_events_;             ///< no event is forced, watched by a condition, or on a shared address
   bool reported_any_;              ///< this instant has a finding
   bool first_;                     ///< this is the first instant, and some symbols are inverted
-  bool closes_more_;  ///< the plant has inverted symbols, units that can overrun, material, or written malfunctions
+  bool closes_more_;  ///< the plant has inverted symbols, units that can overrun, material, values, or written
+                      ///< malfunctions
   bool unpublished_;  ///< publish() has work to do
   bool active_;       ///< a unit stepped, or was disabled or enabled, in this round
   tables::Time now_;  ///< the time of this instant

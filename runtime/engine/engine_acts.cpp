@@ -222,6 +222,7 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   }
   touched_.size = moved_.size = 0;
   flow_.forget_changes();
+  if (values_.active()) values_.forget_changes();
   malfunctions_.forget_changes();
   malfunctions_.mark_all();
   unpublished_ = true;
@@ -244,9 +245,16 @@ bool Engine::take(const tables::PartLocation& from) noexcept {
   return true;
 }
 
+bool Engine::set_value(std::uint32_t value, double number) noexcept {
+  if (!values_.set(value, number)) return false;
+  head_->waits |= kActed;
+  return true;
+}
+
 /// Queues the units that were touched in the saved plant for the next instant.
 void Engine::requeue() noexcept {
   flow_.mark_all();
+  values_.requeue();
   for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) {
     const std::uint16_t flags = units_[unit].flags;
     if ((flags & kTouched) != 0) touched_.add(unit);

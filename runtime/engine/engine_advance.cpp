@@ -25,12 +25,13 @@ void Engine::start() noexcept {
   for (std::uint32_t f = 0; f < tables_.follows.size(); ++f) due_follows_.mark(f);
   flow_.mark_all();
   malfunctions_.mark_all();
+  values_.mark_all();
 }
 
 /// Whether all steps of an instant took the fast path, and its changes need no close: run_rounds() and close_instant()
 /// would have no effect.
 SYMPLANT_ALWAYS_INLINE bool Engine::only_fast_steps() const noexcept {
-  return observer_ == nullptr && head_->cycle == 0 && !flow_.due() &&
+  return observer_ == nullptr && head_->cycle == 0 && !flow_.due() && !values_.due() &&
          (touched_.size | operation_changes_.size | operation_slot_changes_.size | touched_requirements_.list.size) ==
              0;
 }
@@ -39,6 +40,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::instant(tables::Time at, bool due, bool samp
   head_->now = now_ = at;
   observer_ = observer;
   active_ = false;
+  if (values_.active()) values_.begin_instant();
   const bool acted = (head_->waits & kActed) != 0;
   const bool fast = !acted && !unpublished_;
   if (sample && (!written_words_.empty() || !written_slots_.empty())) sample_operations(fast);
@@ -49,6 +51,10 @@ SYMPLANT_ALWAYS_INLINE void Engine::instant(tables::Time at, bool due, bool samp
   } else if (fast && only_fast_steps()) {
     event_changes_.next_instant();
     return;
+  }
+  if (values_.due()) {
+    values_.compute();
+    if (unpublished_) publish();
   }
   run_rounds();
   close_instant();
@@ -80,6 +86,7 @@ void Engine::advance_to(tables::Time target, Observer* observer) noexcept {
     head_->now = target;
     const bool any_due = due == target && due != tables::kNever;
     if (any_due || written) instant(target, any_due, true, observer);
+    if (values_.active()) values_.end_time();
     return;
   }
 }
@@ -108,6 +115,7 @@ void Engine::advance_waiting(tables::Time target, bool at_target, Observer* obse
   const bool written = !written_words_.empty() || !written_slots_.empty();
   if (written || next_instant(target) == target) waiting_instant(target, true, observer);
   while (malfunctions_.pending()) waiting_instant(target, false, observer);
+  if (values_.active()) values_.end_time();
 }
 
 /// The time of the next instant up to `limit`; a later time, or kNever, if there is none.
@@ -148,6 +156,7 @@ void Engine::forget_steps() noexcept {
     if (follow_states_[f].frozen == 0) follow_states_[f].steps = 0;
   }
   if (flow_.active()) flow_.forget_steps();
+  if (values_.active()) values_.forget_steps();
 }
 
 /// Switches the symbols that follow a condition whose truth changed before this round. It reads only the conditions as
@@ -190,19 +199,27 @@ bool Engine::look_for_loops() noexcept {
     found = true;
     flow_.freeze_loop(loops_);
   }
+  if (values_.active() && values_.has_loop()) {
+    if (!found && loops_ != 0xFF) ++loops_;
+    found = true;
+    values_.freeze_loop(loops_);
+  }
   if (found) suspects_ |= suspect(tables::FindingKind::instantaneous_loop);
   return found;
 }
 
-void Engine::run_rounds() noexcept { tables_.follows.empty() && !flow_.active() ? rounds<false>() : rounds<true>(); }
+void Engine::run_rounds() noexcept {
+  tables_.follows.empty() && !flow_.active() && !values_.active() ? rounds<false>() : rounds<true>();
+}
 
-/// `kMore`: the plant has symbols that follow a condition, or material.
+/// `kMore`: the plant has symbols that follow a condition, material, or values.
 template <bool kMore>
 SYMPLANT_ALWAYS_INLINE void Engine::rounds() noexcept {
-  const auto due = [this] { return kMore && (!due_follows_.empty() || flow_.due()); };
+  const auto due = [this] { return kMore && (!due_follows_.empty() || flow_.due() || values_.jumps_due()); };
   const auto step_others = [this](bool counting) {
     if (!due_follows_.empty()) step_follows(counting);
     if (flow_.due()) flow_.round(counting);
+    if (values_.jumps_due()) values_.round(counting);
   };
   if (kMore && flow_.active()) flow_.begin_rounds();
   if (touched_.size == 0 && !due()) return;

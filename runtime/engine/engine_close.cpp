@@ -165,16 +165,18 @@ void Engine::close_instant() noexcept {
   if (observer_ != nullptr &&
       (static_cast<std::uint32_t>(reported_any_ || malfunctions_.pending()) | touched_.size | operation_changes_.size |
        static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size | event_slot_changes_.size |
-       static_cast<std::uint32_t>(flow_.changes().size() | flow_.moved_tracks().size())) != 0) {
+       static_cast<std::uint32_t>(flow_.changes().size() | flow_.moved_tracks().size() | values_.changes().size()) |
+       static_cast<std::uint32_t>(values_.shows())) != 0) {
     observer_->instant({head_->now, touched_.view(), operation_changes_.view(), changed_events,
                         operation_slot_changes_.view(), event_slot_changes_.view(), flow_.changes(),
-                        flow_.moved_tracks(), malfunctions_.changes()});
+                        flow_.moved_tracks(), malfunctions_.changes(), values_.changes()});
   }
   event_changes_.next_instant();
   touched_.size = operation_changes_.size = 0;
   operation_slot_changes_.size = event_slot_changes_.size = 0;
   flow_.forget_changes();
   malfunctions_.forget_changes();
+  if (values_.active()) values_.forget_changes();
 }
 
 /// Called only if there may be a finding (suspects_). Each suspected kind is checked, and only real findings are
@@ -199,6 +201,10 @@ void Engine::report_findings() noexcept {
     report_all(violated_, tables::FindingKind::requirement_violated);
   }
   if (suspected(tables::FindingKind::part_blocked)) report_all(blocked_, tables::FindingKind::part_blocked);
+  if (suspected(tables::FindingKind::value_not_finite)) {
+    values_.for_not_finite([this](std::uint32_t value) { marks_.mark(value); });
+    report_marked(tables::FindingKind::value_not_finite);
+  }
   if ((suspects & kMalfunctionsChanged) != 0) reported_any_ = true;
 }
 
@@ -294,6 +300,7 @@ void Engine::for_frozen_now(Function function) noexcept {
   }
   if (flow_.active()) flow_.for_frozen_now(unit_count + static_cast<std::uint32_t>(tables_.follows.size()), function);
   malfunctions_.for_frozen_now(tables::first_malfunction_of_loop(tables_), function);
+  if (values_.active()) values_.for_frozen_now(tables::first_value_of_loop(tables_), function);
 }
 
 /// Reports the loops frozen in this instant, in the order of their first members.
@@ -320,6 +327,7 @@ void Engine::report_loops() noexcept {
   }
   if (flow_.active()) flow_.close_loops();
   malfunctions_.close_loops();
+  if (values_.active()) values_.close_loops();
 }
 
 /// Reports the collected units or requirements.

@@ -162,8 +162,10 @@ void Engine::queue_other(std::uint32_t entry) noexcept {
     const std::size_t overrun = behaviour - tables_.behaviour_units.size();
     if (overrun < tables_.overruns.size()) {
       touch(tables_.overruns[overrun].unit);
-    } else {
+    } else if (overrun - tables_.overruns.size() < flow_.wheel_entries()) {
       flow_.entry_due(static_cast<std::uint32_t>(overrun - tables_.overruns.size()));
+    } else {
+      values_.entry_due();
     }
     return;
   }

@@ -9,7 +9,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E0A;  // "symplan" and the version of the block's layout
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E0B;  // "symplan" and the version of the block's layout
 
 bool draws(const tables::PlantTables& tables) noexcept {
   if (tables.random_times.size() + tables.behaviour_units.size() != 0) return true;
@@ -61,6 +61,7 @@ void Engine::position(Arena& arena) noexcept {
   position_names(arena);
   flow_.build(arena);
   malfunctions_.place(arena);
+  values_.build(arena);
   place_block(arena);
 
   operation_plane_ = {operations_.bits, index_.inverted_operations, tables_.operation_bits / 64};
@@ -80,6 +81,7 @@ void Engine::position(Arena& arena) noexcept {
   touched_requirements_.take(arena, tables_.requirements.size());
   due_follows_.take(arena, tables_.follows.size());
   flow_.place(arena);
+  values_.place(arena);
   blocked_.take(arena, tables_.material.transfers.size());
   overrun_.take(arena, tables_.overruns.size());
   violated_.take(arena, tables_.requirements.size());
@@ -89,14 +91,15 @@ void Engine::position(Arena& arena) noexcept {
   operation_changes_.take(arena, tables_.operation_bits / 64);
   operation_slot_changes_.take(arena, tables_.operation_slots);
   event_slot_changes_.take(arena, tables_.event_slots);
-  const std::size_t loop_members = tables::first_malfunction_of_loop(tables_) + tables_.malfunctions.size();
+  const std::size_t loop_members = tables::first_value_of_loop(tables_) + tables_.values.rows.size();
   marks_.take(arena, std::max({loop_members, tables_.symbols.size(), tables_.requirements.size()}));
   suspects_ = 0;
   loops_ = 0;
   active_ = false;
   reported_any_ = false;
   first_ = false;
-  closes_more_ = index_.some_inverted || !index_.overruns.empty() || flow_.active() || malfunctions_.written();
+  closes_more_ =
+      index_.some_inverted || !index_.overruns.empty() || flow_.active() || values_.active() || malfunctions_.written();
   unpublished_ = true;
   now_ = 0;
   observer_ = nullptr;
@@ -131,7 +134,7 @@ void Engine::place_block(Arena& arena) noexcept {
   const std::size_t operation_word_count = tables_.operation_bits / 64 + 1;
   const std::size_t entries =
       tables_.units.size() + tables_.requirements.size() + tables_.behaviour_units.size() + tables_.overruns.size();
-  const std::size_t all_entries = entries + flow_.wheel_entries();
+  const std::size_t all_entries = entries + flow_.wheel_entries() + values_.wheel_entries();
   head_ = arena.take<BlockHead>(1);
   const std::size_t begin = arena.used() - sizeof(BlockHead);
   units_ = arena.take<UnitState>(all_entries);
@@ -154,6 +157,7 @@ void Engine::place_block(Arena& arena) noexcept {
   overrun_begins_ = arena.take<tables::Time>(index_.overruns.operations());
   flow_.place_block(arena, static_cast<std::uint32_t>(entries));
   malfunctions_.place_block(arena);
+  values_.place_block(arena, static_cast<std::uint32_t>(entries + flow_.wheel_entries()));
   std::size_t memory = 0;
   for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) memory += memory_of(b);
   behaviour_memory_ = reinterpret_cast<std::byte*>(arena.take<std::uint64_t>(memory / 8));
@@ -190,6 +194,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
     units_[index_.general.rows()[position].unit].flags |= kDriven;
   }
   for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) behaviour_states_[b].wake = tables::kNever;
+  values_.reset();
   reset_conditions();
   flow_.reset();
   malfunctions_.reset();

@@ -48,6 +48,7 @@ void Engine::change_operation_value(std::uint32_t slot) noexcept {
   operation_slot_changes_.add(slot);
   compare_value(tables_.operation_value_watches, slot, now);
   if (flow_.active()) flow_.value_changed(tables::Direction::operation, slot);
+  if (values_.active()) values_.value_changed(tables::Direction::operation, slot, now);
   touch_readers(tables::Direction::operation, slot);
 }
 
@@ -60,6 +61,7 @@ void Engine::publish() noexcept {
     for (const std::uint32_t unit : moved_.view()) publish_unit(unit);
     moved_.size = 0;
   }
+  if (values_.active()) values_.publish();
   if (waiting_.size != 0) settle_conditions();
   if (counted_.size != 0) settle_disables();
 }
@@ -81,6 +83,7 @@ void Engine::publish_values() noexcept {
     event_values_.values[slot] = now;
     compare_value(tables_.event_value_watches, slot, now);
     if (flow_.active()) flow_.value_changed(tables::Direction::event, slot);
+    if (values_.active()) values_.value_changed(tables::Direction::event, slot, now);
   });
 }
 
@@ -134,6 +137,10 @@ void Engine::settle_conditions() noexcept {
         break;
       case tables::ReaderKind::malfunction:
         malfunctions_.condition_changed(row.reader);
+        break;
+      case tables::ReaderKind::change:
+      case tables::ReaderKind::formula_input:
+        values_.condition_changed(row.reader_kind, row.reader, now);
         break;
       default:
         flow_.condition_changed(row.reader_kind, row.reader);

@@ -57,10 +57,12 @@ struct Instant {
   std::span<const PartChange> parts;      ///< in the order in which they happened
   std::span<const std::uint32_t> tracks;  ///< those whose parts came, left or changed their speeds, in no order
   std::span<const MalfunctionChange> malfunctions;  ///< in the order in which they happened
+  std::span<const std::uint32_t> values;            ///< outputs of values that changed, each once, in no order
 };
 
-/// Receives every instant with a change, every instant that is followed by another one at the same time, and every
-/// finding. It is called during advance_to() and advance_before(): its functions must be bounded.
+/// Receives every instant with a change, every instant at which a trace may show values that changed before, every
+/// instant that is followed by another one at the same time, and every finding. It is called during advance_to() and
+/// advance_before(): its functions must be bounded.
 class Observer {
  public:
   /// It may read the plant and must not act on it.

@@ -127,6 +127,7 @@ std::uint64_t Engine::state_hash() const noexcept {
   }
   flow_.hash(hash);
   malfunctions_.hash(hash);
+  values_.hash(hash);
   for (std::uint8_t kind = 0; kind < 2; ++kind) {
     for (std::uint32_t unit = 0; unit < unit_count; ++unit) {
       if ((units_[unit].flags & (kind == 0 ? kConflictReported : kStoppedReported)) == 0) continue;
@@ -140,6 +141,7 @@ std::uint64_t Engine::state_hash() const noexcept {
     hash.u32(tables_.overruns[position].unit);
   }
   flow_.hash_blocked(hash);
+  values_.hash_not_finite(hash);
   return hash.value();
 }
 

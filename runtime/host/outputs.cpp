@@ -53,7 +53,8 @@ bool Outputs::open(std::uint64_t model_hash, tables::Time cycle, std::ostream& e
 
 void Outputs::take(const trace::Record& record) {
   using Kind = trace::Record::Kind;
-  if (record.kind != Kind::part && record.kind != Kind::part_move && record.kind != Kind::malfunction) {
+  if (record.kind != Kind::part && record.kind != Kind::part_move && record.kind != Kind::malfunction &&
+      record.kind != Kind::value) {
     write(record);
     if (record.kind == Kind::note) return;
   } else {

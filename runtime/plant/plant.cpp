@@ -173,6 +173,12 @@ SourceView Plant::source(std::uint32_t source) const noexcept {
   return {state.due, state.made};
 }
 
+bool Plant::set_value(std::uint32_t value, double number) noexcept { return engine_->set_value(value, number); }
+
+double Plant::output(std::uint32_t output) const noexcept { return engine_->values().output(output); }
+
+double Plant::weight(std::uint32_t location) const noexcept { return engine_->flow().weight(location); }
+
 bool Plant::start_malfunction(std::uint32_t number, engine::MalfunctionChange::By by) noexcept {
   return engine_->start_malfunction(number, by);
 }

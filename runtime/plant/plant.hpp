@@ -135,6 +135,9 @@ class Plant {
   /// Removes the part that a transfer would take from there, by hand. Returns false and does nothing if there is none.
   /// O(parts at the location).
   bool take(tables::PartLocation from) noexcept;
+  /// Sets the output of a value by hand, limited to its range. Returns false and does nothing unless it is a parameter,
+  /// an integral, a lag or a ramp, and the number finite. O(readers of the value).
+  bool set_value(std::uint32_t value, double number) noexcept;
   /// Starts or ends a malfunction; tables::MalfunctionNumbers numbers them. `by`: scenario or hand, for the trace. To
   /// start one that is active or in an instantaneous loop, and to end one that is not active, does nothing and returns
   /// true. Returns false and does nothing if there is no such malfunction, or too many ordinary ones are active.
@@ -190,6 +193,9 @@ class Plant {
   /// called only between instants.
   void show_on_request(std::span<const std::uint64_t> events) noexcept;
 
+  /// An output of a value (ValueRow::output). O(1).
+  double output(std::uint32_t output) const noexcept;
+
   UnitView unit(std::uint32_t unit) const noexcept;
   /// How long the cause of a transition from the unit's state must still hold before the unit leaves; kNever if the
   /// cause does not hold, or need not hold for a time. O(1).
@@ -200,6 +206,8 @@ class Plant {
 
   /// The number of parts at a location. O(1).
   std::uint32_t parts(std::uint32_t location) const noexcept;
+  /// The sum of the weights of the parts at a location. O(parts).
+  double weight(std::uint32_t location) const noexcept;
   /// A part at a location: `index` 0 is the front-most on a track, and the one that came first in a place. O(1).
   PartView part(std::uint32_t location, std::uint32_t index) const noexcept;
   /// The motion of a part on a track, from now on. O(1).

@@ -24,8 +24,8 @@ void note_force(std::uint32_t symbol, bool forced, const plant::Plant& plant, tr
 }  // namespace
 
 bool needs_act(const Step& step, const tables::PlantTables& tables) noexcept {
-  if (!(step.states.empty() && step.put.empty() && step.take.empty() && step.force.empty() && step.release.empty() &&
-        step.stop.empty() && step.start.empty() && step.restart.empty())) {
+  if (!(step.set_values.empty() && step.states.empty() && step.put.empty() && step.take.empty() && step.force.empty() &&
+        step.release.empty() && step.stop.empty() && step.start.empty() && step.restart.empty())) {
     return true;
   }
   return std::any_of(step.set.begin(), step.set.end(), [&](const SymbolValue& value) {
@@ -42,6 +42,7 @@ void write_symbols(const Step& step, plant::Plant& plant, ProgramControl* progra
     for (const std::uint32_t controller : step.restart) programs->restart(controller);
   }
   for (const SymbolValue& value : step.set) set(value, plant);
+  for (const ValueSetting& setting : step.set_values) plant.set_value(setting.value, setting.number);
   for (const UnitState& unit : step.states) plant.set_state(unit.unit, unit.state);
 }
 

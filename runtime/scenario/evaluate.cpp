@@ -5,11 +5,28 @@
 #include <bit>
 #include <cmath>
 
+#include "symplant/condition/type_info.hpp"
 #include "symplant/tables/compare.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::scenario {
 namespace {
+
+double number_of(const condition::Quantity& quantity, const plant::Plant& plant) noexcept {
+  switch (quantity.kind) {
+    case condition::Quantity::Kind::number:
+      break;
+    case condition::Quantity::Kind::output:
+      return plant.output(quantity.of);
+    case condition::Quantity::Kind::symbol:
+      return tables::number_of(condition::info_of(quantity.type).kind, value_of(plant, quantity.of));
+    case condition::Quantity::Kind::parts:
+      return static_cast<double>(plant.parts(quantity.of));
+    case condition::Quantity::Kind::weight:
+      return plant.weight(quantity.of);
+  }
+  return quantity.number;
+}
 
 bool holds(const condition::Atom& atom, const plant::Plant& plant) noexcept {
   switch (atom.kind) {
@@ -23,6 +40,9 @@ bool holds(const condition::Atom& atom, const plant::Plant& plant) noexcept {
       return value_of(plant, atom.of) != 0;
     case condition::Atom::Kind::parts:
       return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, parts_at(plant, atom.of, atom.part));
+    case condition::Atom::Kind::compare:
+      return tables::compares_near(number_of(atom.left, plant), atom.comparison, number_of(atom.right, plant),
+                                   atom.tolerance);
     case condition::Atom::Kind::number:
       break;
   }

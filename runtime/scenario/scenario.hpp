@@ -20,6 +20,13 @@ struct SymbolValue {
   friend bool operator==(const SymbolValue&, const SymbolValue&) = default;
 };
 
+/// A value, and the number that it is set to.
+struct ValueSetting {
+  std::uint32_t value;
+  double number;
+  friend bool operator==(const ValueSetting&, const ValueSetting&) = default;
+};
+
 struct UnitState {
   std::uint32_t unit;
   std::uint8_t state;
@@ -50,6 +57,7 @@ struct Step {
   tables::Time time = 0;
   std::vector<std::uint32_t> restart;  ///< controllers whose programs start cold
   std::vector<SymbolValue> set;
+  std::vector<ValueSetting> set_values;  ///< in the same object of the file as `set`, which comes first
   std::vector<UnitState> states;
   std::vector<NewPart> put;                ///< it fails if there is no room
   std::vector<tables::PartLocation> take;  ///< it fails if there is no part

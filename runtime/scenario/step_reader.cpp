@@ -68,7 +68,7 @@ Step StepReader::read(const Json& step, const std::string& pointer) {
     if (const auto found = step.find(key); found != step.end()) take(*found, json::child(pointer, key));
   };
   part("restart", [&](const Json& value, const std::string& at) { read_restart(value, at, result); });
-  part("set", [&](const Json& value, const std::string& at) { result.set = read_values(value, at, true); });
+  part("set", [&](const Json& value, const std::string& at) { read_set(value, at, result); });
   part("state", [&](const Json& value, const std::string& at) { result.states = read_states(value, at); });
   part("put", [&](const Json& value, const std::string& at) { read_puts(value, at, result); });
   part("take", [&](const Json& value, const std::string& at) { read_takes(value, at, result); });
@@ -210,6 +210,9 @@ std::string StepReader::why_not_set(std::uint32_t symbol) const {
   for (const tables::FollowRow& row : names_.tables().follows) {
     if (row.symbol == symbol) return name + " follows a condition; use `force`";
   }
+  for (const tables::SignalRow& row : names_.tables().values.signals) {
+    if (row.symbol == symbol) return name + " shows a formula (`signals`); set what it reads, or use `force`";
+  }
   for (const tables::SensorRow& row : names_.tables().material.sensors) {
     if (row.symbol != symbol) continue;
     return name + " is a sensor of parts at " + ticked(names_.location(row.location)) +
@@ -238,6 +241,29 @@ std::vector<SymbolValue> StepReader::read_values(const Json& object, const std::
     }
   }
   return values;
+}
+
+/// Symbols, and values by their names.
+void StepReader::read_set(const Json& object, const std::string& pointer, Step& result) {
+  Json symbols = Json::object();
+  for (const auto& [name, number] : object.items()) {
+    const auto value = by_name_.value_index(name);
+    if (!value) {
+      symbols[name] = number;
+      continue;
+    }
+    const std::string here = json::child(pointer, name);
+    const tables::ValueKind kind = names_.tables().values.rows[*value].kind;
+    if (kind != tables::ValueKind::parameter && kind != tables::ValueKind::integral && kind != tables::ValueKind::lag &&
+        kind != tables::ValueKind::ramp) {
+      add(here, ticked(name) + " is computed from others and cannot be set; set what it reads", true);
+    } else if (!number.is_number()) {
+      add(here, ticked(name) + " is a value; write a number");
+    } else {
+      result.set_values.push_back({*value, number.get<double>()});
+    }
+  }
+  result.set = read_values(symbols, pointer, true);
 }
 
 void StepReader::read_puts(const Json& value, const std::string& pointer, Step& result) {

@@ -37,6 +37,7 @@ class StepReader {
   void read_expect(const nlohmann::json& value, const std::string& pointer, Step& result);
   std::optional<condition::Tree> read_condition(const std::string& text, const std::string& pointer);
   std::vector<SymbolValue> read_values(const nlohmann::json& object, const std::string& pointer, bool setting);
+  void read_set(const nlohmann::json& object, const std::string& pointer, Step& result);
   void read_puts(const nlohmann::json& value, const std::string& pointer, Step& result);
   void read_put(const nlohmann::json& value, const std::string& pointer, Step& result);
   void read_takes(const nlohmann::json& value, const std::string& pointer, Step& result);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <string_view>
 #include <vector>
 
@@ -48,7 +49,13 @@ std::string actions_json(const Step& step, const trace::PlantNames& names) {
     const bool named = controller < controllers.size() && !controllers[controller].empty();
     json += (json.empty() ? "\"restart\":" : ",\"restart\":") + (named ? json_string(controllers[controller]) : "true");
   }
-  put_member(json, "set", "{}", texts_of(step.set, value_text));
+  std::vector<std::string> settings = texts_of(step.set, value_text);
+  for (const ValueSetting& setting : step.set_values) {
+    settings.push_back(
+        fmt::format("{}:{}", json_string(names.value(setting.value)),
+                    trace::json_value(tables::DataType::lreal, std::bit_cast<std::uint64_t>(setting.number))));
+  }
+  put_member(json, "set", "{}", settings);
   put_member(json, "state", "{}", texts_of(step.states, [&](const UnitState& unit) {
                return fmt::format("{}:{}", json_string(names.unit(unit.unit)),
                                   json_string(names.state(unit.unit, unit.state)));

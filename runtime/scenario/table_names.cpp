@@ -36,6 +36,27 @@ TableNames::TableNames(const trace::PlantNames& names) : names_(names) {
   for (std::uint32_t i = 0; i < tables.malfunctions.size(); ++i) {
     malfunctions_.try_emplace(tables::to_upper(names.malfunction(i)), i);
   }
+  for (std::uint32_t v = 0; v < tables.values.rows.size(); ++v) {
+    values_.try_emplace(tables::to_upper(names.value(v)), v);
+  }
+}
+
+std::optional<std::uint32_t> TableNames::value_index(std::string_view name) const {
+  const auto found = values_.find(tables::to_upper(name));
+  return found == values_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<condition::Names::Value> TableNames::value(std::string_view name) const {
+  const auto found = value_index(name);
+  if (!found) return std::nullopt;
+  const tables::ValueRow& row = names_.tables().values.rows[*found];
+  return Value{row.output, row.outputs};
+}
+
+std::string TableNames::nearest_value(std::string_view name) const {
+  tables::NearestName nearest(name);
+  for (std::uint32_t v = 0; v < names_.tables().values.rows.size(); ++v) nearest.offer(names_.value(v));
+  return std::string(nearest.name());
 }
 
 std::optional<std::uint32_t> TableNames::location(std::string_view name) const {

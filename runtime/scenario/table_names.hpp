@@ -25,6 +25,10 @@ class TableNames final : public condition::Names {
   std::optional<Symbol> symbol(std::string_view name) const override;
   std::optional<std::uint32_t> location(std::string_view name) const override;
   std::optional<std::uint32_t> part_kind(std::string_view name) const override;
+  std::optional<Value> value(std::string_view name) const override;
+  std::string nearest_value(std::string_view name) const override;
+  /// The index of a value by its name.
+  std::optional<std::uint32_t> value_index(std::string_view name) const;
   std::string nearest_part_kind(std::string_view name) const override;
   std::string nearest_location(std::string_view name) const;
   /// The number of a malfunction (tables::MalfunctionNumbers) by its name, written or ordinary.
@@ -43,6 +47,7 @@ class TableNames final : public condition::Names {
   std::unordered_map<std::string, std::uint32_t> locations_;
   std::unordered_map<std::string, std::uint32_t> part_kinds_;
   std::unordered_map<std::string, std::uint32_t> malfunctions_;
+  std::unordered_map<std::string, std::uint32_t> values_;
 };
 
 }  // namespace symplant::scenario

@@ -1,6 +1,7 @@
 // The digest of a plant's tables, field by field (fields.hpp): padding and byte order have no effect on it.
 #include "symplant/tables/digest.hpp"
 
+#include <bit>
 #include <initializer_list>
 #include <type_traits>
 
@@ -19,6 +20,7 @@ struct Add {
   void operator()(std::uint16_t value) const noexcept { hash.u32(value); }
   void operator()(std::uint32_t value) const noexcept { hash.u32(value); }
   void operator()(std::uint64_t value) const noexcept { hash.u64(value); }
+  void operator()(double value) const noexcept { hash.u64(std::bit_cast<std::uint64_t>(value)); }
   void operator()(std::int64_t value) const noexcept { hash.u64(static_cast<std::uint64_t>(value)); }
   void operator()(Index index) const noexcept { hash.u32(index.value); }
   void operator()(Location location) const noexcept { hash.u32(location.value); }
@@ -29,6 +31,12 @@ struct Add {
   void operator()(UnitPosition state) const noexcept { hash.byte(state.value); }
   void operator()(Optional time) const noexcept {
     if (time.value != 0) hash.time(time.value);
+  }
+  void operator()(OptionalIndex index) const noexcept {
+    if (index.value != kNone) hash.u32(index.value);
+  }
+  void operator()(OptionalNumber number) const noexcept {
+    if (number.value != 0) (*this)(number.value);
   }
   template <class Other>
   void operator()(const Other& value) const noexcept {
@@ -146,6 +154,21 @@ void add_malfunctions(Fnv1a64& hash, const MalfunctionTables& malfunctions) noex
   add_texts(hash, {malfunctions.names});
 }
 
+/// Nothing in a plant without values, signals and comparisons of two operands.
+void add_values(Fnv1a64& hash, const ValueTables& values) noexcept {
+  if (values.empty()) return;
+  add_rows(hash, values.rows);
+  add_rows(hash, values.order);
+  add_rows(hash, values.changes);
+  add_rows(hash, values.signals);
+  add_rows(hash, values.formulas);
+  add_rows(hash, values.steps);
+  add_rows(hash, values.inputs);
+  add_rows(hash, values.numbers);
+  add_rows(hash, values.comparisons);
+  add_texts(hash, {values.names});
+}
+
 }  // namespace
 
 std::uint64_t model_hash(const PlantTables& tables) noexcept {
@@ -180,6 +203,7 @@ std::uint64_t model_hash(const PlantTables& tables) noexcept {
                    tables.behaviour_names, tables.controller_names});
   add_material(hash, tables);
   add_malfunctions(hash, tables.malfunctions);
+  add_values(hash, tables.values);
   return hash.value();
 }
 

@@ -44,6 +44,13 @@ struct Count {
 struct Optional {
   Time value;
 };
+struct OptionalNumber {
+  double value;
+};
+/// A last field that is left out if it is kNone.
+struct OptionalIndex {
+  std::uint32_t value;
+};
 
 template <class Visit>
 constexpr void fields(const TransitionNumbers& row, Visit&& visit) {
@@ -127,7 +134,7 @@ constexpr void fields(const PartLocation& row, Visit&& visit) {
 }
 template <class Visit>
 constexpr void fields(const KindRow& row, Visit&& visit) {
-  visit(row.length), visit(row.code);
+  visit(row.length), visit(row.code), visit(OptionalNumber{row.weight});
 }
 template <class Visit>
 constexpr void fields(const TrackRow& row, Visit&& visit) {
@@ -136,6 +143,7 @@ constexpr void fields(const TrackRow& row, Visit&& visit) {
 template <class Visit>
 constexpr void fields(const DriveRow& row, Visit&& visit) {
   visit(row.until), visit(Index{row.forward}), visit(Index{row.backward}), visit(Index{row.symbol}), visit(row.speed);
+  visit(OptionalIndex{row.output});
 }
 template <class Visit>
 constexpr void fields(const StopRow& row, Visit&& visit) {
@@ -183,6 +191,43 @@ constexpr void fields(const MalfunctionUnit& row, Visit&& visit) {
 template <class Visit>
 constexpr void fields(const MalfunctionForce& row, Visit&& visit) {
   visit(row.symbol), visit(Bits{row.value});
+}
+template <class Visit>
+constexpr void fields(const ValueRow& row, Visit&& visit) {
+  visit(row.kind), visit(row.start), visit(row.min), visit(row.max), visit(row.step), visit(row.trace);
+  visit(row.output), visit(row.formula), visit(row.formulas), visit(row.factor), visit(row.ti), visit(row.td);
+  visit(row.steps), visit(row.unit), visit(row.numbers), visit(row.states), visit(row.outputs), visit(row.direct);
+  visit(row.changes);
+}
+template <class Visit>
+constexpr void fields(const ChangeRow& row, Visit&& visit) {
+  visit(row.condition), visit(row.formula);
+}
+template <class Visit>
+constexpr void fields(const SignalRow& row, Visit&& visit) {
+  visit(row.symbol), visit(row.formula), visit(row.every), visit(row.scaled), visit(row.a), visit(row.b);
+  visit(row.c), visit(row.d), visit(row.noise), visit(row.low), visit(row.high);
+}
+template <class Visit>
+constexpr void fields(const FormulaRow& row, Visit&& visit) {
+  visit(row.steps), visit(row.inputs);
+}
+template <class Visit>
+constexpr void fields(const FormulaStep& row, Visit&& visit) {
+  visit(row.op), visit(row.of), visit(row.number);
+}
+template <class Visit>
+constexpr void fields(const FormulaInput& row, Visit&& visit) {
+  visit(row.kind), visit(row.number), visit(row.of);
+}
+template <class Visit>
+constexpr void fields(const Operand& row, Visit&& visit) {
+  visit(row.kind), visit(row.type), visit(row.of), visit(row.number);
+}
+template <class Visit>
+constexpr void fields(const ComparisonRow& row, Visit&& visit) {
+  visit(row.left), visit(row.right), visit(row.tolerance), visit(row.condition), visit(row.input);
+  visit(row.comparison);
 }
 
 }  // namespace symplant::tables

@@ -21,6 +21,7 @@ enum class FindingKind : std::uint8_t {
   instantaneous_loop,
   requirement_violated,  ///< of a requirement
   part_blocked,          ///< of a transfer of parts
+  value_not_finite,      ///< of a value
   link_lost,             ///< of a link; the host reports this kind and the next ones, the model the others
   link_back,             ///< of a link; a note
   event_overwritten,     ///< of an event
@@ -33,14 +34,14 @@ enum class FindingKind : std::uint8_t {
   several_writers,       ///< of an operation: two clients wrote different values within a cycle
   symbol_left_out,       ///< of a symbol: the PLC permanently refuses its address, so its link leaves it out
 };
-inline constexpr int kFindingKinds = 11;     ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 22;  ///< with the kinds that the host reports
+inline constexpr int kFindingKinds = 12;     ///< kinds that the model reports
+inline constexpr int kAllFindingKinds = 23;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;
-  /// Index of a unit, symbol, requirement or transfer in the tables, or of a link in the run. In an instantaneous loop
-  /// the units are followed by the rows of PlantTables::follows, then by tracks, transfers, work, sources and written
-  /// malfunctions.
+  /// Index of a unit, symbol, requirement, transfer or value in the tables, or of a link in the run. In an
+  /// instantaneous loop the units are followed by the rows of PlantTables::follows, then by tracks, transfers, work,
+  /// sources and written malfunctions, then values.
   std::uint32_t of;
   FindingKind kind;
   bool more;  ///< the next finding names another member of the same loop

@@ -79,4 +79,9 @@ inline std::uint32_t first_malfunction_of_loop(const PlantTables& tables) noexce
                                     material.transfers.size() + material.work.size() + material.sources.size());
 }
 
+/// Finding::of of the first value in an instantaneous loop, after the malfunctions. O(1).
+inline std::uint32_t first_value_of_loop(const PlantTables& tables) noexcept {
+  return first_malfunction_of_loop(tables) + tables.malfunctions.size();
+}
+
 }  // namespace symplant::tables

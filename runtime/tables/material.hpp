@@ -31,6 +31,7 @@ struct Rows {
 struct KindRow {
   std::int64_t length = 0;  ///< > 0
   std::uint32_t code = 0;   ///< up to 65,535
+  double weight = 0;        ///< for formulas
 };
 
 struct TrackRow {
@@ -48,7 +49,11 @@ struct DriveRow {
   std::uint32_t forward = 0;   ///< a condition; kNone: never holds, but always if `symbol` is given and both are kNone
   std::uint32_t backward = 0;  ///< a condition; kNone: never holds
   std::uint32_t symbol = 0;    ///< a numeric symbol that gives the speed; kNone: it is constant
-  std::int64_t speed = 0;      ///< um/s, > 0: the speed, or what the value 1 of `symbol` means
+  std::int64_t speed = 0;      ///< um/s, > 0: the speed, or what the value 1 of `symbol` or `output` means
+  std::uint32_t output = 0xFFFF'FFFF;  ///< an output of a value that gives the speed; kNone: none does
+
+  /// Whether the speed is not constant.
+  constexpr bool varies() const noexcept { return symbol != 0xFFFF'FFFF || output != 0xFFFF'FFFF; }
 };
 
 /// While its condition holds, no part passes.

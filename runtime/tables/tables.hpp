@@ -11,7 +11,9 @@
 
 #include "symplant/tables/malfunction.hpp"
 #include "symplant/tables/material.hpp"
+#include "symplant/tables/number.hpp"
 #include "symplant/tables/time.hpp"
+#include "symplant/tables/value.hpp"
 
 namespace symplant::tables {
 
@@ -143,6 +145,8 @@ enum class ReaderKind : std::uint8_t {
   work,
   source,
   malfunction,
+  change,         ///< of a value
+  formula_input,  ///< a truth in a formula
 };
 
 /// A condition of at most six inputs as a truth table: bit i of `truth` is its value if input k is bit k of i. A
@@ -179,10 +183,6 @@ struct BitWatch {
   std::uint32_t condition;
   std::uint8_t input;
 };
-
-enum class Comparison : std::uint8_t { less, less_equal, equal, greater_equal, greater };
-/// How the 64 bits of a slot are compared.
-enum class NumberKind : std::uint8_t { signed_integer, unsigned_integer, real };
 
 /// Input `input` of `condition` is the comparison of a numeric symbol, after forces, with `operand`; or of a number of
 /// parts, whose PartCounterRow is `slot`.
@@ -335,6 +335,7 @@ struct PlantTables {
   MaterialTables material;
   std::span<const ValueWatch> part_watches;  ///< sorted by slot
   MalfunctionTables malfunctions;
+  ValueTables values;
   std::span<const BehaviourUnit> behaviour_units;   ///< sorted by unit
   std::span<const std::uint32_t> behaviour_values;  ///< indexes of symbols
   std::uint32_t operation_bits;                     ///< size of the bit planes, in bits: a multiple of 64

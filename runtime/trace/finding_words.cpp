@@ -31,6 +31,7 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
                                                                            "instantaneous loop",
                                                                            "requirement violated",
                                                                            "part blocked",
+                                                                           "value not finite",
                                                                            "link lost",
                                                                            "link back",
                                                                            "event overwritten",
@@ -250,6 +251,13 @@ std::string of_transfer(const FoundThing& found, const PlantNames& names, const 
                      influences.advice("whether the program looks for a part there before it moves another one"));
 }
 
+std::string of_value(const FoundThing& found, const PlantNames& names) {
+  return fmt::format(
+      "value not finite: {} keeps its number, since a result of its formula is infinite or not a number; check for "
+      "divisions by 0, and for roots and logarithms of numbers below 0",
+      names.value(found.of.front()));
+}
+
 }  // namespace
 
 std::string_view finding_name(FindingKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
@@ -269,12 +277,13 @@ bool is_of_host(FindingKind kind) { return is_of_link(kind) || kind == FindingKi
 
 bool is_of_symbol(FindingKind kind) {
   return !is_of_unit(kind) && !is_of_host(kind) && kind != FindingKind::requirement_violated &&
-         kind != FindingKind::part_blocked;
+         kind != FindingKind::part_blocked && kind != FindingKind::value_not_finite;
 }
 
 std::string name_of(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::requirement_violated) return std::string(names.requirement(found.of.front()));
   if (found.kind == FindingKind::part_blocked) return std::string(names.transfer(found.of.front()));
+  if (found.kind == FindingKind::value_not_finite) return std::string(names.value(found.of.front()));
   if (is_of_symbol(found.kind)) return std::string(names.symbol(found.of.front()));
   if (is_of_link(found.kind)) return names.link(found.of.front()).name;
   if (found.kind == FindingKind::standstill) return std::string(names.tables().name);
@@ -297,7 +306,10 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
                  [&](std::uint32_t member) { return member < tables.units.size(); });
     return units;
   }
-  if (is_of_host(found.kind) || found.kind == FindingKind::part_blocked) return {};
+  if (is_of_host(found.kind) || found.kind == FindingKind::part_blocked ||
+      found.kind == FindingKind::value_not_finite) {
+    return {};
+  }
   if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
   const std::uint32_t unit = tables.symbols[found.of.front()].unit;
   return unit == tables::kNone ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
@@ -327,6 +339,7 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const plant
 
 std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history) {
   if (found.kind == FindingKind::part_blocked) return of_transfer(found, names, history);
+  if (found.kind == FindingKind::value_not_finite) return of_value(found, names);
   if (found.kind == FindingKind::request_refused && is_of_client(found.value)) return of_client_refusal(found, names);
   if (found.kind == FindingKind::symbol_left_out) return of_left_out(found, names);
   if (is_of_link(found.kind)) return of_link(found, names, history);

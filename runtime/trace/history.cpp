@@ -2,6 +2,7 @@
 #include "symplant/trace/history.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace symplant::trace {
 
@@ -28,6 +29,10 @@ History::History(const PlantNames& names)
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {  // as if commanding, until the first instant reports them
     const tables::SymbolRow& symbol = tables.symbols[i];
     if (symbol.inverted() && symbol.direction() == tables::Direction::operation) rose_[risen(i)] = 1;
+  }
+  for (const tables::ValueRow& row : tables.values.rows) {
+    const double start = row.kind == tables::ValueKind::linear ? 0 : row.start;
+    outputs_.insert(outputs_.end(), row.outputs, std::clamp(start, row.min, row.max));
   }
   units_.reserve(tables.units.size());
   for (const tables::UnitRow& unit : tables.units) {
@@ -74,6 +79,8 @@ void History::apply(const Record& record) {
     part_ = record;
   } else if (record.kind == Record::Kind::part_move) {
     move_part(part_record(part_, record));
+  } else if (record.kind == Record::Kind::value) {
+    outputs_[record.of] = std::bit_cast<double>(record.value);
   } else if (record.kind == Record::Kind::malfunction) {
     std::erase_if(malfunctions_, [&](const Malfunction& one) { return one.number == record.of; });
     if (record.more) {

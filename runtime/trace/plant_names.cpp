@@ -19,7 +19,8 @@ PlantNames::PlantNames(const tables::PlantTables& tables)
       transfers_(tables::split_names(tables.material.transfer_names)),
       work_(tables::split_names(tables.material.work_names)),
       sources_(tables::split_names(tables.material.source_names)),
-      malfunctions_(tables::split_names(tables.malfunctions.names)) {
+      malfunctions_(tables::split_names(tables.malfunctions.names)),
+      values_(tables::split_names(tables.values.names)) {
   first_states_.reserve(tables.types.size());
   std::uint32_t states = 0;
   for (const tables::TypeRow& type : tables.types) {
@@ -62,7 +63,16 @@ std::string_view PlantNames::loop_member(std::uint32_t of) const {
   if (within(tables_.material.tracks.size())) return locations_[rest];
   if (within(transfers_.size())) return transfers_[rest];
   if (within(work_.size())) return work_[rest];
-  return within(sources_.size()) ? sources_[rest] : malfunctions_[rest];
+  if (within(sources_.size())) return sources_[rest];
+  return within(malfunctions_.size()) ? malfunctions_[rest] : value(static_cast<std::uint32_t>(rest));
+}
+
+std::string PlantNames::output(std::uint32_t output) const {
+  std::uint32_t v = 0;
+  while (v + 1 < tables_.values.rows.size() && tables_.values.rows[v + 1].output <= output) ++v;
+  const tables::ValueRow& row = tables_.values.rows[v];
+  std::string name(value(v));
+  return row.outputs == 1 ? name : name + "[" + std::to_string(output - row.output + 1) + "]";
 }
 
 std::string PlantNames::malfunction(std::uint32_t number) const {

@@ -36,6 +36,10 @@ class PlantNames {
   std::string_view transfer(std::uint32_t transfer) const { return transfers_[transfer]; }
   std::string_view work(std::uint32_t work) const { return work_[work]; }
   std::string_view source(std::uint32_t source) const { return sources_[source]; }
+  std::string_view value(std::uint32_t value) const { return values_[2 * std::size_t{value}]; }
+  std::string_view unit_of_value(std::uint32_t value) const { return values_[2 * std::size_t{value} + 1]; }
+  /// `TANK.level`, or `BOOM[2]` for an output of a value with several. O(values).
+  std::string output(std::uint32_t output) const;
   /// As tables::MalfunctionNumbers numbers them: a written name, or that of an ordinary one, `EXLINE_MB_AGV stuck`.
   std::string malfunction(std::uint32_t number) const;
   /// A member of an instantaneous loop, as Finding::of numbers it.
@@ -92,6 +96,7 @@ class PlantNames {
   std::vector<std::string_view> work_;
   std::vector<std::string_view> sources_;
   std::vector<std::string_view> malfunctions_;
+  std::vector<std::string_view> values_;  ///< name and unit of each
   std::vector<Link> links_;
   std::vector<Program> programs_;
   std::vector<std::uint32_t> first_states_;  ///< by type: the index of its first state in states_

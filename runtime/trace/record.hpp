@@ -17,6 +17,7 @@ struct Record {
     note,         ///< of the program that drives the plant, which defines `of` and `value`
     part,         ///< part `value` is of kind `of`; `more`: by hand. The next record is its part_move
     part_move,    ///< of the part before: from and to in `value` (pack_move), its front in um in `of`
+    value,        ///< output `of` of a value is the double with the bits `value`
     malfunction,  ///< malfunction `of` started if `more`, else it ended, by `value` (engine::MalfunctionChange::By)
     // Only of a recorder of motions:
     track,       ///< the parts of track `of` moved: `value` parts follow from the front, two records each

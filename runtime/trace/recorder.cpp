@@ -23,6 +23,31 @@ std::size_t movers_in(const tables::MaterialTables& material) {
   return material.tracks.size() + material.transfers.size() + material.sources.size();
 }
 
+/// Not the bits of an output, which is finite.
+constexpr std::uint64_t kNeverRecorded = ~std::uint64_t{0};
+
+/// How often a trace shows each output. Of several outputs those that a formula or a condition names, else the first.
+std::vector<tables::Time> traces_of(const tables::ValueTables& values) {
+  std::vector<tables::Time> traces(values.outputs, 0);
+  std::vector<bool> named(values.outputs, false);
+  for (const tables::FormulaInput& input : values.inputs) {
+    if (input.kind == tables::FormulaInputKind::output) named[input.of] = true;
+  }
+  for (const tables::ComparisonRow& row : values.comparisons) {
+    for (const tables::Operand& operand : {row.left, row.right}) {
+      if (operand.kind == tables::Operand::Kind::output) named[operand.of] = true;
+    }
+  }
+  for (const tables::ValueRow& row : values.rows) {
+    bool any = false;
+    for (std::uint32_t o = row.output; o < row.output + row.outputs; ++o) any = any || named[o];
+    for (std::uint32_t o = row.output; o < row.output + row.outputs; ++o) {
+      if (row.outputs == 1 || (any ? named[o] : o == row.output)) traces[o] = row.trace;
+    }
+  }
+  return traces;
+}
+
 }  // namespace
 
 std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables, Detail detail) {
@@ -34,7 +59,7 @@ std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables, D
   const std::size_t motions = detail == Detail::motions ? material.tracks.size() + 2 * parts : 0;
   return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts + motions +
          material.transfers.size() + (material.empty() ? 0 : std::size_t{2} * engine::kMostByHand) +
-         2 * tables.malfunctions.rows.size() + engine::kMostByHand;
+         2 * tables.malfunctions.rows.size() + engine::kMostByHand + tables.values.rows.size() + tables.values.outputs;
 }
 
 std::size_t Recorder::enough_for_a_loop(const tables::PlantTables& tables, Detail detail) {
@@ -68,6 +93,38 @@ Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity, Deta
   }
   units_.reserve(tables.units.size());
   for (const tables::UnitRow& unit : tables.units) units_.push_back(initial_word(unit));
+  traces_ = traces_of(tables.values);
+  outputs_.assign(traces_.size(), kNeverRecorded);
+  pending_.assign((traces_.size() + 63) / 64, 0);
+  expect_values();
+}
+
+/// All outputs are recorded at their next time.
+void Recorder::expect_values() noexcept {
+  for (std::size_t output = 0; output < traces_.size(); ++output) {
+    outputs_[output] = kNeverRecorded;
+    if (traces_[output] != 0) pending_[output / 64] |= std::uint64_t{1} << (output % 64);
+  }
+}
+
+/// Outputs that changed, at the whole multiples of their times at which they differ from what was recorded last.
+void Recorder::record_values(const engine::Instant& instant) noexcept {
+  for (const std::uint32_t output : instant.values) {
+    if (traces_[output] != 0) pending_[output / 64] |= std::uint64_t{1} << (output % 64);
+  }
+  for (std::size_t word = 0; word < pending_.size(); ++word) {
+    for (std::uint64_t bits = pending_[word]; bits != 0; bits &= bits - 1) {
+      const auto output = static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+      if (instant.time % traces_[output] != 0) continue;
+      pending_[word] &= ~(std::uint64_t{1} << (output % 64));
+      const auto now = std::bit_cast<std::uint64_t>(plant_->output(output));
+      if (outputs_[output] == now) continue;
+      outputs_[output] = now;
+      if (!put({instant.time, now, output, Record::Kind::value})) {
+        lost_changes_.fetch_add(1, std::memory_order_relaxed);
+      }
+    }
+  }
 }
 
 void Recorder::note_bits(const engine::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept {
@@ -188,6 +245,7 @@ void Recorder::act(tables::Time time, std::uint32_t of, std::uint64_t value) noe
 }
 
 void Recorder::take_over() noexcept {
+  expect_values();
   instant_time_ = -1;
   announced_ = false;
   for (std::uint32_t unit = 0; unit < units_.size(); ++unit) {
@@ -205,6 +263,7 @@ void Recorder::instant(const engine::Instant& instant) noexcept {
   record_parts(instant.time, instant.parts);
   if (detail_ == Detail::motions) record_tracks(instant);
   record_malfunctions(instant);
+  if (!traces_.empty()) record_values(instant);
   if (numbered && at_ == first) at_ = before;  // nothing to number
   if (publish()) ++instants_;
 }

@@ -86,6 +86,8 @@ class Recorder final : public engine::Observer {
   void record_tracks(const engine::Instant& instant) noexcept;
   void record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept;
   void record_malfunctions(const engine::Instant& instant) noexcept;
+  void record_values(const engine::Instant& instant) noexcept;
+  void expect_values() noexcept;
   void put_finding(const tables::Finding& finding, std::uint64_t value) noexcept;
   bool put(const Record& record) noexcept;
   bool has_room_for(std::size_t records) noexcept;
@@ -101,7 +103,10 @@ class Recorder final : public engine::Observer {
   std::vector<std::uint32_t> symbol_of_event_slot_;
   ZeroedArray<std::uint32_t> changed_;  ///< symbols changed in this instant
   std::size_t changed_count_ = 0;
-  std::vector<std::uint32_t> units_;  ///< as last recorded: pack_unit
+  std::vector<std::uint32_t> units_;    ///< as last recorded: pack_unit
+  std::vector<tables::Time> traces_;    ///< by output of a value: how often a trace shows it; 0: never
+  std::vector<std::uint64_t> outputs_;  ///< as last recorded
+  std::vector<std::uint64_t> pending_;  ///< one bit per output that changed since
   Detail detail_;
   std::uint64_t instants_ = 0;
   tables::Time instant_time_ = -1;  ///< of the last instant

@@ -29,6 +29,9 @@ TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::ui
   };
   add(tables.material.location_names, locations_);
   add(tables.material.kind_names, kinds_);
+  for (std::uint32_t output = 0; output < tables.values.outputs; ++output) {
+    outputs_.push_back(",\"value\":" + json_string(plant_names_.output(output)) + ",\"is\":");
+  }
   add_programs(programs);
   file_.put(head_);
   file_.put("}\n");
@@ -99,6 +102,12 @@ void TraceFile::write(const Record& record) {
   if (record.kind == Record::Kind::part) part_ = record;
   if (record.kind == Record::Kind::part_move) put_part(part_record(part_, record));
   if (record.kind == Record::Kind::malfunction) put_malfunction(record);
+  if (record.kind == Record::Kind::value) {
+    put_time(record.time);
+    file_.put(outputs_[record.of]);
+    file_.put(json_value(tables::DataType::lreal, record.value));
+    file_.put("}\n");
+  }
   if (record.kind != Record::Kind::change) return;
   put_time(record.time);
   file_.put(names_[record.of]);

@@ -60,10 +60,11 @@ class TraceFile {
   std::vector<std::string> names_;      ///< by symbol: the text between time and value
   std::vector<std::string> locations_;  ///< as JSON; so are the kinds
   std::vector<std::string> kinds_;
-  std::uint64_t instant_ = 0;      ///< the number of the instant of the next line, if that is its first line; else 0
-  tables::Time instant_time_ = 0;  ///< of that instant
-  Record part_;                    ///< the last record of a part, whose part_move is next
-  std::string time_;               ///< the text of last_time_
+  std::vector<std::string> outputs_;  ///< of values: the text between time and number
+  std::uint64_t instant_ = 0;         ///< the number of the instant of the next line, if that is its first line; else 0
+  tables::Time instant_time_ = 0;     ///< of that instant
+  Record part_;                       ///< the last record of a part, whose part_move is next
+  std::string time_;                  ///< the text of last_time_
   tables::Time last_time_ = -1;
   std::uint64_t parts_ = 1;
   bool has_lines_ = false;  ///< whether this part has lines, so that no part is only a header

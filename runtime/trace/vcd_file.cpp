@@ -13,7 +13,7 @@
 namespace symplant::trace {
 
 VcdFile::VcdFile(OutputFile file, const PlantNames& names) : file_(std::move(file)), names_(names) {
-  const std::size_t count = first_malfunction(names.tables()) + names.tables().malfunctions.size();
+  const std::size_t count = first_output(names.tables()) + names.tables().values.outputs;
   contents_.resize(names.tables().material.locations());
   identifiers_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) identifiers_.push_back(vcd_identifier(i) + "\n");
@@ -87,6 +87,11 @@ void VcdFile::put_malfunction(std::uint32_t malfunction, bool active) {
   file_.put(identifiers_[first_malfunction(names_.tables()) + malfunction]);
 }
 
+void VcdFile::put_output(std::uint32_t output, double number) {
+  file_.put(fmt::format("r{:.17g} ", number));
+  file_.put(identifiers_[first_output(names_.tables()) + output]);
+}
+
 void VcdFile::begin(tables::Time time, const History& history) {
   if (begun_) return;
   begun_ = true;
@@ -102,6 +107,7 @@ void VcdFile::begin(tables::Time time, const History& history) {
     if (one.number < active.size()) active[one.number] = true;
   }
   for (std::uint32_t m = 0; m < active.size(); ++m) put_malfunction(m, active[m]);
+  for (std::uint32_t output = 0; output < tables.values.outputs; ++output) put_output(output, history.output(output));
   file_.put("$end\n");
 }
 
@@ -115,11 +121,16 @@ void VcdFile::write(const Record& record) {
   }
   if (!begun_ || !file_.is_open()) return;
   const bool written = record.kind == Record::Kind::malfunction && record.of < names_.tables().malfunctions.size();
-  if (record.kind != Record::Kind::change && record.kind != Record::Kind::unit && !written) return;
+  if (record.kind != Record::Kind::change && record.kind != Record::Kind::unit && record.kind != Record::Kind::value &&
+      !written) {
+    return;
+  }
   has_lines_ = true;
   put_time(record.time);
   if (written) {
     put_malfunction(record.of, record.more);
+  } else if (record.kind == Record::Kind::value) {
+    put_output(record.of, std::bit_cast<double>(record.value));
   } else if (record.kind == Record::Kind::change) {
     put_symbol(record.of, record.value);
   } else {

@@ -34,6 +34,7 @@ class VcdFile {
   void put_unit(std::uint32_t unit, const plant::UnitView& view);
   void put_location(std::uint32_t location);
   void move_part(const PartRecord& part);
+  void put_output(std::uint32_t output, double number);
   void put_malfunction(std::uint32_t malfunction, bool active);
 
   struct Content {

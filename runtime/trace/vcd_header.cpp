@@ -75,6 +75,10 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
     text += fmt::format("$var {} {} {} $end\n", material.is_track(location) ? "integer 32" : "string 1",
                         vcd_identifier(first + location), vcd_name(names.location(location)));
   }
+  for (std::uint32_t output = 0; is_root && output < names.tables().values.outputs; ++output) {
+    text += fmt::format("$var real 64 {} {} $end\n", vcd_identifier(first_output(names.tables()) + output),
+                        vcd_name(names.output(output)));
+  }
   if (is_root && !names.tables().malfunctions.empty()) write_malfunctions(text, names);
   for (const Scope& child : scope.children) write_scope(text, names, child, false);
   text += "$upscope $end\n";
@@ -84,6 +88,10 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
 
 std::size_t first_malfunction(const tables::PlantTables& tables) {
   return tables.symbols.size() + tables.units.size() + tables.material.locations();
+}
+
+std::size_t first_output(const tables::PlantTables& tables) {
+  return first_malfunction(tables) + tables.malfunctions.size();
 }
 
 std::string vcd_identifier(std::size_t number) {

@@ -23,9 +23,12 @@ std::string vcd_string(std::string_view text);
 /// it.
 std::size_t first_malfunction(const tables::PlantTables& tables);
 
+/// The number of the variable of the first output of a value, after the malfunctions.
+std::size_t first_output(const tables::PlantTables& tables);
+
 /// The header, from $version to $enddefinitions. Symbol s is variable s, the state of unit u is variable (number of
 /// symbols) + u. A unit's scope is its path, level by level; symbols without a unit are in the scope of the plant, and
-/// written malfunctions in the scope `malfunctions`.
+/// written malfunctions in the scope `malfunctions`; values are reals in the scope of the plant.
 std::string vcd_header(const PlantNames& names);
 
 }  // namespace symplant::trace

@@ -40,6 +40,46 @@ Atom atom_of(const tables::ValueWatch& watch, Atom::Kind kind, std::uint32_t of)
   return atom;
 }
 
+/// Symbols by slot.
+struct Slots {
+  std::vector<std::uint32_t> operations;
+  std::vector<std::uint32_t> events;
+};
+
+condition::Quantity quantity_of(const tables::Operand& operand, const PlantTables& tables, const Slots& slots) {
+  using Kind = condition::Quantity::Kind;
+  const auto symbol = [&](const std::vector<std::uint32_t>& symbols) {
+    const std::uint32_t index = symbols[operand.of];
+    return condition::Quantity{Kind::symbol, index, tables.symbols[index].type()};
+  };
+  switch (operand.kind) {
+    case tables::Operand::Kind::number:
+      break;
+    case tables::Operand::Kind::output:
+      return {Kind::output, operand.of};
+    case tables::Operand::Kind::operation_value:
+      return symbol(slots.operations);
+    case tables::Operand::Kind::event_value:
+      return symbol(slots.events);
+    case tables::Operand::Kind::parts:
+      return {Kind::parts, tables.material.counters[operand.of].location};
+    case tables::Operand::Kind::weight:
+      return {Kind::weight, operand.of};
+  }
+  return {Kind::number, 0, tables::DataType::boolean, operand.number};
+}
+
+/// The comparison of a row.
+Atom atom_of(const tables::ComparisonRow& row, const PlantTables& tables, const Slots& slots) {
+  Atom atom;
+  atom.kind = Atom::Kind::compare;
+  atom.comparison = row.comparison;
+  atom.left = quantity_of(row.left, tables, slots);
+  atom.right = quantity_of(row.right, tables, slots);
+  atom.tolerance = row.tolerance;
+  return atom;
+}
+
 }  // namespace
 
 Conditions::Conditions(const PlantTables& tables) : tables_(tables) {
@@ -66,6 +106,11 @@ Conditions::Conditions(const PlantTables& tables) : tables_(tables) {
     Atom atom = atom_of(watch, Atom::Kind::parts, counter.location);
     atom.part = counter.kind;
     add_atom(watch, atom);
+  }
+  if (!tables.values.comparisons.empty()) {
+    const Slots slots{symbols_by_index(tables, tables::Direction::operation, false),
+                      symbols_by_index(tables, tables::Direction::event, false)};
+    for (const tables::ComparisonRow& row : tables.values.comparisons) add_atom(row, atom_of(row, tables, slots));
   }
   for (std::uint32_t c = 0; c < tables.conditions.size(); ++c) {
     const tables::ConditionRow& row = tables.conditions[c];

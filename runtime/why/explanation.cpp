@@ -12,8 +12,8 @@ namespace symplant::why {
 namespace {
 
 /// By Reference::Kind.
-constexpr std::array<std::string_view, 8> kKeys = {"device",   "symbol", "requirement", "location",
-                                                   "transfer", "work",   "source",      "part"};
+constexpr std::array<std::string_view, 9> kKeys = {"device", "symbol", "requirement", "location", "transfer",
+                                                   "work",   "source", "part",        "value"};
 
 template <class Use>
 void for_each_sentence(const Explanation& explanation, std::size_t depth, Use& use) {
@@ -57,6 +57,8 @@ std::string name_of(const Reference& reference, const trace::PlantNames& names) 
       return std::string(names.work(reference.index));
     case Reference::Kind::source:
       return std::string(names.source(reference.index));
+    case Reference::Kind::value:
+      return names.output(reference.index);
     case Reference::Kind::part:
       break;
   }

@@ -9,9 +9,9 @@
 
 namespace symplant::why {
 
-/// A thing of a plant, by its index in the plant's tables; a part by its number.
+/// A thing of a plant, by its index in the plant's tables; a part by its number, a value by its output.
 struct Reference {
-  enum class Kind : std::uint8_t { unit, symbol, requirement, location, transfer, work, source, part };
+  enum class Kind : std::uint8_t { unit, symbol, requirement, location, transfer, work, source, part, value };
   Kind kind;
   std::uint32_t index;
 

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
+#include <optional>
 #include <string_view>
 
+#include "symplant/condition/type_info.hpp"
 #include "symplant/tables/compare.hpp"
 #include "symplant/tables/level.hpp"
 
@@ -15,6 +18,7 @@ namespace symplant::why {
 namespace {
 
 using condition::Atom;
+using condition::Quantity;
 using condition::Tree;
 
 constexpr std::size_t kMostShown = 8;  ///< literals of a text
@@ -99,9 +103,13 @@ class Changes {
   std::size_t literals_ = 0;
 };
 
-std::string number_text(const Atom& atom) {
+std::string_view sign_of(const Atom& atom) {
   constexpr std::array<std::string_view, 5> kSigns = {"<", "<=", "=", ">=", ">"};
-  const std::string_view sign = kSigns[static_cast<std::size_t>(atom.comparison)];
+  return kSigns[static_cast<std::size_t>(atom.comparison)];
+}
+
+std::string number_text(const Atom& atom) {
+  const std::string_view sign = sign_of(atom);
   switch (atom.number) {
     case tables::NumberKind::signed_integer:
       return fmt::format("{} {}", sign, static_cast<std::int64_t>(atom.operand));
@@ -118,6 +126,52 @@ bool is_one_or_more(const Atom& atom) {
          (atom.comparison == tables::Comparison::greater && atom.operand == 0);
 }
 
+/// The thing that a side of a comparison reads; nothing if it is a number.
+std::optional<Reference> reference_of(const Quantity& quantity) {
+  switch (quantity.kind) {
+    case Quantity::Kind::number:
+      return std::nullopt;
+    case Quantity::Kind::output:
+      return Reference{Reference::Kind::value, quantity.of};
+    case Quantity::Kind::symbol:
+      return Reference{Reference::Kind::symbol, quantity.of};
+    case Quantity::Kind::parts:
+    case Quantity::Kind::weight:
+      break;
+  }
+  return Reference{Reference::Kind::location, quantity.of};
+}
+
+std::string side_text(const Quantity& quantity, const trace::PlantNames& names) {
+  const auto of = reference_of(quantity);
+  if (!of) return fmt::format("{}", quantity.number);
+  const bool of_location = of->kind == Reference::Kind::location;
+  return name_of(*of, names) + (!of_location ? "" : quantity.kind == Quantity::Kind::parts ? ".parts" : ".weight");
+}
+
+/// `TANK.level >= SETPOINT`, `SPEED = 80 +- 1`.
+std::string compare_text(const Atom& atom, const trace::PlantNames& names) {
+  return fmt::format("{} {} {}", side_text(atom.left, names), sign_of(atom), side_text(atom.right, names)) +
+         (atom.tolerance == 0 ? "" : fmt::format(" +- {}", atom.tolerance));
+}
+
+/// NaN if it is unknown.
+double number_of(const Quantity& quantity, const StateView& view) {
+  switch (quantity.kind) {
+    case Quantity::Kind::number:
+      break;
+    case Quantity::Kind::output:
+      return view.output(quantity.of).value_or(std::numeric_limits<double>::quiet_NaN());
+    case Quantity::Kind::symbol:
+      return tables::number_of(condition::info_of(quantity.type).kind, view.value(quantity.of));
+    case Quantity::Kind::parts:
+      return static_cast<double>(view.parts(quantity.of).size());
+    case Quantity::Kind::weight:
+      return view.weight(quantity.of).value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  return quantity.number;
+}
+
 /// `L_P_AGV.P2`, `L_P_AGV_O_P1`, `SPEED > 5`, `CV1.part`, `CV1.parts >= 3`.
 std::string atom_text(const Atom& atom, const trace::PlantNames& names) {
   switch (atom.kind) {
@@ -129,6 +183,8 @@ std::string atom_text(const Atom& atom, const trace::PlantNames& names) {
       return std::string(names.symbol(atom.of));
     case Atom::Kind::number:
       return fmt::format("{} {}", names.symbol(atom.of), number_text(atom));
+    case Atom::Kind::compare:
+      return compare_text(atom, names);
     case Atom::Kind::parts:
       break;
   }
@@ -192,6 +248,9 @@ bool holds(const Atom& atom, const StateView& view) {
       return view.value(atom.of) != 0;
     case Atom::Kind::number:
       return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, view.value(atom.of));
+    case Atom::Kind::compare:
+      return tables::compares_near(number_of(atom.left, view), atom.comparison, number_of(atom.right, view),
+                                   atom.tolerance);
     case Atom::Kind::parts:
       break;
   }
@@ -214,6 +273,8 @@ Reference reference_of(const Atom& atom) {
     case Atom::Kind::bit:
     case Atom::Kind::number:
       return {Reference::Kind::symbol, atom.of};
+    case Atom::Kind::compare:
+      return *reference_of(atom.left);  // a number is on the right
     case Atom::Kind::parts:
       break;
   }

@@ -21,7 +21,7 @@ bool holds(const Network& network, const StateView& view);
 condition::Tree changes_of(const Network& network, const StateView& view);
 inline constexpr std::size_t kMostLiterals = 200;
 
-/// The unit, symbol or location that an atom reads.
+/// The unit, symbol, location or value that an atom reads; of a comparison of two the left one.
 Reference reference_of(const condition::Atom& atom);
 
 /// The different atoms of a tree, in their order.

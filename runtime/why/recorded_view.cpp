@@ -31,6 +31,14 @@ std::vector<PartState> RecordedView::parts(std::uint32_t location) const {
   return located;
 }
 
+std::optional<double> RecordedView::output(std::uint32_t output) const {
+  return plant_ != nullptr ? plant_->output(output) : history_.output(output);
+}
+
+std::optional<double> RecordedView::weight(std::uint32_t location) const {
+  return plant_ != nullptr ? std::optional(plant_->weight(location)) : std::nullopt;
+}
+
 std::optional<tables::Time> RecordedView::remaining(std::uint32_t unit) const {
   return is_exact(unit) ? std::optional(plant_->unit(unit).remaining) : std::nullopt;
 }

@@ -24,6 +24,9 @@ class RecordedView : public StateView {
 
   std::span<const trace::History::Malfunction> malfunctions() const override { return history_.malfunctions(); }
 
+  std::optional<double> output(std::uint32_t output) const override;
+  std::optional<double> weight(std::uint32_t location) const override;
+
   std::optional<tables::Time> remaining(std::uint32_t unit) const override;
   std::optional<tables::Time> after_left(std::uint32_t unit, std::uint16_t transition) const override;
   std::optional<bool> is_armed(std::uint32_t operation) const override;

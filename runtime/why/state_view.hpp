@@ -39,6 +39,10 @@ class StateView {
   /// On a track from the front-most one, if positions are known; else in the order in which they came.
   virtual std::vector<PartState> parts(std::uint32_t location) const = 0;
 
+  virtual std::optional<double> output(std::uint32_t) const { return {}; }  ///< of a value
+  /// The sum of the weights of the parts at a location.
+  virtual std::optional<double> weight(std::uint32_t) const { return {}; }
+
   /// How long a unit still moves.
   virtual std::optional<tables::Time> remaining(std::uint32_t) const { return {}; }
   /// As Plant::after_left().

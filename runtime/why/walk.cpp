@@ -28,6 +28,8 @@ Explanation Walk::thing(const Reference& thing) {
       return work(thing.index);
     case Reference::Kind::source:
       return source(thing.index);
+    case Reference::Kind::value:
+      return value(thing.index);
     case Reference::Kind::part:
       break;
   }
@@ -77,10 +79,19 @@ Explanation Walk::atom(const condition::Atom& atom) {
     case condition::Atom::Kind::bit:
     case condition::Atom::Kind::number:
       return symbol(atom.of);
+    case condition::Atom::Kind::compare:
+      return thing(reference_of(atom));
     case condition::Atom::Kind::parts:
       break;
   }
   return location(atom.of);
+}
+
+/// What a value is now.
+Explanation Walk::value(std::uint32_t output) const {
+  const Reference self{Reference::Kind::value, output};
+  const std::optional<double> now = view_.output(output);
+  return {name_of(self, names_) + (now ? fmt::format(" is {}", *now) : ""), {self}, {}};
 }
 
 std::vector<Explanation> Walk::causes_of(const condition::Tree& changes) {

@@ -136,6 +136,7 @@ class Walk {
   Explanation requirement(std::uint32_t requirement);
 
   // Parts (walk_part.cpp).
+  Explanation value(std::uint32_t output) const;
   Explanation location(std::uint32_t location);
   std::vector<Reference> feeders_of(std::uint32_t location) const;
   std::vector<Reference> takers_of(const Place& place) const;

@@ -32,13 +32,15 @@ int Walk::direction_of_drive(std::uint32_t drive) const {
     return condition != tables::kNone && holds(index_.conditions.network(condition), view_);
   };
   const bool forward = on(row.forward);
-  if (forward == on(row.backward)) return 0;
+  const bool always = row.varies() && row.forward == tables::kNone && row.backward == tables::kNone;
+  if (!always && forward == on(row.backward)) return 0;
   double speed = 1;
   if (row.symbol != tables::kNone) {
     speed = speed_of(tables_.symbols[row.symbol].type(), view_.value(row.symbol), row.speed);
   }
+  if (row.output != tables::kNone) speed = view_.output(row.output).value_or(0);
   const int direction = speed > 0 ? 1 : speed < 0 ? -1 : 0;
-  return forward ? direction : -direction;
+  return forward || always ? direction : -direction;
 }
 
 Explanation Walk::part(const Place& place) {

@@ -249,6 +249,7 @@ Explanation Walk::violation(std::uint32_t requirement) {
 Explanation Walk::led(const condition::Atom& atom) {
   const Reference of = reference_of(atom);
   if (of.kind == Reference::Kind::unit) return led_unit(of.index);
+  if (of.kind == Reference::Kind::value) return value(of.index);
   if (of.kind == Reference::Kind::location) return {location_head(of.index), {of}, {}};
   Explanation result{symbol_head(of.index), {of}, {}};
   const std::uint32_t unit = tables_.symbols[of.index].unit;

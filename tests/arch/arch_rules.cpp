@@ -36,9 +36,10 @@ struct ElementFile {
   std::string_view layer;
 };
 constexpr std::array kElementFiles = {
-    ElementFile{"given", "description"}, ElementFile{"entry", "description"}, ElementFile{"lower", "lower"},
-    ElementFile{"rows", "emit"},         ElementFile{"skeleton", "emit"},     ElementFile{"json", "view"},
-    ElementFile{"words", "view"},        ElementFile{"html", "view"},         ElementFile{"drawing", "view"},
+    ElementFile{"given", "description"}, ElementFile{"modules", "description"}, ElementFile{"entry", "description"},
+    ElementFile{"lower", "lower"},       ElementFile{"rows", "emit"},           ElementFile{"skeleton", "emit"},
+    ElementFile{"json", "view"},         ElementFile{"words", "view"},          ElementFile{"html", "view"},
+    ElementFile{"drawing", "view"},
 };
 
 /// In the root of the runtime, as C programs include it; of the layer `program`.

@@ -1,5 +1,6 @@
 // Any text as a condition: written out it must read the same, and its truth tables must match its tree.
 #include <algorithm>
+#include <functional>
 #include <variant>
 #include <vector>
 
@@ -29,13 +30,22 @@ bool is_far(const condition::Number& number) {
   return number.exponent > kFar || number.exponent < -kFar;
 }
 
+void look_at(const condition::Name& name, std::string_view text) {
+  look_at_index(name.index, text);
+  const std::string_view there = text.substr(name.index.offset, name.index.length);
+  require(there.starts_with('\'') || there == name.text, "a name is not what is at its place");
+}
+
 void look_at(const Expression& expression, std::string_view text) {
-  for (const condition::Name& name : expression.names) {
-    look_at_index(name.index, text);
-    const std::string_view there = text.substr(name.index.offset, name.index.length);
-    require(there.starts_with('\'') || there == name.text, "a name is not what stands at its place");
+  for (const condition::Name& name : expression.names) look_at(name, text);
+  for (const condition::Operand& operand : expression.operands) {
+    look_at_index(operand.index, text);
+    for (const condition::Name& name : operand.names) look_at(name, text);
+    if (operand.output) look_at(*operand.output, text);
   }
-  look_at_index(expression.number_index, text);
+  const std::size_t operands = expression.operands.size();
+  const bool compares = expression.kind == Expression::Kind::comparison;
+  require(compares ? operands == 2 || operands == 3 : operands == 0, "a number of operands that cannot be");
   const bool branch = expression.kind == Expression::Kind::all || expression.kind == Expression::Kind::any;
   const std::size_t children = expression.children.size();
   require(branch ? children >= 2 : children == (expression.kind == Expression::Kind::negation ? 1 : 0),
@@ -47,6 +57,21 @@ std::string quoted(const std::string& name) {
   std::string text = "'";
   for (const char c : name) text += c == '\'' ? "''" : std::string(1, c);
   return text + "'";
+}
+
+std::string written(const std::vector<condition::Name>& names) {
+  std::string text;
+  for (const condition::Name& name : names) text += (text.empty() ? "" : ".") + quoted(name.text);
+  return text;
+}
+
+std::string written(const condition::Operand& operand) {
+  const condition::Number& number = operand.number;
+  if (!operand.names.empty()) {
+    return written(operand.names) + (operand.output ? "[" + operand.output->text + "]" : "");
+  }
+  return (number.negative ? "-" : "") + (number.digits.empty() ? "0" : number.digits) + "e" +
+         std::to_string(number.exponent);
 }
 
 std::string written(const Expression& expression);
@@ -64,13 +89,11 @@ std::string written(const Expression& expression) {
   std::string text;
   switch (expression.kind) {
     case Expression::Kind::name:
+      return written(expression.names);
     case Expression::Kind::comparison:
-      for (const condition::Name& name : expression.names) text += (text.empty() ? "" : ".") + quoted(name.text);
-      if (expression.kind == Expression::Kind::name) return text;
-      return text + kComparisons[static_cast<std::size_t>(expression.comparison)] +
-             (expression.number.negative ? "-" : "") +
-             (expression.number.digits.empty() ? "0" : expression.number.digits) + "e" +
-             std::to_string(expression.number.exponent);
+      text = written(expression.operands[0]) + kComparisons[static_cast<std::size_t>(expression.comparison)] +
+             written(expression.operands[1]);
+      return expression.operands.size() == 2 ? text : text + "+-" + written(expression.operands[2]);
     case Expression::Kind::negation:
       return "not " + part(expression.children.front(), expression.kind);
     case Expression::Kind::all:
@@ -84,17 +107,27 @@ std::string written(const Expression& expression) {
   return text;
 }
 
+bool same(const std::vector<condition::Name>& a, const std::vector<condition::Name>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const condition::Name& x, const condition::Name& y) { return x.text == y.text; });
+}
+
+bool same(const condition::Operand& a, const condition::Operand& b) {
+  if (!same(a.names, b.names) || a.output.has_value() != b.output.has_value()) return false;
+  if (a.output && a.output->text != b.output->text) return false;
+  if (is_far(a.number)) return true;
+  return a.number.negative == b.number.negative && a.number.digits == b.number.digits &&
+         a.number.exponent == b.number.exponent;
+}
+
 bool same(const Expression& a, const Expression& b) {
-  if (a.kind != b.kind || a.children.size() != b.children.size() || a.names.size() != b.names.size()) return false;
-  for (std::size_t i = 0; i < a.names.size(); ++i) {
-    if (a.names[i].text != b.names[i].text) return false;
+  if (a.kind != b.kind || a.children.size() != b.children.size() || !same(a.names, b.names)) return false;
+  if (a.comparison != b.comparison) return false;
+  const auto same_operand = [](const condition::Operand& x, const condition::Operand& y) { return same(x, y); };
+  if (!std::equal(a.operands.begin(), a.operands.end(), b.operands.begin(), b.operands.end(), same_operand)) {
+    return false;
   }
-  if (a.kind == Expression::Kind::comparison && !is_far(a.number)) {
-    if (a.comparison != b.comparison || a.number.negative != b.number.negative || a.number.digits != b.number.digits ||
-        a.number.exponent != b.number.exponent) {
-      return false;
-    }
-  }
+  const auto same = [](const Expression& x, const Expression& y) { return fuzz::same(x, y); };
   return std::equal(a.children.begin(), a.children.end(), b.children.begin(), same);
 }
 
@@ -108,7 +141,11 @@ bool same(const Tree& a, const Tree& b) {
 
 /// The truth of an atom in one of many worlds; equal atoms have equal truths.
 bool truth_of(const condition::Atom& atom, std::uint64_t world) {
-  std::uint64_t mixed = world;
+  std::uint64_t mixed = world ^ std::hash<double>{}(atom.tolerance);
+  for (const condition::Quantity& side : {atom.left, atom.right}) {
+    mixed = mixed * 31 + std::uint64_t{side.of} * 5 + static_cast<std::uint64_t>(side.kind) +
+            std::hash<double>{}(side.number);
+  }
   for (const std::uint64_t part :
        {static_cast<std::uint64_t>(atom.kind), std::uint64_t{atom.of}, std::uint64_t{atom.state},
         static_cast<std::uint64_t>(atom.comparison), static_cast<std::uint64_t>(atom.number), atom.operand}) {

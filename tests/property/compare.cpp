@@ -21,6 +21,8 @@ RunCounts& RunCounts::operator+=(const RunCounts& other) {
   qualities += other.qualities;
   furthers += other.furthers;
   malfunctions += other.malfunctions;
+  values += other.values;
+  values_refused += other.values_refused;
   cut_short += other.cut_short;
   too_many_rises += other.too_many_rises;
   return *this;

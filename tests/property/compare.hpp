@@ -23,9 +23,11 @@ struct RunCounts {
   long inputs = 0;  ///< set_input calls with an effect
   long inputs_refused = 0;
   long forces = 0;
-  long qualities = 0;       ///< set_quality
-  long furthers = 0;        ///< further instants that changed nothing
-  long malfunctions = 0;    ///< started and stopped from outside
+  long qualities = 0;     ///< set_quality
+  long furthers = 0;      ///< further instants that changed nothing
+  long malfunctions = 0;  ///< started and stopped from outside
+  long values = 0;        ///< set_value calls with an effect
+  long values_refused = 0;
   long cut_short = 0;       ///< advances that would run too many instants
   long too_many_rises = 0;  ///< runs ended because more events rose within a cycle than the engine remembers
 

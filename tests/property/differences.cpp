@@ -7,6 +7,7 @@
 
 #include "property/malfunction_names.hpp"
 #include "property/part_differences.hpp"
+#include "property/value_differences.hpp"
 #include "support/reference/lines.hpp"
 
 namespace symplant::property {
@@ -29,12 +30,14 @@ std::string reported_as(const tables::Finding& finding, const model::PlantModel&
   const std::size_t most = unit                                       ? plant.units.size()
                            : finding.kind == Of::requirement_violated ? plant.requirements.size()
                            : finding.kind == Of::part_blocked         ? plant.material.transfers.size()
+                           : finding.kind == Of::value_not_finite     ? plant.values.size()
                                                                       : plant.symbols.size();
   if (finding.kind == Of::instantaneous_loop && finding.of >= most) return text + loop_member(finding.of, plant);
   if (finding.of >= most) return text + "nothing (" + std::to_string(finding.of) + ")";
   if (unit) return text.append(plant.units[finding.of].path);
   if (finding.kind == Of::requirement_violated) return text + plant.requirements[finding.of].name;
   if (finding.kind == Of::part_blocked) return text + plant.material.transfers[finding.of].name;
+  if (finding.kind == Of::value_not_finite) return text + plant.values[finding.of].name;
   return text.append(plant.symbols[finding.of].name());
 }
 
@@ -51,6 +54,7 @@ std::string reported_as(const reference::InstantRecord& record, const model::Pla
     text += " <" + malfunction_text(plant, change.malfunction) + (change.active ? " starts by " : " ends by ") +
             std::to_string(static_cast<int>(change.by)) + ">";
   }
+  for (const auto& [name, number] : record.values) text += " " + name + " is " + number_text(number);
   return text;
 }
 
@@ -160,6 +164,9 @@ std::string next_due_difference(plant::Plant& engine, const reference::Plant& re
   if (due == reference.next_due()) return {};
   // Parts may cause more instants than needed.
   if (!engine.tables().material.empty() && due >= reference.now() && due < reference.next_due()) return {};
+  // A step that would change nothing may be skipped, but no other instant.
+  const bool values = !engine.tables().values.rows.empty() || !engine.tables().values.signals.empty();
+  if (values && due >= reference.now() && due <= reference.next_due(false)) return {};
   return both("next_due at " + std::to_string(reference.now()), std::to_string(due),
               std::to_string(reference.next_due()));
 }
@@ -171,6 +178,7 @@ std::string state_difference(EnginePlant& engine, const reference::Plant& refere
   if (text.empty()) text = symbols_difference(engine, reference, plant);
   if (text.empty()) text = parts_difference(it, reference, plant);
   if (text.empty()) text = malfunctions_difference(it, reference, plant);
+  if (text.empty()) text = values_difference(it, reference, plant);
   if (text.empty()) text = next_due_difference(it, reference);
   if (text.empty() && it.state_hash() != reference.state_hash()) text = "state_hash";
   return text;

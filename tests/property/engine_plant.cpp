@@ -28,7 +28,11 @@ SymbolIndexes::SymbolIndexes(const tables::PlantTables& tables)
 }
 
 EnginePlant::EnginePlant(const tables::PlantTables& tables, const std::vector<engine::Behaviour>& behaviours)
-    : tables_(tables), indexes_(tables), behaviours_(behaviours), units_reported_(tables.units.size()) {
+    : tables_(tables),
+      indexes_(tables),
+      behaviours_(behaviours),
+      units_reported_(tables.units.size()),
+      value_trace_(tables.values) {
   const std::size_t size = plant::Plant::memory_size(tables, behaviours_);
   const std::size_t pieces = size / sizeof(std::max_align_t) + 1;
   memory_ = std::make_unique_for_overwrite<std::max_align_t[]>(pieces);
@@ -119,8 +123,9 @@ void EnginePlant::instant(const engine::Instant& instant) noexcept {
     units_reported_[unit] = true;
   }
   record.malfunctions.assign(instant.malfunctions.begin(), instant.malfunctions.end());
-  const bool silent =
-      record.changes.empty() && record.findings.empty() && record.parts.empty() && record.malfunctions.empty();
+  record.values = value_trace_.lines_at(instant.time, *plant_);
+  const bool silent = record.changes.empty() && record.findings.empty() && record.parts.empty() &&
+                      record.malfunctions.empty() && record.values.empty();
   if (!silent) instants_.push_back(std::move(record));
 }
 

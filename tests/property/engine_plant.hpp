@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "property/value_differences.hpp"
 #include "support/reference/reference.hpp"
 #include "symplant/plant/plant.hpp"
 
@@ -43,6 +44,8 @@ class EnginePlant final : private engine::Observer {
   /// The first invalid report; empty if all are valid.
   std::string fault() const;
   void forget();
+  /// What the trace has of values. Not part of a save.
+  ValueTrace& value_trace() { return value_trace_; }
 
  private:
   void instant(const engine::Instant& instant) noexcept override;
@@ -61,6 +64,7 @@ class EnginePlant final : private engine::Observer {
   std::vector<engine::PartChange> pending_parts_;
   std::vector<bool> units_reported_;
   std::string fault_;
+  ValueTrace value_trace_;
   unsigned writes_ = 0;  ///< every third write uses whole words
 };
 

@@ -188,8 +188,8 @@ symplant_planted_bug(engine tails_read_in_the_order_of_the_ends
   "    if (seen == nullptr || (!BUG && is_further(p, *seen, time))) seen = &p;")
 
 symplant_planted_bug(engine drive_without_direction_stands
-  "  const bool always = row.symbol"
-  "  const bool always = !BUG && row.symbol")
+  "  const bool always = row.varies()"
+  "  const bool always = !BUG && row.varies()")
 
 # Of malfunctions.
 symplant_planted_bug(engine slower_changes_a_move_in_progress
@@ -287,6 +287,120 @@ symplant_planted_bug(engine frozen_malfunction_starts_again
 symplant_planted_bug(engine loop_without_its_inactive_members
   "    if (state.frozen != 0 || state.counted < kLeastOfLoop) continue;"
   "    if (state.frozen != 0 || state.counted < kLeastOfLoop || (BUG && state.active == 0)) continue;")
+
+# Of values and signals.
+symplant_planted_bug(engine stored_input_of_the_wrong_step
+  "  const double u = stored_[row.formula];"
+  "  const double u = BUG && row.kind == ValueKind::integral ? evaluate(row.formula) : stored_[row.formula];")
+
+symplant_planted_bug(engine lag_factor_by_float
+  "      result = x + (u - x) * row.factor;"
+  "      result = x + (u - x) * (BUG ? static_cast<double>(static_cast<float>(row.factor)) : row.factor);")
+
+symplant_planted_bug(engine delay_one_step_too_short
+  "      result = memory(value)[states_[value].oldest];"
+  "      result = memory(value)[(states_[value].oldest + (BUG ? 1 : 0)) % row.steps];")
+
+symplant_planted_bug(engine delay_sleeps_before_its_output_has_changed
+  "  if (state.equal < row.steps || !shown) moved_[value] = 1;"
+  "  if (state.equal < row.steps || (!BUG && !shown)) moved_[value] = 1;")
+
+symplant_planted_bug(engine limit_before_the_finite_check
+  "  if (!std::isfinite(result)) return false;
+  give(row.output, limited(result, row.min, row.max), true);
+  return true;
+}
+
+bool Values::compute_derivative"
+  "  if (BUG) result = limited(result, row.min, row.max);
+  if (!std::isfinite(result)) return false;
+  give(row.output, limited(result, row.min, row.max), true);
+  return true;
+}
+
+bool Values::compute_derivative")
+
+symplant_planted_bug(engine limit_below_zero_is_kept
+  "  const double result = number < min ? min : number > max ? max : number;
+  return result == 0 ? 0.0 : result;
+}
+
+/// The step in seconds."
+  "  const double result = number < min ? min : number > max ? max : number;
+  return result == 0 && !BUG ? 0.0 : result;
+}
+
+/// The step in seconds.")
+
+symplant_planted_bug(engine noise_drawn_twice
+  "name, 0, draws++);"
+  "name, 0, BUG ? draws += 2 : draws++);")
+
+symplant_planted_bug(engine signal_computed_after_another_was_written
+  "    numbers_[signal] = std::isnan(n) ? engine_.event_values_.made[symbol.index] : shown(row, n);"
+  "    numbers_[signal] = std::isnan(n) ? engine_.event_values_.made[symbol.index] : shown(row, n);
+    if (BUG && !engine_.is_forced(row.symbol)) value_changed(tables::Direction::event, symbol.index, numbers_[signal]);")
+
+symplant_planted_bug(engine signal_that_is_no_number_is_zero
+  "std::isnan(n) ? engine_.event_values_.made[symbol.index] : shown(row, n);"
+  "std::isnan(n) ? (BUG ? 0 : engine_.event_values_.made[symbol.index]) : shown(row, n);")
+
+symplant_planted_bug(engine signal_rounds_half_away_from_zero
+  "  number = limited(std::nearbyint(number), "
+  "  number = limited(BUG ? std::round(number) : std::nearbyint(number), ")
+
+symplant_planted_bug(engine second_instant_of_a_time_steps_again
+  "  const bool first = head_->instant != now();"
+  "  const bool first = BUG || head_->instant != now();")
+
+symplant_planted_bug(engine skipped_instant_computes_later
+  "    if (values_.active()) values_.end_time();
+    return;"
+  "    if (values_.active() && !BUG) values_.end_time();
+    return;")
+
+symplant_planted_bug(engine ramp_down_by_up
+  "stored_[row.formula + row.formulas - 1];"
+  "stored_[row.formula + (BUG ? 1 : row.formulas - 1)];")
+
+symplant_planted_bug(engine jump_that_loses_an_edge
+  "    held_[change] = holds ? 1 : 0;"
+  "    if (!BUG || holds) held_[change] = holds ? 1 : 0;")
+
+symplant_planted_bug(engine jump_reads_its_value_as_the_round_began
+  "    if (input.kind == tables::FormulaInputKind::output && input.of == row.output) inputs_[i] = outputs_[row.output];"
+  "    if (!BUG && input.kind == tables::FormulaInputKind::output && input.of == row.output) inputs_[i] = outputs_[row.output];")
+
+symplant_planted_bug(engine order_of_values_that_read_others
+  "  for (const std::uint32_t v : values.order) rank_next(v);"
+  "  for (std::size_t i = 0; i < values.order.size(); ++i) rank_next(values.order[BUG ? values.order.size() - 1 - i : i]);")
+
+symplant_planted_bug(engine value_that_was_set_makes_its_step
+  "      if (states_[value].stored != 0 && states_[value].set_at != now() && !step(value)) failed_[value] = 1;"
+  "      if (states_[value].stored != 0 && (BUG || states_[value].set_at != now()) && !step(value)) failed_[value] = 1;")
+
+symplant_planted_bug(engine values_stop_after_a_line_of_the_trace
+  "      values_.entry_due();"
+  "      if (!BUG || values_.due()) values_.entry_due();")
+
+symplant_planted_bug(engine value_with_a_step_that_fails_sleeps
+  "moved_[value] == 0 && failed_[value] == 0 &&"
+  "moved_[value] == 0 && (BUG || failed_[value] == 0) &&")
+
+symplant_planted_bug(engine controller_winds_up
+  "row.ti == 0 || winds_up ? integral"
+  "row.ti == 0 || (!BUG && winds_up) ? integral")
+
+symplant_planted_bug(engine derivative_from_zero
+  "  const double result = state.remembers != 0 ? (u - last) / seconds(row.step) : 0;"
+  "  const double result = BUG || state.remembers != 0 ? (u - last) / seconds(row.step) : 0;")
+
+symplant_planted_bug(engine sums_of_a_linear_value_from_zero
+  "sum = i == 0 ? a[i] * x[i] : sum + a[i] * x[i];
+  for (std::uint32_t i = 0; i < inputs; ++i) sum = states"
+  "sum = i == 0 ? a[i] * x[i] : sum + a[i] * x[i];
+  if (BUG) { double other = 0; for (std::uint32_t i = inputs; i-- > 0;) other += b[i] * u[i]; return sum + other; }
+  for (std::uint32_t i = 0; i < inputs; ++i) sum = states")
 
 symplant_planted_layer(engine ${PROJECT_SOURCE_DIR}/runtime/engine)
 add_executable(property_mutants $<TARGET_OBJECTS:property_main> $<TARGET_OBJECTS:symplant_engine_planted>)

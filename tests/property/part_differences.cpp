@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "property/value_differences.hpp"
 #include "support/reference/lines.hpp"
 
 namespace symplant::property {
@@ -57,6 +58,7 @@ std::string instant_text(const reference::InstantRecord& record, const model::Pl
     text += "}";
   }
   for (const std::string& part : part_texts(record, plant)) text += " [" + part + "]";
+  for (const auto& [name, number] : record.values) text += " " + name + " is " + number_text(number);
   return text;
 }
 

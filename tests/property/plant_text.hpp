@@ -46,14 +46,15 @@ struct Action {
     advance_to_due,  ///< to the next due time; by a second if nothing is due
     advance_before,  ///< by `time`, with its instant still pending
     save,
-    restore,  ///< the save `value` (from 0, modulo the number of saves), into another plant if `time` is not 0
-    put,      ///< a part of kind `value`, at a location: TRACK, TRACK@um or PLACE
-    take,     ///< a part from a location
-    further,  ///< after `time`, one more instant without a change: writes the symbol's own value if `value` is 0,
-              ///< releases it if not; it is not forced
-    run,      ///< advance to `time` from now, over up to `value` instants
-    start,    ///< a malfunction (malfunction_names.hpp): by a scenario if `value` is 0, else by hand
-    stop,     ///< as `start`
+    restore,    ///< the save `value` (from 0, modulo the number of saves), into another plant if `time` is not 0
+    put,        ///< a part of kind `value`, at a location: TRACK, TRACK@um or PLACE
+    take,       ///< a part from a location
+    further,    ///< after `time`, one more instant without a change: writes the symbol's own value if `value` is 0,
+                ///< releases it if not; it is not forced
+    run,        ///< advance to `time` from now, over up to `value` instants
+    start,      ///< a malfunction (malfunction_names.hpp): by a scenario if `value` is 0, else by hand
+    stop,       ///< as `start`
+    set_value,  ///< of the plant's values, by its name, to the double with the bits `value`
   };
   Kind kind = Kind::advance;
   std::string what = {};

@@ -100,9 +100,9 @@ class MalfunctionWriter {
     }
   }
 
-  description::GivenValue value(tables::DataType type) {
+  description::GivenForcedValue value(tables::DataType type) {
     static const std::vector<std::string> kReals = {"0", "2.5", "-1", "300", "nan", "inf", "-0.0"};
-    description::GivenValue given;
+    description::GivenForcedValue given;
     if (type == tables::DataType::boolean) {
       given.bit = dice_.percent(50);
       given.number = given.shown = *given.bit ? "true" : "false";
@@ -137,7 +137,7 @@ class MalfunctionWriter {
     GivenMalfunction given;
     given.name = "r1";
     given.kinds = {MalfunctionKind::force};
-    given.force.emplace_back(symbol, description::GivenValue{on, on ? "true" : "false", on ? "true" : "false"});
+    given.force.emplace_back(symbol, description::GivenForcedValue{on, on ? "true" : "false", on ? "true" : "false"});
     given.when = (on ? "not '" : "'") + symbol + "'";
     if (dice_.percent(70)) {
       given.becomes = {duration().a, (on ? "'" : "not '") + symbol + "'", "r1"};
@@ -171,7 +171,7 @@ void add_restless(Dice& dice, std::vector<GivenMalfunction>& all) {
   GivenMalfunction one;
   one.name = "restless" + number;
   one.kinds = {MalfunctionKind::force};
-  one.force.emplace_back(dice.percent(50) ? "EYE" : "L0_P_D0_I_B", description::GivenValue{true, "true", "true"});
+  one.force.emplace_back(dice.percent(50) ? "EYE" : "L0_P_D0_I_B", description::GivenForcedValue{true, "true", "true"});
   GivenMalfunction other = one;
   other.name = "other" + number;
   const std::size_t kind = dice.below(3);

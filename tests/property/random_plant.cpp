@@ -8,6 +8,7 @@
 #include "property/random_malfunctions.hpp"
 #include "property/random_material.hpp"
 #include "property/random_unit.hpp"
+#include "property/random_values.hpp"
 
 namespace symplant::property {
 namespace {
@@ -106,6 +107,16 @@ void add_malfunctions(PlantText& text, std::uint64_t draw) {
   if (dice.percent(ripples ? 10 : 40)) add_random_malfunctions(dice, text, build(text).plant);
 }
 
+/// Values and signals for some plants, by other dice, too.
+void add_values(PlantText& text, std::uint64_t draw) {
+  Dice dice(draw * 2 + 0x3A80'0000'0001);
+  const bool ripples = text.rows.size() > 200;
+  if (!dice.percent(ripples ? 5 : 40)) return;
+  add_random_values(dice, text, build(text).plant);
+  let_conditions_read_values(dice, text);
+  let_drives_read_values(dice, text);
+}
+
 std::string refusal(const model::Evidence& evidence) {
   if (!evidence.driven_twice.empty()) return "an address that two units move";
   if (evidence.faults.empty()) return "a behaviour that its unit does not serve";
@@ -132,6 +143,7 @@ DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
     if (options.malfunctions) {
       add_malfunctions(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused));
     }
+    if (options.values) add_values(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused));
     drawn.text.name = "drawn_" + std::to_string(seed);
     model::Derived derived = build_apart(drawn.text);
     const bool runs = runnable(derived);

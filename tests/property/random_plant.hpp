@@ -24,6 +24,7 @@ struct DrawOptions {
   bool naming_rules = true;  ///< some plants have a custom naming rule
   bool material = true;      ///< some plants have material flow
   bool malfunctions = true;  ///< some plants have written malfunctions
+  bool values = true;        ///< some plants have values and signals
 };
 
 /// The same plant for the same seed and options, everywhere.

@@ -8,6 +8,7 @@
 #include "property/random_malfunctions.hpp"
 #include "property/random_material.hpp"
 #include "property/random_plant.hpp"
+#include "property/random_values.hpp"
 
 namespace symplant::property {
 namespace {
@@ -36,6 +37,7 @@ class StimulusWriter {
       for (std::size_t k = dice_.below(4); k > 0; --k) act();
       if (!plant_.material.empty()) parts();
       malfunctions();
+      values();
       keep();
       advance();
     }
@@ -94,10 +96,15 @@ class StimulusWriter {
   void parts() {
     if (dice_.percent(22)) add(Kind::put, location(), dice_.below(plant_.material.kinds.size()), 0);
     if (dice_.percent(9)) add(Kind::take, location(), 0, 0);
-    if (!dice_.percent(25) || plant_.symbols.empty()) return;
-    const auto symbol = static_cast<std::uint32_t>(dice_.below(plant_.symbols.size()));
+    if (dice_.percent(25)) further(dice_);
+  }
+
+  void further(Dice& dice) {
+    if (plant_.symbols.empty()) return;
+    const auto symbol = static_cast<std::uint32_t>(dice.below(plant_.symbols.size()));
     static const std::vector<tables::Time> kTimes = {1, 7, 3 * kMillisecond, 3'333'333, 9'999'999, 0};
-    add(Kind::further, name(symbol), dice_.below(2), dice_.pick(kTimes));
+    const tables::Time time = dice.pick(kTimes);
+    add(Kind::further, name(symbol), dice.below(2), time);
   }
 
   /// Drawn by other dice: the rest is the same without malfunctions.
@@ -114,6 +121,20 @@ class StimulusWriter {
       if (kind == Kind::start) started_.push_back(what);
       add(kind, what, other_.below(2), 0);
     }
+  }
+
+  /// Numbers for parameters and for outputs; further instants show that they do not matter.
+  void values() {
+    if (plant_.values.empty()) return;
+    if (other_.percent(6)) {  // to a step that is still to come
+      add(Kind::advance_to_due, {}, 0, 0);
+      add(Kind::advance_before, {}, 0, 10 * kMillisecond);
+    }
+    while (other_.percent(22)) {
+      const double number = other_.percent(5) ? std::numeric_limits<double>::infinity() : random_value_number(other_);
+      add(Kind::set_value, random_settable_value(other_, *plant_.description), std::bit_cast<std::uint64_t>(number), 0);
+    }
+    if (other_.percent(12)) further(other_);
   }
 
   std::string ordinary() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "property/engine_plant.hpp"
 #include "property/malfunction_names.hpp"
 #include "property/part_differences.hpp"
+#include "property/value_differences.hpp"
 #include "support/reference/reference.hpp"
 
 namespace symplant::property {
@@ -83,6 +85,8 @@ class Run {
         return malfunction(action);
       case Kind::further:
         return further(action);
+      case Kind::set_value:
+        return set_value(action);
     }
     return {};
   }
@@ -96,6 +100,7 @@ class Run {
     reference::World reference;
     std::optional<reference::World> undisturbed;
     CycleRises rises;
+    ValueTrace values;
   };
 
   std::array<EnginePlant*, 2> both() { return {engine_.get(), twin_.get()}; }
@@ -106,7 +111,10 @@ class Run {
   }
 
   std::string reset(const Action& action) {
-    for (EnginePlant* engine : both()) engine->plant().reset(action.value, action.time);
+    for (EnginePlant* engine : both()) {
+      engine->plant().reset(action.value, action.time);
+      engine->value_trace().clear();
+    }
     for (reference::Plant* reference : references()) reference->reset(action.value, action.time);
     rises_.clear();
     ++counts_.resets;
@@ -185,6 +193,18 @@ class Run {
     return "malfunction says " + std::string(done ? "true" : "false") + ", the reference the contrary";
   }
 
+  std::string set_value(const Action& action) {
+    const double number = std::bit_cast<double>(action.value);
+    const auto value = value_number(plant_, action.what);
+    if (!value) return reference_.set_value(action.what, number) ? "set_value of an unknown value" : "";
+    const bool done = engine_->plant().set_value(*value, number);
+    twin_->plant().set_value(*value, number);
+    if (undisturbed_ != nullptr) undisturbed_->set_value(action.what, number);
+    ++(done ? counts_.values : counts_.values_refused);
+    if (done == reference_.set_value(action.what, number)) return {};
+    return "set_value says " + std::string(done ? "true" : "false") + ", the reference the contrary";
+  }
+
   /// One more instant, for all but the undisturbed reference.
   std::string further(const Action& action) {
     const auto found = symbols_.find(action.what);
@@ -208,7 +228,12 @@ class Run {
   std::string save() {
     const auto block = engine_->plant().save();
     const auto twin = twin_->plant().save();
-    saves_.push_back({{block.begin(), block.end()}, {twin.begin(), twin.end()}, reference_.save(), {}, rises_});
+    saves_.push_back({{block.begin(), block.end()},
+                      {twin.begin(), twin.end()},
+                      reference_.save(),
+                      {},
+                      rises_,
+                      engine_->value_trace()});
     if (undisturbed_ != nullptr) saves_.back().undisturbed = undisturbed_->save();
     ++counts_.saves;
     return {};
@@ -231,6 +256,7 @@ class Run {
     reference_.restore(saved.reference);
     if (undisturbed_ != nullptr) undisturbed_->restore(*saved.undisturbed);
     rises_ = saved.rises;
+    for (EnginePlant* engine : both()) engine->value_trace() = saved.values;
     ++counts_.restores;
     return {};
   }
@@ -290,6 +316,7 @@ class Run {
     if (text.empty()) text = shadow.difference(*engine_);
     if (text.empty() && twin_observed) text = instants_difference(*twin_, reference_, plant_);
     if (text.empty()) text = twin_difference(*engine_, *twin_);
+    twin_->value_trace() = engine_->value_trace();  // as if it had been observed
     return text;
   }
 

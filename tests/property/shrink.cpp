@@ -74,6 +74,8 @@ class Shrinker {
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.follow; });
     material();
     malfunctions();
+    pieces([](auto& the_case) -> auto& { return the_case.plant.description.values; });
+    pieces([](auto& the_case) -> auto& { return the_case.plant.description.signals; });
     for (std::size_t i = 0; i < best_.plant.description.devices.size(); ++i) device(i);
     // One edit after the other; a kept edit makes the plant smaller, so that the next has the same index.
     for (std::size_t i = 0; i < count_simpler(best_.plant);) {

@@ -84,6 +84,8 @@ class Edits {
     each_edit(plant.description.material, [this](const std::function<void()>& make) { edit(make); });
     each_condition(plant.description.malfunctions, [this](std::string& text, bool none) { condition(text, none); });
     each_edit(plant.description.malfunctions, [this](const std::function<void()>& make) { edit(make); });
+    each_condition(plant.description, [this](std::string& text, bool none) { condition(text, none); });
+    each_edit(plant.description, [this](const std::function<void()>& make) { edit(make); });
     if (plant.description.defaults.actuation != tables::Actuation::latched) {
       edit([&] { plant.description.defaults.actuation = tables::Actuation::latched; });
     }
@@ -155,7 +157,7 @@ std::size_t plant_size(const PlantText& plant) {
     for (const auto& [name, text] : device.inputs) size += text.size();
   }
   size += plant.description.inverted.size() + material_size(plant.description.material) +
-          malfunctions_size(plant.description.malfunctions);
+          malfunctions_size(plant.description.malfunctions) + values_size(plant.description);
   for (const description::GivenFollow& given : plant.description.follow) size += 5 + given.condition.size();
   for (const description::GivenRequirement& given : plant.description.requirements) {
     size += 10 + given.never.size() + given.after.size() + given.expect.size() + (given.within == 0 ? 0 : 1) +

@@ -48,4 +48,9 @@ void each_condition(std::vector<description::GivenMalfunction>& malfunctions,
 void each_edit(std::vector<description::GivenMalfunction>& malfunctions,
                const std::function<void(const std::function<void()>&)>& visit);
 
+// Of values and signals (simpler_values.cpp).
+std::size_t values_size(const description::Description& description);
+void each_condition(description::Description& description, const std::function<void(std::string&, bool)>& visit);
+void each_edit(description::Description& description, const std::function<void(const std::function<void()>&)>& visit);
+
 }  // namespace symplant::property

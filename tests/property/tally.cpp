@@ -19,6 +19,8 @@ std::vector<std::pair<std::string_view, long>> rows_of(const RunCounts& run) {
           {"forces", run.forces},
           {"qualities of the link", run.qualities},
           {"further instants", run.furthers},
+          {"values set", run.values},
+          {"values refused", run.values_refused},
           {"malfunctions started and stopped from outside", run.malfunctions}};
 }
 
@@ -39,6 +41,7 @@ void Tally::add_plant(const DrawnPlant& drawn) {
   following_ += std::ssize(drawn.model.follows);
   with_material_ += drawn.model.material.empty() ? 0 : 1;
   with_malfunctions_ += drawn.model.malfunctions.empty() ? 0 : 1;
+  with_values_ += drawn.model.values.empty() ? 0 : 1;
 }
 
 void Tally::print(std::ostream& out, double seconds) const {
@@ -50,7 +53,7 @@ void Tally::print(std::ostream& out, double seconds) const {
       << " plans refused; units: median " << median << ", largest " << largest << "; " << behaviours_
       << " with a behaviour; " << shared_ << " symbols that follow others; " << inverted_ << " inverted; " << following_
       << " that follow a condition; " << with_material_ << " plants with parts; " << with_malfunctions_
-      << " with malfunctions\n";
+      << " with malfunctions; " << with_values_ << " with values\n";
   for (const std::string& refusal : refusals_) out << "  refused: " << refusal << "\n";
   out << run.advances << " advances over " << run.instants << " instants with an effect, " << run.cut_short
       << " cut short; " << run.too_many_rises << " runs ended early\n";

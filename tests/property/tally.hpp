@@ -31,6 +31,7 @@ class Tally {
   long following_ = 0;                 ///< symbols that follow a condition
   long with_material_ = 0;             ///< plants
   long with_malfunctions_ = 0;         ///< plants
+  long with_values_ = 0;               ///< plants
   long shared_ = 0;                    ///< symbols that follow another
 };
 

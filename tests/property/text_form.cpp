@@ -5,6 +5,7 @@
 
 #include "property/text_malfunctions.hpp"
 #include "property/text_material.hpp"
+#include "property/text_values.hpp"
 #include "property/words.hpp"
 
 namespace symplant::property {
@@ -98,6 +99,7 @@ std::string write_case(const Case& the_case) {
   for (const description::GivenRequirement& given : plant.description.requirements) writer.requirement(given);
   for (const std::string& line : material_lines(plant.description.material)) writer.line(line);
   for (const std::string& line : malfunction_lines(plant.description.malfunctions)) writer.line(line);
+  for (const std::string& line : value_lines(plant.description)) writer.line(line);
   for (const Action& action : the_case.actions) writer.line(text_of(action));
   return writer.take();
 }

@@ -52,8 +52,8 @@ void read_head(Line& line, description::GivenMalfunction& given) {
   }
 }
 
-description::GivenValue value_in(Line& line) {
-  description::GivenValue value;
+description::GivenForcedValue value_in(Line& line) {
+  description::GivenForcedValue value;
   value.number = value.shown = line.word();
   if (value.number == "true" || value.number == "false") value.bit = value.number == "true";
   return value;

@@ -7,6 +7,7 @@
 #include "property/text_line.hpp"
 #include "property/text_malfunctions.hpp"
 #include "property/text_material.hpp"
+#include "property/text_values.hpp"
 #include "property/words.hpp"
 
 namespace symplant::property {
@@ -49,6 +50,8 @@ class Reader {
       read_material(line, result.plant.description.material);
     } else if (word.starts_with("malfunction")) {
       read_malfunction(word, line, result.plant.description.malfunctions);
+    } else if (is_value_word(word)) {
+      read_value(word, line, result.plant.description);
     } else if (!result.plant.description.requirements.empty()) {
       of_requirement(word, line);
     } else {

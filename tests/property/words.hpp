@@ -20,7 +20,7 @@ struct ActionWord {
   bool time;
 };
 /// In the order of Action::Kind.
-inline constexpr std::array<ActionWord, 18> kActionWords = {{{"reset", false, true, true},
+inline constexpr std::array<ActionWord, 19> kActionWords = {{{"reset", false, true, true},
                                                              {"set", true, true, false},
                                                              {"input", true, true, false},
                                                              {"force", true, true, false},
@@ -37,7 +37,8 @@ inline constexpr std::array<ActionWord, 18> kActionWords = {{{"reset", false, tr
                                                              {"further", true, true, true},
                                                              {"run", false, true, true},
                                                              {"start", true, true, false},
-                                                             {"stop", true, true, false}}};
+                                                             {"stop", true, true, false},
+                                                             {"value", true, true, false}}};
 
 inline std::string_view word_of(tables::Actuation actuation) {
   return kActuationWords[static_cast<std::size_t>(actuation)];

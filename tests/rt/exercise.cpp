@@ -8,6 +8,7 @@
 
 #include "property/malfunction_names.hpp"
 #include "property/part_differences.hpp"
+#include "property/value_differences.hpp"
 
 namespace symplant::test {
 namespace {
@@ -57,6 +58,11 @@ Exercise::Exercise(const model::PlantModel& model, const tables::PlantTables& ta
     if (action.kind == Kind::start || action.kind == Kind::stop) {
       const auto number = property::malfunction_number(model, action.what);
       if (number) steps_.push_back({action.kind, *number, action.value, 0, false});
+      continue;
+    }
+    if (action.kind == Kind::set_value) {
+      const auto value = property::value_number(model, action.what);
+      if (value) steps_.push_back({action.kind, *value, action.value, 0, false});
       continue;
     }
     const auto& names = action.kind == Kind::set_state ? units : symbols;
@@ -115,6 +121,8 @@ void Exercise::act(Step& step) noexcept {
       return add(plant_->start_malfunction(step.what, by(step)) ? 1 : 0);
     case Kind::stop:
       return add(plant_->stop_malfunction(step.what, by(step)) ? 1 : 0);
+    case Kind::set_value:
+      return add(plant_->set_value(step.what, std::bit_cast<double>(step.value)) ? 1 : 0);
     case Kind::further:
     case Kind::run:
     case Kind::advance:

@@ -84,7 +84,7 @@ class MalfunctionReader {
     const Json* force = member(entry_, "force");
     if (force == nullptr || !force->is_object()) return;
     for (const auto& [symbol, value] : force->items()) {
-      GivenValue given;
+      GivenForcedValue given;
       if (value.is_boolean()) given.bit = value.get<bool>();
       given.shown = ticked(value.dump());
       given.number = value.is_string() ? value.get<std::string>() : value.dump();

@@ -14,7 +14,7 @@
 namespace symplant::description {
 
 /// The value of a symbol: true, false, or a number as a text.
-struct GivenValue {
+struct GivenForcedValue {
   std::optional<bool> bit;
   std::string number;  ///< if it is not a bit
   std::string shown;   ///< as it is in the file, for messages
@@ -39,7 +39,7 @@ struct GivenMalfunction {
   bool of_is_list = false;
   std::uint32_t factor = 0;  ///< of `slower`, in thousandths
   std::string state;         ///< of `stuck`; empty: as it is
-  std::vector<std::pair<std::string, GivenValue>> force;
+  std::vector<std::pair<std::string, GivenForcedValue>> force;
   GivenFlicker flicker;
   std::string lose;  ///< a controller; empty: the only one
   std::string when;  ///< a condition; empty: none

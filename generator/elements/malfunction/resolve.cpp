@@ -167,7 +167,8 @@ class MalfunctionResolver {
     return kNone;
   }
 
-  std::optional<std::uint64_t> value(std::uint32_t symbol, const description::GivenValue& given, const Pointer& here) {
+  std::optional<std::uint64_t> value(std::uint32_t symbol, const description::GivenForcedValue& given,
+                                     const Pointer& here) {
     const tables::DataType type = plant_.symbols[symbol].type;
     if ((type == tables::DataType::boolean) != given.bit.has_value()) {
       faults_.add(here, "expected " + std::string(given.bit ? "a number" : "true or false") + " for a " +

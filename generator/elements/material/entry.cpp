@@ -20,9 +20,11 @@ class MaterialReader {
 
   GivenMaterial read() {
     each_of("kinds", [this](const std::string& name, const Json& entry, const Pointer& here) {
-      GivenKind kind{name, length(entry, "length", here, length_above_zero).value_or(0), 0};
+      GivenKind kind{name, length(entry, "length", here, length_above_zero).value_or(0), 0, 0};
       const Json* code = member(entry, "code");
       if (code != nullptr && code->is_number_unsigned()) kind.code = code->get<std::uint32_t>();
+      const Json* weight = member(entry, "weight");
+      if (weight != nullptr && weight->is_number()) kind.weight = weight->get<double>();
       material_.kinds.push_back(std::move(kind));
     });
     each_of("tracks", [this](const std::string& name, const Json& entry, const Pointer& here) {

@@ -18,6 +18,7 @@ struct GivenKind {
   std::string name;
   std::int64_t length = 0;
   std::uint32_t code = 0;
+  double weight = 0;  ///< for values
 };
 
 struct GivenSpeed {

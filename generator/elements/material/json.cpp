@@ -23,6 +23,7 @@ class MaterialWriter {
       json_.member("name", kind.name);
       json_.member("length", kind.length);
       json_.member("code", kind.code);
+      if (kind.weight != 0) json_.member("weight", kind.weight);
     });
     objects("tracks", material_.tracks, [&](const model::Track& track) { write_track(track); });
     objects("places", material_.places, [&](const model::Place& place) {
@@ -69,6 +70,7 @@ class MaterialWriter {
       condition("backward", drive.backward);
       json_.member("speed", drive.speed);
       if (drive.symbol != model::kNone) json_.member("of", plant_.symbols[drive.symbol].name());
+      if (drive.output != model::kNone) json_.member("of", model::output_name(plant_, drive.output));
     });
     objects("stops", track.stops, [&](const model::Stop& stop) {
       json_.member("at", stop.at);

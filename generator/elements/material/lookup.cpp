@@ -65,15 +65,23 @@ std::optional<condition::Tree> MaterialLookup::condition(const std::string& text
   return tree;
 }
 
-std::uint32_t MaterialLookup::numeric_symbol(const std::string& name, const Pointer& here) {
+void MaterialLookup::number(const std::string& name, const Pointer& here, Drive& drive) {
+  if (const auto value = names_.value(name)) {
+    drive.output = value->output;
+    if (value->outputs > 1)
+      faults_.add(here, ticked(name) + " has several outputs; name an `is` value with one of them");
+    return;
+  }
   const auto symbol = names_.symbol(name);
   if (!symbol) {
-    unknown(here, description::missing("symbol " + ticked(name), names_.nearest_symbol(name)));
-    return kNone;
+    const std::string value = names_.nearest_value(name);
+    const std::string what = plant_.values.empty() ? "symbol " : "symbol or value ";
+    unknown(here, description::missing(what + ticked(name), value.empty() ? names_.nearest_symbol(name) : value));
+  } else if (symbol->type == tables::DataType::boolean) {
+    faults_.add(here, ticked(name) + " is BOOL; name a numeric symbol or a value");
+  } else {
+    drive.symbol = symbol->index;
   }
-  if (symbol->type != tables::DataType::boolean) return symbol->index;
-  faults_.add(here, ticked(name) + " is BOOL; name a numeric symbol");
-  return kNone;
 }
 
 std::uint32_t MaterialLookup::sensor_symbol(const std::string& name) const {

@@ -32,8 +32,8 @@ class MaterialLookup {
   bool condition(const std::string& text, const description::Pointer& here, condition::Tree& tree);
   /// Nothing if the text is empty or has a fault.
   std::optional<condition::Tree> condition(const std::string& text, const description::Pointer& here);
-  /// A numeric symbol; kNone, and a fault, if there is no such symbol.
-  std::uint32_t numeric_symbol(const std::string& name, const description::Pointer& here);
+  /// The numeric symbol or the value that gives a drive its speed; a fault if the plant has no such name.
+  void number(const std::string& name, const description::Pointer& here, Drive& drive);
   /// A symbol that mark_sensors() marked; kNone for others, which it has reported.
   std::uint32_t sensor_symbol(const std::string& name) const;
   /// kNone, and a fault, if there is no such kind of part.

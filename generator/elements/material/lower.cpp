@@ -27,7 +27,7 @@ class MaterialLowering {
 
   void run() {
     for (const model::PartKind& kind : material_.kinds) {
-      rows_.kinds.push_back({kind.length, kind.code});
+      rows_.kinds.push_back({kind.length, kind.code, kind.weight});
       add_name(rows_.kind_names, kind.name);
     }
     for (std::uint32_t t = 0; t < material_.tracks.size(); ++t) lower_track(t);
@@ -56,7 +56,7 @@ class MaterialLowering {
       const std::uint32_t index = size_of(rows_.drives);
       const std::uint32_t forward = condition(drive.forward, tables::ReaderKind::drive, index, 0);
       const std::uint32_t backward = condition(drive.backward, tables::ReaderKind::drive, index, 1);
-      rows_.drives.push_back({drive.until, forward, backward, drive.symbol, drive.speed});
+      rows_.drives.push_back({drive.until, forward, backward, drive.symbol, drive.speed, drive.output});
     }
     for (const model::Stop& stop : track.stops) {
       rows_.stops.push_back({stop.at, condition(stop.condition, tables::ReaderKind::stop, size_of(rows_.stops))});

@@ -20,18 +20,23 @@ struct PartKind {
   std::string name;
   std::int64_t length = 0;
   std::uint32_t code = 0;
+  double weight = 0;
 };
 
 struct Drive {
   std::int64_t until = 0;                   ///< the length of the track for the last one
   std::optional<condition::Tree> forward;   ///< empty: never holds
   std::optional<condition::Tree> backward;  ///< empty: never holds
-  std::int64_t speed = 0;                   ///< > 0: the speed, or what the value 1 of `symbol` means
-  std::uint32_t symbol = 0xFFFF'FFFF;       ///< a numeric symbol; kNone: the speed is constant
+  std::int64_t speed = 0;                   ///< > 0: the speed, or what the value 1 of `symbol` or `output` means
+  std::uint32_t symbol = 0xFFFF'FFFF;       ///< a numeric symbol that gives the speed; kNone: none does
+  std::uint32_t output = 0xFFFF'FFFF;       ///< an output of a value that gives it; kNone: none does
+
+  /// Whether the speed is not constant.
+  bool varies() const { return symbol != 0xFFFF'FFFF || output != 0xFFFF'FFFF; }
 };
 
-/// Its symbol alone says how it moves: always forward, backward if the value is negative.
-inline bool runs_always(const Drive& drive) { return drive.symbol != 0xFFFF'FFFF && !drive.forward && !drive.backward; }
+/// The number that gives its speed alone says how it moves: always forward, backward if the value is negative.
+inline bool runs_always(const Drive& drive) { return drive.varies() && !drive.forward && !drive.backward; }
 
 struct Stop {
   std::int64_t at = 0;

@@ -55,7 +55,7 @@ std::vector<PartKind> checked_kinds(const std::vector<description::GivenKind>& g
     } else if (!names.try_emplace(kind.name, true).second) {
       found.add(here, ticked(kind.name) + " appears twice; remove one");
     }
-    kinds.push_back({kind.name, kind.length, kind.code});
+    kinds.push_back({kind.name, kind.length, kind.code, kind.weight});
   }
   return kinds;
 }

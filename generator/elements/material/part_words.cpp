@@ -42,7 +42,7 @@ bool looks_like_part_sensor(const Symbol& symbol) {
 
 bool is_driven(const PlantModel& plant, const Symbol& symbol) {
   if (symbol.leader != kNone) return true;
-  if (symbol.account == Account::follows || symbol.account == Account::senses_parts) return true;
+  if (symbol.driven_without_unit()) return true;
   if (symbol.account == Account::constant) return true;
   if (symbol.unit == kNone) return false;
   const Unit& unit = plant.units[symbol.unit];

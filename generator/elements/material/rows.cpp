@@ -38,7 +38,7 @@ std::string constant_rows(std::size_t count, NameOf name_of) {
 std::string part_kind_rows(const model::Material& material) {
   RowWriter rows;
   for (const model::PartKind& kind : material.kinds) {
-    row_text(rows, tables::KindRow{kind.length, kind.code}).comment(kind.name).text("\n");
+    row_text(rows, tables::KindRow{kind.length, kind.code, kind.weight}).comment(kind.name).text("\n");
   }
   return rows.take();
 }
@@ -59,6 +59,7 @@ std::string drive_rows(const lower::EngineTables& tables, const model::PlantMode
         const tables::DriveRow& row = tables.material.drives[r];
         row_text(rows, row).comment(plant.material.tracks[track].name);
         if (row.symbol != tables::kNone) rows.text(", speed of ").comment(plant.symbols[row.symbol].name());
+        if (row.output != tables::kNone) rows.text(", speed of ").comment(model::output_name(plant, row.output));
         rows.text("\n");
       });
   return rows.take();

@@ -84,6 +84,7 @@ class SensorMarker {
     if (symbol.account == Account::follows) {
       return " follows a condition and is a sensor too; remove one of the two";
     }
+    if (symbol.account == Account::shows_value) return " shows a formula and is a sensor too; remove one of the two";
     if (boolean && reads) return " is BOOL; remove `reads`";
     if (!boolean && !reads) return " is numeric; add `\"reads\": \"code\"` or `\"reads\": \"number\"`";
     if (!boolean && sensor.inverted) return " is numeric; only BOOL symbols can be `inverted`";

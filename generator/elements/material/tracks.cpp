@@ -33,9 +33,13 @@ void add_drives(const description::GivenTrack& given, const Pointer& here, Mater
   for (std::size_t i = 0; i < given.drives.size(); ++i) {
     const description::GivenDrive& drive = given.drives[i];
     check_range(given, i, before, here / i, lookup.faults());
-    Drive made{drive.until.value_or(given.length), lookup.condition(drive.forward, here / i / "forward"),
-               lookup.condition(drive.backward, here / i / "backward"), drive.speed.speed, kNone};
-    if (!drive.speed.of.empty()) made.symbol = lookup.numeric_symbol(drive.speed.of, here / i / "speed" / "of");
+    Drive made{drive.until.value_or(given.length),
+               lookup.condition(drive.forward, here / i / "forward"),
+               lookup.condition(drive.backward, here / i / "backward"),
+               drive.speed.speed,
+               kNone,
+               kNone};
+    if (!drive.speed.of.empty()) lookup.number(drive.speed.of, here / i / "speed" / "of", made);
     before = made.until;
     track.drives.push_back(std::move(made));
   }

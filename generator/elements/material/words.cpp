@@ -42,6 +42,7 @@ std::string MaterialWords::drive(const model::Drive& drive) const {
   };
   std::string speed = length_text(drive.speed) + "/s";
   if (drive.symbol != model::kNone) speed = fmt::format("{} times {}", plant_.symbols[drive.symbol].name(), speed);
+  if (drive.output != model::kNone) speed = fmt::format("{} times {}", model::output_name(plant_, drive.output), speed);
   if (model::runs_always(drive)) return speed + ", always forward";
   return speed + direction("forward", drive.forward) + direction("backward", drive.backward);
 }

@@ -110,6 +110,8 @@ class Flow {
   void entry_due(std::uint32_t entry) noexcept;
   void condition_changed(tables::ReaderKind kind, std::uint32_t reader) noexcept;
   void value_changed(tables::Direction direction, std::uint32_t slot) noexcept;
+  /// Of a value; O(log drives) if none reads it.
+  void output_changed(std::uint32_t output) noexcept;
   void begin_rounds() noexcept;
   /// One round, after the units' steps. `counting`: counts the steps of transfers and work.
   void round(bool counting) noexcept;
@@ -141,6 +143,10 @@ class Flow {
   bool put(const tables::PartLocation& to, std::uint32_t kind) noexcept;
   bool take(const tables::PartLocation& from) noexcept;
   std::uint32_t parts(std::uint32_t location) const noexcept;
+  /// Of a PartCounterRow.
+  std::uint64_t count(std::uint32_t counter) const noexcept { return counts_[counter]; }
+  /// The sum of the weights of a location's parts, from 0 and from the front-most part on. O(parts).
+  double weight(std::uint32_t location) const noexcept;
   const Part& part_on(std::uint32_t track, std::uint32_t index) const noexcept { return part(track, index); }
   const PlacePart& part_in(std::uint32_t place, std::uint32_t index) const noexcept;
   const KindState& kind(std::uint32_t kind) const noexcept { return kinds_[kind]; }
@@ -186,6 +192,7 @@ class Flow {
   void count_instant(std::uint32_t track) noexcept;
   void put_overshot(std::uint32_t track) noexcept;
   void freeze(std::uint32_t track) noexcept;
+  void speed_changed(std::uint32_t position) noexcept;
   Position speed_of_drive(std::uint32_t drive) const noexcept;
   Position drive_speed(std::uint32_t track, const Part& part, Position x) const noexcept;
   bool stop_holds_at(std::uint32_t track, Position at) const noexcept {
@@ -283,6 +290,7 @@ class Flow {
   DirtySet due_rooms_;   ///< tracks
   DirtySet due_sensors_;
   DirtySet due_counters_;
+  DirtySet due_weights_;  ///< locations
   DirtySet moved_tracks_;
   DirtySet seen_transfers_;     ///< those that may have begun or ceased to be blocked in this instant
   Position* speeds_ = nullptr;  ///< of the parts of one track, while they are computed

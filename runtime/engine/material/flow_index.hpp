@@ -68,10 +68,11 @@ struct TrackIndex {
 
 /// A drive whose speed follows a numeric symbol.
 struct SpeedReader {
-  std::uint32_t position;  ///< an operation's slot, or kEventSlot + an event's
+  std::uint32_t position;  ///< an operation's slot, kEventSlot + an event's, or kOutputOfValue + an output
   std::uint32_t track;
 };
 inline constexpr std::uint32_t kEventSlot = 0x8000'0000;
+inline constexpr std::uint32_t kOutputOfValue = 0x4000'0000;
 
 struct FlowIndex {
   void build(const tables::PlantTables& tables, Arena& arena) noexcept;

@@ -38,6 +38,7 @@ void Flow::place(Arena& arena) noexcept {
   due_rooms_.take(arena, material_->tracks.size());
   due_sensors_.take(arena, material_->sensors.size());
   due_counters_.take(arena, material_->counters.size());
+  due_weights_.take(arena, material_->locations());
   seen_transfers_.take(arena, material_->transfers.size());
   speeds_ = arena.take<Position>(active_ ? tables::kMaxPartsOnTrack : 0);
   most_changes_ = active_ ? kMostByHand + 4 * (size_of(material_->tracks) + size_of(material_->transfers)) +
@@ -88,6 +89,9 @@ void Flow::mark_all() noexcept {
   for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) all_speeds(t);
   for (std::uint32_t s = 0; s < material_->sensors.size(); ++s) due_sensors_.mark(s);
   for (std::uint32_t c = 0; c < material_->counters.size(); ++c) due_counters_.mark(c);
+  for (std::uint32_t l = 0; engine_.values_.active() && l < material_->locations(); ++l) {
+    if (engine_.values_.reads_weight(l)) due_weights_.mark(l);
+  }
   due_ = true;
 }
 
@@ -181,12 +185,16 @@ void FlowIndex::build_arrivals(const tables::MaterialTables& material, Arena& ar
 void FlowIndex::build_speed_readers(const tables::PlantTables& tables, Arena& arena) noexcept {
   const tables::MaterialTables& material = tables.material;
   std::uint32_t size = 0;
-  for (const tables::DriveRow& drive : material.drives) size += drive.symbol != tables::kNone ? 1U : 0U;
+  for (const tables::DriveRow& drive : material.drives) size += drive.varies() ? 1U : 0U;
   auto* const readers = arena.take<SpeedReader>(size);
   if (readers == nullptr) return;
   SpeedReader* end = readers;
   for (std::uint32_t d = 0; d < material.drives.size(); ++d) {
-    if (material.drives[d].symbol == tables::kNone) continue;
+    if (!material.drives[d].varies()) continue;
+    if (material.drives[d].symbol == tables::kNone) {
+      *end++ = {kOutputOfValue + material.drives[d].output, track_of_drive[d]};
+      continue;
+    }
     const tables::SymbolRow& symbol = tables.symbols[material.drives[d].symbol];
     const std::uint32_t plane = symbol.direction() == tables::Direction::event ? kEventSlot : 0;
     *end++ = {plane + symbol.index, track_of_drive[d]};
@@ -309,6 +317,16 @@ void Flow::cover_changed(std::uint32_t track, std::uint32_t begin, std::uint32_t
     mark.transfer ? due_transfers_.mark(mark.of) : static_cast<void>(due_sensors_.mark(mark.of));
     due_now();
   }
+}
+
+double Flow::weight(std::uint32_t location) const noexcept {
+  double sum = 0;
+  const std::uint32_t count = parts(location);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool on_track = material_->is_track(location);
+    sum += material_->kinds[on_track ? part(location, i).kind : part_in(material_->place_of(location), i).kind].weight;
+  }
+  return sum;
 }
 
 }  // namespace symplant::engine

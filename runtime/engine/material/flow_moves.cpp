@@ -86,6 +86,10 @@ void Flow::content_changed(std::uint32_t location) noexcept {
 }
 
 void Flow::count_part(std::uint32_t location, std::uint32_t kind, std::int32_t change) noexcept {
+  if (engine_.values_.active() && engine_.values_.reads_weight(location)) {
+    due_weights_.mark(location);
+    engine_.unpublished_ = true;
+  }
   for (const std::uint32_t c : index_.counters_of.of(location)) {
     const std::uint32_t counted = material_->counters[c].kind;
     if (counted != tables::kNone && counted != kind) continue;
@@ -270,14 +274,16 @@ double number_of(tables::DataType type, std::uint64_t value) noexcept {
 
 Position Flow::speed_of_drive(std::uint32_t drive) const noexcept {
   const tables::DriveRow& row = material_->drives[drive];
-  const bool always = row.symbol != tables::kNone && row.forward == tables::kNone && row.backward == tables::kNone;
+  const bool always = row.varies() && row.forward == tables::kNone && row.backward == tables::kNone;
   const bool forward = always || (row.forward != tables::kNone && truth(row.forward));
   const bool backward = row.backward != tables::kNone && truth(row.backward);
   if (forward == backward) return 0;
   Position speed = row.speed;
-  if (row.symbol != tables::kNone) {
-    const double given = number_of(engine_.tables_.symbols[row.symbol].type(), engine_.symbol_value(row.symbol)) *
-                         static_cast<double>(row.speed);
+  if (row.varies()) {
+    const double number = row.symbol == tables::kNone
+                              ? engine_.values_.output(row.output)
+                              : number_of(engine_.tables_.symbols[row.symbol].type(), engine_.symbol_value(row.symbol));
+    const double given = number * static_cast<double>(row.speed);
     constexpr auto kMost = static_cast<double>(tables::kMaxSpeed);
     speed = std::isnan(given) ? 0 : static_cast<Position>(std::clamp(given, -kMost, kMost));
   }

@@ -45,12 +45,20 @@ void Flow::condition_changed(tables::ReaderKind kind, std::uint32_t reader) noex
     case tables::ReaderKind::requirement:
     case tables::ReaderKind::follow:
     case tables::ReaderKind::malfunction:
+    case tables::ReaderKind::change:
+    case tables::ReaderKind::formula_input:
       return;
   }
 }
 
 void Flow::value_changed(tables::Direction direction, std::uint32_t slot) noexcept {
-  const std::uint32_t position = slot + (direction == tables::Direction::event ? kEventSlot : 0);
+  speed_changed(slot + (direction == tables::Direction::event ? kEventSlot : 0));
+}
+
+void Flow::output_changed(std::uint32_t output) noexcept { speed_changed(kOutputOfValue + output); }
+
+/// What gives the speed of drives has another number.
+void Flow::speed_changed(std::uint32_t position) noexcept {
   auto reader = std::lower_bound(index_.speed_readers.begin(), index_.speed_readers.end(), position,
                                  [](const SpeedReader& a, std::uint32_t b) { return a.position < b; });
   for (; reader != index_.speed_readers.end() && reader->position == position; ++reader) {
@@ -87,8 +95,11 @@ void Flow::round(bool counting) noexcept {
 }
 
 void Flow::publish_counters() noexcept {
-  due_counters_.take_all(
-      [&](std::uint32_t counter) { engine_.compare_value(engine_.tables_.part_watches, counter, counts_[counter]); });
+  due_counters_.take_all([&](std::uint32_t counter) {
+    engine_.compare_value(engine_.tables_.part_watches, counter, counts_[counter]);
+    if (engine_.values_.active()) engine_.values_.counter_changed(counter, counts_[counter]);
+  });
+  due_weights_.take_all([&](std::uint32_t location) { engine_.values_.weight_changed(location); });
 }
 
 bool Flow::sees(const tables::SensorRow& sensor, std::uint32_t kind) const noexcept {

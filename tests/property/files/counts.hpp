@@ -128,9 +128,10 @@ enum class Seen : std::size_t {
   changed_by_chance,
   changed_by_becoming,
   changed_by_end,
-  /// The counters of tables::FindingKind begin here, in its order.
+  /// The counters of tables::FindingKind begin here, in its order. Its last kind of the model, of values, has none:
+  /// these plants have no values.
   first_finding,
-  number_of = first_finding + tables::kFindingKinds,
+  number_of = first_finding + tables::kFindingKinds - 1,
 };
 inline constexpr std::size_t kSeen = static_cast<std::size_t>(Seen::number_of);
 

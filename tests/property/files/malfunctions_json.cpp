@@ -60,7 +60,7 @@ class MalfunctionJson {
     }
   }
 
-  json forced(const description::GivenValue& value) {
+  json forced(const description::GivenForcedValue& value) {
     if (value.bit) return *value.bit;
     if (value.number == "nan" || value.number == "inf" || sayer_.dice.percent(10)) return value.number;
     return json::parse(value.number);

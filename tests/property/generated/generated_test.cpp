@@ -45,7 +45,7 @@ std::vector<reference::InstantRecord> trace_of(const tables::PlantTables& tables
 
 bool same(const std::vector<reference::InstantRecord>& a, const std::vector<reference::InstantRecord>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return x.time == y.time && x.changes == y.changes && x.findings == y.findings;
+    return x.time == y.time && x.changes == y.changes && x.findings == y.findings && x.values == y.values;
   });
 }
 

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include "support/reference/material.hpp"
+#include "support/reference/value_condition.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -35,6 +36,28 @@ bool number_holds(const condition::Atom& atom, std::uint64_t value) {
   return false;
 }
 
+/// The other numbering of the same side: outputs in the order of all outputs, numeric symbols by their index.
+tables::Operand operand_of(const condition::Quantity& quantity) {
+  using Kind = tables::Operand::Kind;
+  switch (quantity.kind) {
+    case condition::Quantity::Kind::number:
+      break;
+    case condition::Quantity::Kind::output:
+      return {Kind::output, {}, quantity.of, 0};
+    case condition::Quantity::Kind::symbol:
+      return {Kind::event_value, {}, quantity.of, 0};
+    case condition::Quantity::Kind::parts:
+      return {Kind::parts, {}, quantity.of, 0};
+    case condition::Quantity::Kind::weight:
+      return {Kind::weight, {}, quantity.of, 0};
+  }
+  return {Kind::number, {}, 0, quantity.number};
+}
+
+bool sides_hold(const condition::Atom& atom, const World& world) {
+  return holds(operand_of(atom.left), atom.comparison, operand_of(atom.right), atom.tolerance, {*world.rules, world});
+}
+
 bool atom_holds(const condition::Atom& atom, const World& world) {
   switch (atom.kind) {
     case condition::Atom::Kind::settled:
@@ -45,6 +68,8 @@ bool atom_holds(const condition::Atom& atom, const World& world) {
       return effective(world.symbols[atom.of]) != 0;
     case condition::Atom::Kind::number:
       return number_holds(atom, effective(world.symbols[atom.of]));
+    case condition::Atom::Kind::compare:
+      return sides_hold(atom, world);
     case condition::Atom::Kind::parts:
       return number_holds(atom, parts_at(world.material, atom.of, atom.part));
   }

@@ -1,5 +1,5 @@
-// Counts how often a run of the reference takes each path of docs/model.md, docs/material.md and
-// docs/malfunctions.md, so that a test of random plants can report it.
+// Counts how often a run of the reference takes each path of docs/model.md, docs/material.md,
+// docs/malfunctions.md and docs/values.md, so that a test of random plants can report it.
 #pragma once
 
 #include <array>
@@ -170,6 +170,35 @@ enum class Counted : std::size_t {
   flickered,
   flickered_below_a_force,
   flickered_above_another,
+  // Values.
+  integral_stepped,
+  lag_stepped,
+  ramp_stepped,
+  delay_stepped,
+  linear_stepped,
+  derivative_computed,
+  is_computed,
+  position_computed,  ///< between two states
+  noise_computed,
+  pid_computed,
+  outputs_computed,  ///< of a `linear` value with `d`
+  step_not_finite,
+  ramp_rose,
+  ramp_fell,
+  value_limited,
+  value_stepped,
+  value_set,
+  value_set_before_its_step,
+  value_without_stored_input,
+  value_jumped,
+  value_jumped_twice,  ///< in one round
+  jump_not_finite,
+  value_frozen,
+  pid_wound_up,
+  signal_changed,
+  signal_kept,
+  found_value_not_finite,
+  value_finite_again,
   number_of,
 };
 inline constexpr std::size_t kCounted = static_cast<std::size_t>(Counted::number_of);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "support/reference/material.hpp"
+#include "support/reference/values.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -36,7 +37,7 @@ UnitRules gather(const Rules& rules, std::uint32_t index) {
     if (symbol.unit == index) {
       (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(i);
     }
-    const bool named = symbol.reading.is_named() && !senses_parts(model, i);
+    const bool named = symbol.reading.is_named() && !senses_parts(model, i) && !writes_signal(rules, i);
     if (named && !rules.is_bool(i) && same_name(symbol.reading.device_path(), unit.path)) {
       unit.values.push_back(i);
     }
@@ -176,7 +177,7 @@ bool Rules::follows_condition(std::uint32_t symbol) const {
 // at the start or can reach. User code may switch any event of its unit.
 bool Rules::moved(std::uint32_t symbol) const {
   const std::uint32_t first = leader(symbol);
-  if (follows_condition(first) || senses_parts(*model, first)) return true;
+  if (follows_condition(first) || senses_parts(*model, first) || writes_signal(*this, first)) return true;
   const std::uint32_t owner = model->symbols[first].unit;
   if (is_operation(symbol) || owner == model::kNone) return false;
   const UnitRules& unit = units[owner];
@@ -200,6 +201,7 @@ Rules derive(const model::PlantModel& model, std::map<std::string, Behaviour> be
   rules.model = &model;
   rules.behaviours = std::move(behaviours);
   derive_symbols(rules);
+  derive_signal_symbols(rules);
   for (std::uint32_t i = 0; i < model.units.size(); ++i) {
     UnitRules unit = gather(rules, i);
     derive_states(rules, unit);
@@ -209,6 +211,7 @@ Rules derive(const model::PlantModel& model, std::map<std::string, Behaviour> be
     rules.units.push_back(std::move(unit));
   }
   for (std::uint32_t i = 0; i < model.units.size(); ++i) derive_disables(rules, i);
+  derive_values(rules);
   return rules;
 }
 

@@ -162,6 +162,7 @@ void derive_actuation_and_initial(Rules& rules, UnitRules& unit) {
   if (unit.states.empty()) rules.fault = unit.path + ": no state";
   unit.initial = static_cast<std::uint8_t>(initial);
   if (unit.spring()) unit.rest = rest != kNone ? rest : initial;
+  unit.any_rest = unit.spring() ? unit.rest : rest;
   if (unit.actuation != tables::Actuation::held) return;
   unit.overrun = rules.model->description->defaults.overrun;
   if (unit.described != nullptr && unit.described->overrun) unit.overrun = *unit.described->overrun;

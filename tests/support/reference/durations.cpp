@@ -34,11 +34,18 @@ Time uniform(SplitMix64 random, Time least, Time most) {
   return least + static_cast<Time>(static_cast<UnsignedWide>(random.draw()) * width >> 64);
 }
 
+constexpr std::int64_t kOne = std::int64_t{1} << 32;
+
+/// The sum of twelve draws, minus its mean: in 2^-32.
+std::int64_t sum_of_twelve(SplitMix64 random) {
+  std::int64_t sum = -6 * kOne;
+  for (int i = 0; i < 12; ++i) sum += static_cast<std::int64_t>(random.draw() >> 32);
+  return sum;
+}
+
 Time normal(SplitMix64 random, Time mean, Time sigma) {
-  Wide sum = 0;
-  for (int i = 0; i < 12; ++i) sum += static_cast<Wide>(random.draw() >> 32);
-  const Wide one = Wide{1} << 32;
-  const Wide product = sigma * (sum - 6 * one);
+  const Wide one = kOne;
+  const Wide product = static_cast<Wide>(sigma) * sum_of_twelve(random);
   Wide off = product / one;
   if (product % one < 0) --off;  // floor
   // A time that exceeds the range of Time never comes.
@@ -80,6 +87,10 @@ Time later(Time now, Time left) { return left > tables::kNever - now ? tables::k
 
 std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k) {
   return started(seed, unit, n, k).draw();
+}
+
+double draw_gauss(std::uint64_t seed, const std::string& name, std::uint64_t k) {
+  return static_cast<double>(sum_of_twelve(started(seed, name, 0, k))) / static_cast<double>(kOne);
 }
 
 std::uint64_t draw_weight(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint64_t sum) {

@@ -205,6 +205,16 @@ void find_of_transfer(Finder& finder, std::uint32_t i) {
   before = blocked;
 }
 
+void find_of_value(Finder& finder, std::uint32_t i) {
+  ValueWorld& value = finder.world.values[i];
+  if (value.frozen) value.not_finite = false;
+  if (value.not_finite && !value.shown_not_finite) {
+    finder.add(FindingKind::value_not_finite, i, Counted::found_value_not_finite);
+  }
+  if (!value.not_finite && value.shown_not_finite) ++finder.counters[Counted::value_finite_again];
+  value.shown_not_finite = value.not_finite;
+}
+
 }  // namespace
 
 std::vector<tables::Finding> findings_of(const Rules& rules, World& world, const InstantNotes& notes,
@@ -220,6 +230,7 @@ std::vector<tables::Finding> findings_of(const Rules& rules, World& world, const
   find_of_loops(finder);
   for (std::uint32_t i = 0; i < world.monitors.size(); ++i) find_of_requirement(finder, i);
   for (std::uint32_t i = 0; i < world.material.transfers.size(); ++i) find_of_transfer(finder, i);
+  for (std::uint32_t i = 0; i < world.values.size(); ++i) find_of_value(finder, i);
   // In the order of the table in docs/model.md, then by unit, symbol or requirement. Loops are in order already.
   std::stable_sort(finder.found.begin(), finder.found.end(), [](const tables::Finding& a, const tables::Finding& b) {
     if (a.kind != b.kind) return a.kind < b.kind;

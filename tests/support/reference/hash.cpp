@@ -1,6 +1,8 @@
 // The fields of the digest, in their order.
 #include "support/reference/hash.hpp"
 
+#include <bit>
+
 #include "support/reference/material.hpp"
 #include "support/reference/round.hpp"
 #include "symplant/tables/digest.hpp"
@@ -14,6 +16,7 @@ struct Digest : tables::Fnv1a64 {
     byte(static_cast<std::uint8_t>(value & 0xFF));
     byte(static_cast<std::uint8_t>(value >> 8));
   }
+  void real(double value) { u64(std::bit_cast<std::uint64_t>(value)); }
   void i64(std::int64_t value) { u64(static_cast<std::uint64_t>(value)); }
 };
 
@@ -144,6 +147,47 @@ void add_malfunctions(Digest& digest, const MalfunctionsWorld& malfunctions) {
   }
 }
 
+/// The inputs of the last computation: a flag whether they were stored, then each of them, 0 if not. Only of values
+/// that make steps from them; those of `delay` are in its memory.
+void add_stored(Digest& digest, const ValueRules& rules, const ValueWorld& value) {
+  if (!rules.steps()) return;
+  digest.flag(value.stored);
+  if (rules.kind == tables::ValueKind::delay) return;
+  for (std::size_t i = 0; i < rules.inputs.size(); ++i) digest.real(value.stored ? value.inputs[i] : 0);
+}
+
+void add_last(Digest& digest, const ValueWorld& value) {
+  digest.flag(value.last.has_value());
+  digest.real(value.last.value_or(0));
+}
+
+/// `delay`: the stored inputs from the oldest to the newest; `linear`: the states; `derivative`: a flag whether there
+/// is a last u, and it; `pid`: i, a flag whether there is a last `of`, and it. What there is not is 0.
+void add_memory(Digest& digest, const ValueRules& rules, const ValueWorld& value) {
+  for (const double each : value.ring) digest.real(each);
+  for (const double each : value.states) digest.real(each);
+  if (rules.kind == tables::ValueKind::pid) digest.real(value.integral);
+  if (rules.kind == tables::ValueKind::pid || rules.kind == tables::ValueKind::derivative) add_last(digest, value);
+}
+
+/// For each value in the order of the file: outputs, stored inputs, memory, frozen flag (1 byte), draws (u32). For each
+/// signal in list order: draws (u32). For each entry of `changes`, value by value: its last truth (1 byte). Doubles are
+/// their 64 bits. Nothing of a plant without values and signals.
+void add_values(Digest& digest, const Rules& rules, const World& world) {
+  for (std::size_t i = 0; i < world.values.size(); ++i) {
+    const ValueWorld& value = world.values[i];
+    for (const double output : value.outputs) digest.real(output);
+    add_stored(digest, rules.values[i], value);
+    add_memory(digest, rules.values[i], value);
+    digest.flag(value.frozen);
+    digest.u32(value.draws);
+  }
+  for (const SignalWorld& signal : world.signals) digest.u32(signal.draws);
+  for (const ValueWorld& value : world.values) {
+    for (const bool truth : value.truths) digest.flag(truth);
+  }
+}
+
 }  // namespace
 
 std::uint64_t state_hash(const Rules& rules, const World& world) {
@@ -160,6 +204,7 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
   }
   add_material(digest, rules, world);
   add_malfunctions(digest, world.malfunctions);
+  add_values(digest, rules, world);
   for (std::uint32_t i = 0; i < world.units.size(); ++i) {
     if (!world.units[i].conflicting) continue;
     digest.byte(0);
@@ -178,6 +223,11 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
   for (std::uint32_t i = 0; i < world.material.transfers.size(); ++i) {
     if (!world.material.transfers[i].blocked) continue;
     digest.byte(3);
+    digest.u32(i);
+  }
+  for (std::uint32_t i = 0; i < world.values.size(); ++i) {
+    if (!world.values[i].not_finite) continue;
+    digest.byte(4);
     digest.u32(i);
   }
   return digest.value();

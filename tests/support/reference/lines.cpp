@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "support/reference/values.hpp"
+
 namespace symplant::reference {
 namespace {
 
@@ -53,7 +55,9 @@ std::string member_name(const model::PlantModel& model, std::size_t of) {
   if (of < material.work.size()) return material.work[of].name;
   of -= material.work.size();
   if (of < material.sources.size()) return material.sources[of].name;
-  return model.malfunctions[of - material.sources.size()].name;
+  of -= material.sources.size();
+  return of < model.malfunctions.size() ? model.malfunctions[of].name
+                                        : value_names(model)[of - model.malfunctions.size()];
 }
 
 std::string name_of(const model::PlantModel& model, const tables::Finding& finding) {
@@ -68,6 +72,8 @@ std::string name_of(const model::PlantModel& model, const tables::Finding& findi
       return member_name(model, finding.of);
     case FindingKind::part_blocked:
       return model.material.transfers[finding.of].name;
+    case FindingKind::value_not_finite:
+      return value_names(model)[finding.of];
     case FindingKind::requirement_violated:
       return model.requirements[finding.of].name;
     default:
@@ -80,7 +86,8 @@ std::string separator(const model::PlantModel& model, const tables::Finding& fin
   const std::size_t malfunctions = model.units.size() + model.follows.size() + model.material.tracks.size() +
                                    model.material.transfers.size() + model.material.work.size() +
                                    model.material.sources.size();
-  return finding.of < malfunctions ? " " : ", ";
+  const bool of_malfunction = finding.of >= malfunctions && finding.of < malfunctions + model.malfunctions.size();
+  return of_malfunction ? ", " : " ";
 }
 
 std::string part_line(const model::Material& material, Time time, const engine::PartChange& change) {
@@ -128,7 +135,8 @@ std::string_view finding_name(tables::FindingKind kind) {
                                                                                  "event too short",
                                                                                  "instantaneous loop",
                                                                                  "requirement violated",
-                                                                                 "part blocked"};
+                                                                                 "part blocked",
+                                                                                 "value not finite"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -145,6 +153,10 @@ std::vector<std::string> trace_lines(const model::PlantModel& model, const std::
     }
     for (const engine::MalfunctionChange& change : instant.malfunctions) {
       lines.push_back(malfunction_line(model, instant.time, change));
+    }
+    for (const auto& [name, number] : instant.values) {
+      lines.push_back("{\"t\":" + std::to_string(instant.time) + ",\"value\":\"" + name +
+                      "\",\"is\":" + shortest(number) + "}");
     }
   }
   return lines;

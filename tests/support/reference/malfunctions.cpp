@@ -64,7 +64,7 @@ void freeze_loop(const Rules& rules, World& world, Counters& counters, std::vect
     its.frozen = true;
     its.chance = tables::kNever;
     its.wants_start = false;
-    loop.push_back(static_cast<std::uint32_t>(steppers(rules).end) + i);
+    loop.push_back(static_cast<std::uint32_t>(steppers(rules).malfunctions) + i);
     ++counters[Counted::malfunction_frozen];
   }
   if (!loop.empty()) notes.loops.push_back(loop);

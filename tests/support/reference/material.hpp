@@ -83,12 +83,15 @@ Time next_due_of_parts(const MaterialWorld& world);
 /// Whether `part blocked` is true.
 bool is_blocked(const Rules& rules, const World& world, std::uint32_t transfer);
 
-/// What can be in an instantaneous loop has an index: units, symbols that follow, tracks, transfers, work, sources.
+/// What can be in an instantaneous loop has an index: units, symbols that follow, tracks, transfers, work, sources,
+/// malfunctions of the description, values.
 struct Steppers {
   std::size_t tracks;
   std::size_t transfers;
   std::size_t work;
   std::size_t sources;
+  std::size_t malfunctions;
+  std::size_t values;
   std::size_t end;
 };
 Steppers steppers(const Rules& rules);

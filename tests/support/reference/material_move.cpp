@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/reference/material.hpp"
+#include "support/reference/value_rules.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -15,18 +16,27 @@ double as_double(tables::DataType type, std::uint64_t value) {
   return static_cast<double>(value);
 }
 
-/// It always runs forward, as fast as its symbol says.
-bool has_no_direction(const model::Drive& drive) { return drive.symbol != kNone && !drive.forward && !drive.backward; }
+/// It always runs forward, as fast as its symbol or value says.
+bool has_no_direction(const model::Drive& drive) {
+  return (drive.symbol != kNone || drive.output != kNone) && !drive.forward && !drive.backward;
+}
+
+/// What the speed of a drive is multiplied by.
+double factor_of(const Rules& rules, const World& conditions, const model::Drive& drive) {
+  if (drive.output != kNone) {
+    const Input at = output_at(rules, drive.output);
+    return conditions.values[at.of].outputs[at.part];
+  }
+  return as_double(rules.model->symbols[drive.symbol].type, effective(conditions.symbols[drive.symbol]));
+}
 
 std::int64_t speed_of(const Rules& rules, const World& conditions, const model::Drive& drive) {
   const bool forward = drive.forward ? holds(*drive.forward, conditions) : has_no_direction(drive);
   const bool backward = drive.backward && holds(*drive.backward, conditions);
   if (forward == backward) return 0;
   std::int64_t speed = drive.speed;
-  if (drive.symbol != kNone) {
-    const double value =
-        as_double(rules.model->symbols[drive.symbol].type, effective(conditions.symbols[drive.symbol]));
-    const double product = value * static_cast<double>(drive.speed);
+  if (drive.symbol != kNone || drive.output != kNone) {
+    const double product = factor_of(rules, conditions, drive) * static_cast<double>(drive.speed);
     constexpr auto kMost = static_cast<double>(tables::kMaxSpeed);
     speed = std::isnan(product) ? 0 : static_cast<std::int64_t>(std::trunc(std::clamp(product, -kMost, kMost)));
   }

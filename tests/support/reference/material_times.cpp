@@ -196,7 +196,9 @@ Steppers steppers(const Rules& rules) {
   all.transfers = all.tracks + material.tracks.size();
   all.work = all.transfers + material.transfers.size();
   all.sources = all.work + material.work.size();
-  all.end = all.sources + material.sources.size();
+  all.malfunctions = all.sources + material.sources.size();
+  all.values = all.malfunctions + rules.model->malfunctions.size();
+  all.end = all.values + rules.values.size();
   return all;
 }
 

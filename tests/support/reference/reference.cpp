@@ -2,6 +2,7 @@
 #include "support/reference/reference.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "support/reference/difference.hpp"
@@ -10,6 +11,7 @@
 #include "support/reference/malfunctions.hpp"
 #include "support/reference/material.hpp"
 #include "support/reference/start.hpp"
+#include "support/reference/values.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -44,6 +46,9 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
     }
   }
   begin_instant_of_parts(rules, world, counters, notes);
+  // Nothing is due in further instants of the same time.
+  compute_values(rules, world, counters);
+  write_signals(rules, world, counters);
   world.last_instant = world.time;
   run_rounds(rules, world, counters, notes);
   InstantRecord record;
@@ -67,9 +72,11 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
   }
   end_instant_of_parts(rules, world, counters);
   world.shown_material = world.material;
+  record.values = traced_values(rules, world);
+  end_instant_of_values(world);
   end_instant_of_malfunctions(rules, world, counters);
-  const bool silent =
-      record.changes.empty() && record.findings.empty() && record.parts.empty() && record.malfunctions.empty();
+  const bool silent = record.changes.empty() && record.findings.empty() && record.parts.empty() &&
+                      record.malfunctions.empty() && record.values.empty();
   if (!silent) instants.push_back(std::move(record));
 }
 
@@ -85,6 +92,7 @@ World as_shown(World world) {
     unit.moving = unit.shown_moving;
   }
   world.material = world.shown_material;
+  for (ValueWorld& value : world.values) value.outputs = value.shown;
   return world;
 }
 
@@ -206,6 +214,10 @@ bool Plant::stop_malfunction(std::uint32_t number, engine::MalfunctionChange::By
   return true;
 }
 
+bool Plant::set_value(const std::string& name, double number) {
+  return reference::set_value(*rules_, world_, find_value(*rules_, name), number, counters);
+}
+
 void Plant::set_quality(bool well) {
   world_.instant_pending = world_.instant_pending || world_.link_well != well;
   world_.link_well = well;
@@ -235,10 +247,11 @@ void Plant::advance_to(Time time, std::vector<World>* ends) {
 
 Time Plant::now() const { return world_.time; }
 
-Time Plant::next_due() const {
+Time Plant::next_due(bool steps) const {
   if (world_.instant_pending) return world_.time;
   Time due = std::max(world_.time, next_due_of_parts(world_.material));
   due = std::min(due, std::max(world_.time, next_due_of_malfunctions(world_)));
+  due = std::min(due, next_due_of_values(*rules_, world_, steps));
   for (const UnitWorld& unit : world_.units) {
     if (unit.disabled || unit.frozen) continue;
     if (unit.moving && !unit.stopped_midway) due = std::min(due, later(world_.time, unit.remaining));
@@ -268,6 +281,20 @@ std::uint64_t Plant::value(std::uint32_t symbol) const { return effective(world_
 UnitView Plant::unit(std::uint32_t index) const {
   const UnitWorld& unit = world_.units[index];
   return {unit.state, unit.target, unit.moving, unit.stopped_midway, unit.disabled, unit.frozen, unit.remaining};
+}
+
+double Plant::value_output(const std::string& name) const {
+  for (std::size_t i = 0; i < rules_->values.size(); ++i) {
+    for (std::uint32_t output = 0; output < rules_->values[i].outputs; ++output) {
+      if (same_name(rules_->values[i].output_name(output), name)) return world_.values[i].outputs[output];
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool Plant::is_value_frozen(const std::string& name) const {
+  const std::uint32_t value = find_value(*rules_, name);
+  return value != kNone && world_.values[value].frozen;
 }
 
 bool Plant::disarmed(std::uint32_t symbol) const {

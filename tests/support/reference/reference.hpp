@@ -32,6 +32,8 @@ struct InstantRecord {
   std::vector<tables::Finding> findings;                ///< in their order
   std::vector<engine::PartChange> parts;                ///< those by hand first
   std::vector<engine::MalfunctionChange> malfunctions;  ///< those by hand first
+  /// Outputs of values that the trace gets at the end of this instant: name and number, in the order of the file.
+  std::vector<std::pair<std::string, double>> values;
 };
 
 struct UnitView {
@@ -77,12 +79,16 @@ class Plant {
   bool take(const tables::PartLocation& from);
   bool start_malfunction(std::uint32_t number, engine::MalfunctionChange::By by);
   bool stop_malfunction(std::uint32_t number, engine::MalfunctionChange::By by);
+  /// Sets a parameter, or the output of an integral, a lag or a ramp, limited. False for other names and kinds, and for
+  /// numbers that are not finite.
+  bool set_value(const std::string& name, double number);
 
   /// `ends`: the worlds at the end of each instant at `time` are added there.
   void advance_to(Time time, std::vector<World>* ends = nullptr);
   void advance_before(Time time);
   Time now() const;
-  Time next_due() const;
+  /// `steps`: also those of values and signals, which may be skipped if they would change nothing.
+  Time next_due(bool steps = true) const;
 
   /// Every instant since reset() or clear_instants() that changed a value or raised a finding. Not part of the world.
   const std::vector<InstantRecord>& instants() const;
@@ -90,6 +96,9 @@ class Plant {
 
   std::uint64_t value(std::uint32_t symbol) const;  ///< effective; an operation's as last sampled
   UnitView unit(std::uint32_t unit) const;
+  /// An output of a value, by its name: `TANK.level`, `BOOM[2]`. NaN if no output has it.
+  double value_output(const std::string& name) const;
+  bool is_value_frozen(const std::string& name) const;
   bool is_stuck(std::uint32_t unit) const;
   std::uint32_t malfunction_of_symbol(std::uint32_t symbol) const;  ///< the active one that started last; kNone
   bool disarmed(std::uint32_t symbol) const;                        ///< an operation that is on and not armed

@@ -18,8 +18,8 @@ struct Look {
 
 /// What the findings of an instant need from its rounds. Not part of the world.
 struct InstantNotes {
-  /// A unit, then the symbols that follow, tracks, transfers, work and sources: the rounds, counted since the last
-  /// freeze, in which it stepped.
+  /// A unit, then the symbols that follow, tracks, transfers, work, sources, malfunctions (never) and values: the
+  /// rounds, counted since the last freeze, in which it stepped.
   std::vector<std::vector<int>> steps;
   std::vector<std::vector<bool>> served;  ///< a unit: its operations that fired a transition or reversed a move
   std::vector<bool> enabled;              ///< units
@@ -60,6 +60,9 @@ bool remembers(const UnitRules& unit, const Transition& transition);
 
 /// The first output of SplitMix64 started at draw `k` of stream `n` of a unit.
 std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k);
+
+/// Draw `k` of transition number 0 of a name: (sum - 6 * 2^32) / 2^32, about normal with a standard deviation of 1.
+double draw_gauss(std::uint64_t seed, const std::string& name, std::uint64_t k);
 
 /// Draw `k` of a random time of transition number `n`.
 Time draw_duration(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k,

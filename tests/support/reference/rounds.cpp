@@ -1,6 +1,7 @@
 // The rounds of one instant: disables, the step of every unit, loops (docs/model.md, "One instant").
 #include "support/reference/malfunctions.hpp"
 #include "support/reference/material.hpp"
+#include "support/reference/values.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -59,6 +60,7 @@ bool run_round(const Rules& rules, World& world, int number, Counters& counters,
   }
   if (follow_conditions(round, number)) again = true;
   if (run_material(round, number)) again = true;
+  if (change_values(round, number)) again = true;
   never_comes(world);
   if (work_out_disabled(rules, world, counters, notes)) again = true;
   never_comes(world);  // for units that became enabled
@@ -79,8 +81,11 @@ void freeze_stepper(const Rules& rules, World& world, std::size_t stepper, Count
   } else if (stepper < first.sources) {
     world.material.work[stepper - first.work].frozen = true;
     ++counters[Counted::work_frozen];
-  } else {
+  } else if (stepper < first.malfunctions) {
     world.material.sources[stepper - first.sources].frozen = true;
+  } else {
+    world.values[stepper - first.values].frozen = true;
+    ++counters[Counted::value_frozen];
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "model/plant_model.hpp"
 #include "support/reference/behaviour.hpp"
+#include "support/reference/value_rules.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::reference {
@@ -56,7 +57,8 @@ struct UnitRules {
   std::vector<const condition::Tree*> conditions;  ///< of the distinct texts of `when` and `while`, then of the inputs
   std::uint32_t first_input = 0;
   tables::Actuation actuation = tables::Actuation::latched;
-  std::uint32_t rest = kNone;  ///< of a spring
+  std::uint32_t rest = kNone;      ///< of a spring
+  std::uint32_t any_rest = kNone;  ///< also the inferred one of a unit that is no spring
   std::uint8_t initial = 0;
   tables::Time travel = tables::kSecond;
   tables::Time overrun = tables::kNever;  ///< kNever: not examined
@@ -86,6 +88,8 @@ struct Rules {
   std::vector<UnitRules> units;
   std::vector<bool> inverted;        ///< symbols
   std::vector<FollowRules> follows;  ///< in list order
+  std::vector<ValueRules> values;    ///< in the order of the file
+  std::vector<SignalRules> signals;  ///< in list order
   std::string fault;                 ///< names in the description that the reference does not find; empty if none
 
   std::uint32_t leader(std::uint32_t symbol) const;

@@ -56,6 +56,7 @@ bool ScenarioPlayer::act(const ScenarioStep& step) {
       plant_->set_input(symbol, value);
     }
   }
+  for (const auto& [name, number] : step.values) plant_->set_value(name, number);
   for (const auto& [unit, state] : step.states) plant_->set_state(unit, state);
   bool all = true;
   for (const auto& [at, kind] : step.put) all = plant_->put(at, kind) && all;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct ScenarioStep {
   std::optional<Time> time;               ///< of `at` and `plus`; of `wait` its `within`
   const condition::Tree* wait = nullptr;  ///< of `wait`
   std::vector<std::pair<std::uint32_t, std::uint64_t>> set;
+  std::vector<std::pair<std::string, double>> values;  ///< with `set`
   std::vector<std::pair<std::uint32_t, std::uint8_t>> states;
   std::vector<std::pair<tables::PartLocation, std::uint32_t>> put;  ///< with the kind
   std::vector<tables::PartLocation> take;

@@ -2,6 +2,7 @@
 #include "support/reference/start.hpp"
 
 #include "support/reference/material.hpp"
+#include "support/reference/values.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -19,6 +20,7 @@ std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
   const model::Symbol& symbol = rules.model->symbols[index];
   // A sensor starts as if its location were empty.
   if (senses_parts(*rules.model, index)) return rules.turned(index, 0);
+  if (writes_signal(rules, index)) return 0;
   if (!rules.is_bool(index)) return symbol.initial;
   if (rules.is_operation(index) || rules.follows_condition(index)) return rules.turned(index, 0);
   if (symbol.unit != model::kNone) {
@@ -47,6 +49,7 @@ InstantNotes empty_notes(const Rules& rules) {
 
 World first_world(const Rules& rules) {
   World world;
+  world.rules = &rules;
   for (const UnitRules& unit : rules.units) world.units.push_back(first_world(unit));
   for (std::uint32_t i = 0; i < rules.model->symbols.size(); ++i) {
     SymbolWorld symbol;
@@ -58,6 +61,8 @@ World first_world(const Rules& rules) {
   world.monitors.resize(rules.model->requirements.size());
   world.frozen_follows.resize(rules.follows.size());
   world.material = world.shown_material = first_material(rules);
+  world.values = first_values(rules);
+  world.signals.resize(rules.signals.size());
   // l_enter of the initial states; user code is not called, its memory is zero after a reset.
   for (const UnitRules& unit : rules.units) {
     if (!rules.fault.empty()) break;

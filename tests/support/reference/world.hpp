@@ -7,6 +7,7 @@
 
 #include "support/reference/malfunction_world.hpp"
 #include "support/reference/material_world.hpp"
+#include "support/reference/value_world.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::reference {
@@ -81,7 +82,10 @@ struct MonitorWorld {
   bool truth = false;
 };
 
+struct Rules;
+
 struct World {
+  const Rules* rules = nullptr;  ///< of the plant, for conditions
   Time time = 0;
   std::uint64_t seed = 0;
   Time cycle = 0;
@@ -96,6 +100,8 @@ struct World {
   MaterialWorld material;
   MaterialWorld shown_material;  ///< at the end of the last instant
   MalfunctionsWorld malfunctions;
+  std::vector<ValueWorld> values;    ///< as Rules::values
+  std::vector<SignalWorld> signals;  ///< as Rules::signals
 };
 
 }  // namespace symplant::reference

@@ -44,7 +44,7 @@ TEST_CASE("check: Sensors of parts, inputs that follow and the operations that m
   INFO(run.out);
   CHECK(contains(run.out,
                  "of 6 BOOL I/O symbols 0 (0 %) paired, 4 (67 %) accounted for: 0 constant, 0 operator, 0 data, 1 "
-                 "sensor of parts, 1 by `follow`, 2 read by `material`, `follow` or `malfunctions`"));
+                 "sensor of parts, 1 by `follow`, 2 read by `material`, `values`, `follow` or `malfunctions`"));
 }
 
 TEST_CASE("check --verbose: Stations are shown worst first, then the shapes that are left over") {

@@ -61,9 +61,9 @@ TEST_CASE("Every name has its location, quotes included, in bytes") {
   CHECK(state.names.at(1).index.offset == 11);
   CHECK(state.names.at(1).index.length == 4);
   const condition::Expression& comparison = both.children.at(1);
-  CHECK(comparison.names.at(0).index.offset == 20);
-  CHECK(comparison.number_index.offset == 25);
-  CHECK(comparison.number_index.length == 2);
+  CHECK(comparison.operands.at(0).names.at(0).index.offset == 20);
+  CHECK(comparison.operands.at(1).index.offset == 25);
+  CHECK(comparison.operands.at(1).index.length == 2);
 }
 
 TEST_CASE("An invalid condition reports what was found and what was expected") {
@@ -81,10 +81,15 @@ TEST_CASE("An invalid condition reports what was found and what was expected") {
       {"D.", "2+0 expected a name, but the condition ends"},
       {"D..A", "2+1 expected a name, but found `.`"},
       {"A.B.C.D", "5+1 expected `and`, `or` or the end, but found `.`"},
-      {"x < y", "4+1 expected a number, but found `y`"},
+      {"x <", "3+0 expected a number, but the condition ends"},
       {"x == 3", "3+1 expected a number, but found `=`"},
       {"x < 3x", "4+2 expected a number, but found `3x`"},
-      {"3 < x", "4+1 expected a number, but found `x`"},
+      {"3 < x 4", "6+1 expected `and`, `or` or the end, but found `4`"},
+      {"-3", "0+1 expected a name, `not` or `(`, but found `-`"},
+      {"x = 3 +- y", "9+1 expected a number, but found `y`"},
+      {"x < y[", "6+0 expected the number of an output, but the condition ends"},
+      {"x < y[1", "7+0 expected `]`, but the condition ends"},
+      {"x[1]", "1+1 an output of a value has no comparison; compare it, as in `NAME[1] = 1`"},
       {"S441-2.A", "4+1 expected `and`, `or` or the end, but found `-`"},
       {"a ∧ b", "2+3 expected `and`, `or` or the end, but found `∧`"},
       {"a and 'b", "6+1 this quote is not closed; add a `'` after the name"},
@@ -95,6 +100,33 @@ TEST_CASE("An invalid condition reports what was found and what was expected") {
     INFO(text);
     CHECK(parsed(text) == fault);
   }
+}
+
+TEST_CASE("A comparison has two operands: names of any length, outputs and numbers") {
+  CHECK(parsed("TANK.level >= 99") == "TANK.level>=99e0");
+  CHECK(parsed("80 < TANK.level and -2.5 = x") == "(and 8e1<TANK.level -25e-1=x)");
+  CHECK(parsed("pieces >= B_S1_CNT_O_SIZE") == "pieces>=B_S1_CNT_O_SIZE");
+  CHECK(parsed("A.B.C.D.E < 'a b'.c") == "A.B.C.D.E<a b.c");
+  CHECK(parsed("BOOM[2] > BOOM [ 10 ]") == "BOOM[2]>BOOM[10]");
+  CHECK(parsed("TANK.level = 80 +- 1") == "TANK.level=8e1+-1e0");
+  CHECK(parsed("not a = -1 +-0.5 or b") == "(or (not a=-1e0+-5e-1) b)");
+  CHECK(parsed("3D_X.Y < '3D'") == "3D_X.Y<3D");
+  CHECK(parsed("1.2 < 3") == "12e-1<3e0");
+  CHECK(parsed("'1'.2 < 3") == "1.2<3e0");
+}
+
+TEST_CASE("A formula in a condition proposes a value") {
+  const std::string hint =
+      "; a condition does not calculate: make the formula a value, as in `\"sum\": { \"is\": \"a + b\" }`, and compare "
+      "that";
+  CHECK(parsed("TANK.level + 1 > 3") == "11+1 expected `and`, `or` or the end, but found `+`" + hint);
+  CHECK(parsed("x > 3 * y") == "6+1 expected `and`, `or` or the end, but found `*`" + hint);
+  CHECK(parsed("(x / 2) > 3") == "3+1 expected `and`, `or` or `)`, but found `/`" + hint);
+  CHECK(parsed("sqrt(x) > 3") == "4+1 expected `and`, `or` or the end, but found `(`" + hint);
+  CHECK(parsed("S441-2 > 3") ==
+        "4+1 expected `and`, `or` or the end, but found `-`" + hint + ", or put a name with `-` in single quotes");
+  CHECK(parsed("x + y") == "2+1 expected `and`, `or` or the end, but found `+`");
+  CHECK(parsed("x + '<'") == "2+1 expected `and`, `or` or the end, but found `+`");
 }
 
 TEST_CASE("Parentheses nest up to 256 deep, and those in quotes do not count") {

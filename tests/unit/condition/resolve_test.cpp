@@ -1,73 +1,38 @@
 // From names to a tree over a plant, and names that do not fit it.
-#include <map>
-#include <vector>
+#include <sstream>
 
 #include "condition_support.hpp"
-#include "symplant/tables/nearest.hpp"
+#include "small_plant.hpp"
+#include "symplant/condition/compare.hpp"
 
 namespace symplant::test {
 namespace {
 
 using condition::Atom;
 using condition::Tree;
-using tables::DataType;
 
-/// Devices AGV (0), DOOR (1) with a state `moving`, and a facet DOOR.LOCK (2); some symbols; a track CV1 (0) and a
-/// place BOX (1) with parts of the kinds raw (0) and done (1).
-class SmallPlant final : public condition::Names {
- public:
-  std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override {
-    if (device == "AGV" && facet.empty()) return 0;
-    if (device == "DOOR" && facet.empty()) return 1;
-    if (device == "DOOR" && facet == "LOCK") return 2;
-    return std::nullopt;
-  }
-  std::vector<std::uint32_t> facets(std::string_view device) const override {
-    if (device == "DOOR") return {2};
-    if (device == "LIFT") return {3, 4};
-    return {};
-  }
-  std::string path(std::uint32_t unit) const override { return unit == 3 ? "LIFT.A" : unit == 4 ? "LIFT.B" : "?"; }
-  std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override {
-    for (std::size_t s = 0; s < states_[unit].size(); ++s) {
-      if (states_[unit][s] == name) return static_cast<std::uint8_t>(s);
-    }
-    return std::nullopt;
-  }
-  std::optional<Symbol> symbol(std::string_view name) const override {
-    const auto found = symbols_.find(name);
-    return found == symbols_.end() ? std::nullopt : std::optional(found->second);
-  }
-  std::optional<std::uint32_t> location(std::string_view name) const override {
-    return name == "CV1" ? std::optional(0U) : name == "BOX" ? std::optional(1U) : std::nullopt;
-  }
-  std::optional<std::uint32_t> part_kind(std::string_view name) const override {
-    return name == "raw" ? std::optional(0U) : name == "done" ? std::optional(1U) : std::nullopt;
-  }
-  std::string nearest_part_kind(std::string_view name) const override { return near(name, {"raw", "done"}); }
-  std::string nearest_device(std::string_view device, std::string_view) const override {
-    return near(device, {"AGV", "DOOR", "CV1"});
-  }
-  std::string nearest_state(std::uint32_t unit, std::string_view name) const override {
-    return near(name, states_[unit]);
-  }
-  std::string nearest_symbol(std::string_view name) const override { return near(name, {"START", "LEVEL"}); }
-  std::string why_no_state(std::uint32_t, std::string_view name) const override {
-    return name == "BUSY" ? "`BUSY` is only an event" : "";
-  }
+std::string number_text(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
 
- private:
-  static std::string near(std::string_view wanted, const std::vector<std::string_view>& names) {
-    tables::NearestName nearest(wanted);
-    for (const std::string_view name : names) nearest.offer(name);
-    return std::string(nearest.name());
+std::string text_of(const condition::Quantity& quantity) {
+  const std::string of = std::to_string(quantity.of);
+  switch (quantity.kind) {
+    case condition::Quantity::Kind::number:
+      return number_text(quantity.number);
+    case condition::Quantity::Kind::output:
+      return "output" + of;
+    case condition::Quantity::Kind::symbol:
+      return "slot" + of + ":" + std::string(condition::type_name(quantity.type));
+    case condition::Quantity::Kind::parts:
+      return "parts" + of;
+    case condition::Quantity::Kind::weight:
+      return "weight" + of;
   }
-
-  std::vector<std::vector<std::string_view>> states_{
-      {"P1", "P2"}, {"OPEN", "moving"}, {"SHUT"}, {"UP"}, {"UP", "DOWN"}};
-  std::map<std::string_view, Symbol> symbols_{
-      {"START", {7, DataType::boolean}}, {"LEVEL", {8, DataType::int_}}, {"SPEED", {9, DataType::real}}};
-};
+  return "";
+}
 
 std::string text_of(const Tree& tree) {
   switch (tree.kind) {
@@ -85,6 +50,9 @@ std::string text_of(const Tree& tree) {
   }
   const std::string of = std::to_string(tree.atom.of);
   switch (tree.atom.kind) {
+    case Atom::Kind::compare:
+      return text_of(tree.atom.left) + comparison_text(tree.atom.comparison) + text_of(tree.atom.right) +
+             (tree.atom.tolerance == 0 ? "" : "+-" + number_text(tree.atom.tolerance));
     case Atom::Kind::settled:
       return "unit" + of + "@" + std::to_string(tree.atom.state);
     case Atom::Kind::moving:
@@ -102,9 +70,7 @@ std::string text_of(const Tree& tree) {
 
 std::string resolved(std::string_view text) {
   const auto result = condition::parse_and_resolve(text, SmallPlant());
-  if (const auto* fault = std::get_if<condition::Fault>(&result)) {
-    return std::to_string(fault->index.offset) + "+" + std::to_string(fault->index.length) + " " + fault->message;
-  }
+  if (const auto* fault = std::get_if<condition::Fault>(&result)) return test::text_of(*fault);
   return text_of(std::get<Tree>(result));
 }
 
@@ -182,6 +148,59 @@ TEST_CASE("A BOOL symbol has no comparison, a numeric one needs one") {
   CHECK(resolved("not LEVEL") == "4+5 `LEVEL` is of type INT and has no comparison; compare it, as in `LEVEL > 0`");
   CHECK(resolved("AGV.P1 < 3") == "0+6 a state is compared with a number; only numeric symbols can be compared");
   CHECK(resolved("SPEED > 1e999") == "8+5 the number is out of range for REAL");
+}
+
+TEST_CASE("Two operands compare as doubles") {
+  CHECK(resolved("TANK.level >= 99") == "output0>=99");
+  CHECK(resolved("flow > LEVEL or flow <= TANK.level") == "(or output1>slot8:INT output1<=output0)");
+  CHECK(resolved("LEVEL < SPEED") == "slot8:INT<slot9:REAL");
+  CHECK(resolved("CV1.parts = BOX.parts") == "parts0=parts1");
+  CHECK(resolved("BOX.weight > 12.5 and BOX.Weight < CV1.weight") == "(and weight1>12.5 weight1<weight0)");
+  CHECK(resolved("BOOM[1] > BOOM[3]") == "output2>output4");
+  CHECK(resolved("TANK.level = -80 +- 1") == "output0=-80+-1");
+  CHECK(resolved("LEVEL = 80 +- 1.5") == "slot8:INT=80+-1.5");
+  CHECK(resolved("BOX.parts = 2 +- 0") == "parts1=2");
+}
+
+TEST_CASE("A number on the left is the comparison from the other side") {
+  CHECK(resolved("80 < TANK.level") == "output0>80");
+  CHECK(resolved("80 >= TANK.level") == "output0<=80");
+  CHECK(resolved("80 = TANK.level +- 1") == "output0=80+-1");
+  CHECK(resolved("5 <= LEVEL and 5 > LEVEL and 5.5 < LEVEL") == "(and slot8>=5 slot8<5 slot8>5)");
+  CHECK(resolved("40000 > LEVEL") == "always");
+  CHECK(resolved("3 > CV1.parts") == "parts0<3");
+  CHECK(resolved("1e999 > SPEED") == "0+5 the number is out of range for REAL");
+}
+
+TEST_CASE("What cannot be compared has a message") {
+  CHECK(resolved("TANK.level") ==
+        "0+10 `TANK.level` is a value and has no comparison; compare it, as in `TANK.level = 1`");
+  CHECK(resolved("not flow") == "4+4 `flow` is a value and has no comparison; compare it, as in `flow = 1`");
+  CHECK(resolved("1 < 2") ==
+        "0+5 both sides are numbers; compare a name, which is in single quotes if it reads as a number");
+  CHECK(resolved("flow < 5 +- 1") == "12+1 a tolerance is only for `=`; write `=`, or remove the `+-`");
+  CHECK(resolved("flow = 5 +- -1") == "12+2 a tolerance is at least 0; remove the `-`");
+  CHECK(resolved("flow = 5 +- 1e999") == "12+5 the number is out of range");
+  CHECK(resolved("flow = -1e999") == "7+6 the number is out of range");
+  CHECK(resolved("BOOM > 1") == "0+4 `BOOM` has 3 outputs; write one of `BOOM[1]` to `BOOM[3]`");
+  CHECK(resolved("BOOM[4] > 1") == "5+1 `BOOM` has 3 outputs; write one of `BOOM[1]` to `BOOM[3]`");
+  CHECK(resolved("BOOM[0] > 1") == "5+1 `BOOM` has 3 outputs; write one of `BOOM[1]` to `BOOM[3]`");
+  CHECK(resolved("BOOM[x] > 1") == "5+1 `BOOM` has 3 outputs; write one of `BOOM[1]` to `BOOM[3]`");
+  CHECK(resolved("BOOM") == "0+4 `BOOM` is a value and has no comparison; compare it, as in `BOOM[1] = 1`");
+  CHECK(resolved("flow[1] > 1") == "5+1 `flow` has one output; write it without `[1]`");
+  CHECK(resolved("LEVEL[1] > 1") == "6+1 only a value of kind `linear` has several outputs; remove `[1]`");
+  CHECK(resolved("flow < START") == "7+5 `START` is of type BOOL and compared with a number; remove the comparison");
+  CHECK(resolved("flow < AGV.P1") == "7+6 a state is compared with a number; only numeric symbols can be compared");
+  CHECK(resolved("BOX.weight") == "4+6 `BOX.weight` is a number; compare it, as in `BOX.weight > 0`");
+  CHECK(resolved("CV2.weight > 1") == "0+3 track or place `CV2` not found; did you mean `CV1`?");
+}
+
+TEST_CASE("The nearest name may be that of a value") {
+  CHECK(resolved("TANK.levl > 3") == "0+9 value `TANK.levl` not found; did you mean `TANK.level`?");
+  CHECK(resolved("TANK.levl") == "0+9 value `TANK.levl` not found; did you mean `TANK.level`?");
+  CHECK(resolved("flw > 3") == "0+3 symbol `flw` not found; did you mean `flow`?");
+  CHECK(resolved("START2 = 3") == "0+6 symbol `START2` not found; did you mean `START`?");
+  CHECK(resolved("A.B.C.D > 3") == "0+7 value `A.B.C.D` not found");
 }
 
 }  // namespace

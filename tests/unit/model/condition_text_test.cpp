@@ -72,6 +72,7 @@ TEST_CASE("A condition is written with quotes and parentheses only where needed"
            "LEVEL < -5 or BIG >= 18446744073709551615 or LONG = -9223372036854775808",
            "SPEED > 0.1 or SPEED <= 1e+300 or SPEED = -3",
            "LEVEL >= -32768 and not BIG < 0",
+           "LEVEL < SPEED or SPEED = 80 +- 1.5 or not BIG >= LONG",
        }) {
     CHECK(reader.again(text) == text);
   }
@@ -80,6 +81,13 @@ TEST_CASE("A condition is written with quotes and parentheses only where needed"
   CHECK(reader.again("LEVEL < 3.5") == "LEVEL <= 3");
   CHECK(reader.again("LEVEL < 1e9") == "LEVEL >= -32768");
   CHECK(reader.again("BIG = 0.5") == "BIG < 0");
+}
+
+TEST_CASE("A name that reads as a number, or is on the right and begins with a digit, is in quotes") {
+  const Analysed analysed = analyse_rows({{"12", "", "INT", "0", "%IW1"}, {"3D", "", "INT", "0", "%IW2"}});
+  const Reader reader{analysed.model()};
+  for (const char* text : {"'12' < 5", "3D < 5", "3D < '12'", "'12' = '3D'"}) CHECK(reader.again(text) == text);
+  CHECK(reader.again("5 > '12'") == "'12' < 5");
 }
 
 TEST_CASE("Conditions about parts are written as they are read, with quotes where needed") {

@@ -79,7 +79,7 @@ TEST_CASE("A speed comes from a numeric symbol") {
   CHECK(of("S_10_CV1_O_SPED") ==
         "/material/tracks/T/drives/0/speed/of: symbol `S_10_CV1_O_SPED` not found; did you mean `S_10_CV1_O_SPEED`?");
   CHECK(of("S_10_CV1_O_RUN") ==
-        "/material/tracks/T/drives/0/speed/of: `S_10_CV1_O_RUN` is BOOL; name a numeric symbol");
+        "/material/tracks/T/drives/0/speed/of: `S_10_CV1_O_RUN` is BOOL; name a numeric symbol or a value");
 }
 
 TEST_CASE("Positions are on the track") {

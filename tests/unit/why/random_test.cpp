@@ -153,7 +153,8 @@ class Explained {
 TEST_CASE("Everything in random plants has a reason, and nothing is about to act") {
   Mentioned mentioned;
   for (std::uint64_t seed = 1; seed <= kPlants; ++seed) {
-    const property::DrawnPlant drawn = property::random_plant(seed, {.behaviours = false, .most_units = 60});
+    const property::DrawnPlant drawn =
+        property::random_plant(seed, {.behaviours = false, .most_units = 60, .values = false});
     const lower::EngineTables lowered = lower::lower(drawn.model);
     const tables::PlantTables tables = lowered.tables();
     INFO("plant " << seed);
