@@ -41,6 +41,7 @@ listening() { port=$(port_of "") && [[ -n $port ]]; }
 
 # Starts a plant as a server on a free port; sets plant and port, leaves plant.log and trace.jsonl in $work.
 start_plant() { # COMMAND...
+  : >"$work/plant.log" # the run before had another port
   "$@" --link modbus-tcp-server://127.0.0.1:0 --trace "$work/trace.jsonl" >"$work/plant.log" 2>&1 &
   plant=$!
   wait_until "the plant says where it listens" listening

@@ -24,6 +24,7 @@ cmp "$work/interpreted.jsonl" "$work/compiled.jsonl" || fail "the traces differ"
 # Runs the program with a DELAY for some seconds; the plant must end with a code.
 sort_parts() { # DELAY SECONDS CODE
   local code=0
+  : >"$work/plant.log" # the run before had another port
   "$tool" run "$folder/plant.json" --link modbus-tcp-server://127.0.0.1:0 --trace "$work/trace.jsonl" --stats "$work/stats.json" \
     >"$work/plant.log" 2>&1 &
   plant=$!
@@ -54,6 +55,7 @@ END
   fail "no tall part is sorted in lock step"
 
 run_with_plc() {
+  : >"$work/plant.log" # the run before had another port
   "$tool" run "$work/plant.json" --clock real --scenario "$work/sorted.json" --trace "$work/real.jsonl" >"$work/plant.log" 2>&1 &
   plant=$!
   wait_until "the plant says where it listens" listening
