@@ -10,7 +10,7 @@ namespace symplant::property {
 namespace {
 
 constexpr const char* kUsage =
-    "property [--plants N] [--seed S] [--minimum K] [--fixtures DIR] [--quiet] [--wrong] [--print]\n"
+    "property [--plants N] [--seed S] [--minimum K] [--fixtures DIR] [--quiet] [--wrong] [--no-values] [--print]\n"
     "         [--replay FILE|DIR] [--tool FILE] [--bug N]\n";
 
 template <class Number>
@@ -22,6 +22,7 @@ bool read_number(const std::string& text, Number& number) {
 bool read_flag(const std::string& name, Options& options) {
   if (name == "--quiet") return options.quiet = true;
   if (name == "--wrong") return options.wrong = true;
+  if (name == "--no-values") return !(options.values = false);
   if (name == "--print") return options.print = true;
   return false;
 }

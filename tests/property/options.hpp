@@ -17,6 +17,7 @@ struct Options {
   long minimum = 0;        ///< fail if something happened less often
   std::string fixtures;    ///< a folder for the shrunk cases; empty: do not write cases
   bool quiet = false;      ///< no table
+  bool values = true;      ///< some plants have values and signals
   bool wrong = false;      ///< succeed at the first difference, fail without a difference
   std::string replay;      ///< a case, or a folder of cases, instead of random ones
   bool print = false;      ///< only print the case of `seed`

@@ -95,7 +95,7 @@ int run(const Options& options) {
   constexpr int kMostReports = 5;
   const auto begin = std::chrono::steady_clock::now();
   for (std::uint64_t seed = options.seed; seed < options.seed + options.plants; ++seed) {
-    DrawnPlant drawn = random_plant(seed);
+    DrawnPlant drawn = random_plant(seed, {.values = options.values});
     Case drawn_case{std::move(drawn.text), random_stimulus(seed, drawn.model)};
     if (options.print) {
       std::cout << write_case(drawn_case);
