@@ -28,7 +28,9 @@ END {
   for (s = 1; s <= stations; s++) interlocks(station[s])
   print "\n  },"
   follow()
+  values()
   material()
+  print "  // What the program reports a fault with.\n  \"alarms\": [\"BODY_*_HORN_O_ON\", \"BODY_*_LIGHTRED_O_ON\"],"
   print "  \"requirements\": ["
   separator = ""
   for (s = 1; s <= stations; s++) requirements(station[s])
@@ -52,14 +54,11 @@ function times() {
   entry("BODY_*_LIFTER?", "\"actuation\": \"held\", \"transitions\": [ " way("LOW1", "HIGH2", "4.5s") ", " way("HIGH2", "LOW1", "4s") " ]")
   entry("BODY_*_DRIVE?", "\"transitions\": [ " way("NOT_RUN", "RUN", "50ms") ", " way("RUN", "NOT_RUN", "30ms") " ]")
   entry("BODY_*_PUMP?", "\"transitions\": [ " way("NOT_RUN", "RUN", "2s") ", " way("RUN", "NOT_RUN", "1s") " ]")
-  entry("BODY_*_WELDER?", behavior("SpotWelder") ", \"inputs\": { \"welds\": \"{line}_{1}_ROBOT{2}.JOB2\", " \
-        "\"dressed\": \"{line}_{1}_DRESSER1.RUN2\" }, \"transitions\": [ " way("NOT_ON", "ON", "0.2s") ", " way("ON", "NOT_ON", "0.1s") " ]")
-  entry("BODY_*_SEALER?", behavior("BodySealer") ", \"transitions\": [ " way("NOT_ON", "ON", "0.1s") ", " way("ON", "NOT_ON", "0.1s") " ]")
+  entry("BODY_*_WELDER?", "\"transitions\": [ " way("NOT_ON", "ON", "0.2s") ", " way("ON", "NOT_ON", "0.1s") " ]")
+  entry("BODY_*_SEALER?", "\"transitions\": [ " way("NOT_ON", "ON", "0.1s") ", " way("ON", "NOT_ON", "0.1s") " ]")
   entry("BODY_*_DRESSER?", "\"transitions\": [ " way("IDLE1", "RUN2", "0.1s") ", " by_itself("RUN2", "IDLE1", "\"8s\"") " ]")
-  entry("BODY_*_CAMERA?", behavior("JudgingCamera") ", \"transitions\": [ " way("READY1", "TAKE2", "20ms") ", " by_itself("TAKE2", "READY1", "\"0.35s\"") " ]")
+  entry("BODY_*_CAMERA?", "\"transitions\": [ " way("READY1", "TAKE2", "20ms") ", " by_itself("TAKE2", "READY1", "\"0.35s\"") " ]")
 }
-
-function behavior(name) { return "\"behaviour\": \"" name "\"" }
 
 function double_acting(shape, rest, work, there, back) {
   entry("BODY_*_" shape "?", "\"actuation\": \"bistable\", \"transitions\": [ " way(rest, work, there) ", " way(work, rest, back) " ]")
@@ -87,7 +86,7 @@ function robots(place,    i, when) {
     when = name(place, "AIR") ".GOOD"
     if (has(place, "WELDER")) when = device[place, "WELDER", i] ".ON"
     if (has(place, "PUMP")) when = device[place, "PUMP", 1] ".RUN"
-    entry(device[place, "ROBOT", i], behavior("JobRobot") ", \"only\": true, \"transitions\": [ " way("HOME1", "JOB2", "0.3s", when) ", " \
+    entry(device[place, "ROBOT", i], "\"only\": true, \"transitions\": [ " way("HOME1", "JOB2", "0.3s", when) ", " \
           by_itself("JOB2", "DONE3", job_of(place, i)) ", " way("DONE3", "HOME1", i % 2 ? "2.5s" : "3s") " ]")
   }
 }
@@ -157,6 +156,41 @@ function follow() {
   print "  // A mode selector has two contacts: when one is closed, the other is open."
   print "  \"follow\": { \"BODY_*_SELECTOR_I_MANUAL\": \"not BODY_{1}_SELECTOR_I_AUTO\" },"
 }
+
+# What the numeric inputs show.
+function values() {
+  print "  \"values\": {"
+  print "    // A robot reports its program from the beginning of the job until it is at home."
+  value("{self}.program", "BODY_*_ROBOT?", "\"changes\": [ " change("{self}.JOB2", "{self}_O_PROG") ", " change("{self}.HOME1", "0") " ]")
+  print "    // A spot takes 0.4 s. Each has a current; the counter is reset when the caps are dressed."
+  value("{self}.welded", "BODY_*_WELDER?", "\"step\": \"100ms\", \"trace\": false, \"integral\": \"2.5 * {self}.ON * BODY_{1}_ROBOT{2}.JOB2\",\n      " \
+        "\"changes\": [ " change("{self}.ON and BODY_{1}_DRESSER1.RUN2", "0") " ]")
+  value("{self}.spot", "BODY_*_WELDER?", "\"step\": \"100ms\", \"trace\": false, \"is\": \"wrap({self}.welded, 0, 1)\"")
+  value("{self}.scatter", "BODY_*_WELDER?", "\"trace\": false, \"noise\": 12, \"every\": \"400ms\"")
+  value("{self}.current", "BODY_*_WELDER?", "\"unit\": \"kA/100\", \"changes\": [ " change("{self}.spot < 0.5 and {self}.welded >= 1", "870 + {self}.scatter") " ]")
+  print "    // A camera finds about one bad body of twenty."
+  value("{self}.luck", "BODY_*_CAMERA?", "\"trace\": false, \"noise\": 1, \"every\": \"1s\"")
+  value("{self}.verdict", "BODY_*_CAMERA?", "\"changes\": [ " change("{self}.TAKE2", "if({self}.luck > 1.645, 2, 1)") " ]")
+  print "    // A cycle lasts from job to job of the first robot, or from stroke to stroke of a shuttle."
+  value("BODY_{1}_CYCLE.began", "BODY_*_ROBOT1", "\"unit\": \"s\", \"trace\": false, \"changes\": [ " change("{self}.JOB2", "time") " ]")
+  value("BODY_{1}_CYCLE.lasted", "BODY_*_ROBOT1", "\"unit\": \"s\", \"changes\": [ " change("{self}.JOB2", "time - BODY_{1}_CYCLE.began") " ]")
+  value("{line}_{1}_CYCLE.began", "BODY_*_SHUTTLE1", "\"unit\": \"s\", \"trace\": false, \"changes\": [ " change("{self}.FRONT3", "time") " ]")
+  value("{line}_{1}_CYCLE.lasted", "BODY_*_SHUTTLE1", "\"unit\": \"s\", \"changes\": [ " change("{self}.FRONT3", "time - {line}_{1}_CYCLE.began") " ]", 1)
+  print "  },"
+  print "  \"signals\": {"
+  print "    \"BODY_*_ROBOT?_I_PROG\": \"BODY_{1}_ROBOT{2}.program\","
+  print "    \"BODY_*_WELDER?_I_SPOTS\": \"floor(BODY_{1}_WELDER{2}.welded)\","
+  print "    \"BODY_*_WELDER?_I_CURRENT\": \"BODY_{1}_WELDER{2}.current\","
+  print "    \"BODY_*_SEALER?_I_PRESSURE\": \"BODY_{1}_SEALER{2}.ON * limit(BODY_{1}_SEALER{2}_O_FLOW, 0, 2500)\","
+  print "    \"BODY_*_CAMERA?_I_RESULT\": \"BODY_{1}_CAMERA{2}.verdict\","
+  print "    \"BODY_*_GAUGE?_I_GAP?\": { \"of\": \"3500\", \"noise\": 40, \"every\": \"10s\" },"
+  print "    \"BODY_*_CYCLE_I_TIME\": \"10 * BODY_{1}_CYCLE.lasted\""
+  print "  },"
+}
+
+function value(number, devices, what, last) { printf "    \"%s\": { \"for\": \"%s\", %s }%s\n", number, devices, what, last ? "" : "," }
+
+function change(when, to) { return "{ \"when\": \"" when "\", \"to\": \"" to "\" }" }
 
 # The floors of two models come in at UNDER10 and become bodies in the last framing station.
 function material() {

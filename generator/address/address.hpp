@@ -21,6 +21,7 @@ using Bank = std::uint16_t;
 inline constexpr Bank kNoBank = 0;         ///< the notation does not define which bits an address covers
 inline constexpr Bank kBits = 1;           ///< of inputs or outputs: X, %IX, bytes and bits of SIMATIC
 inline constexpr Bank kMemoryBanks = 256;  ///< from here on: a kind of device of a notation
+inline constexpr Bank kHoldingRegisters = kMemoryBanks + 250;  ///< of Modbus reference numbers: 40001
 /// The bits of %IB, %IW, %ID or %IL: IEC 61131-3 does not define how elements of different sizes overlap.
 constexpr Bank bank_of_elements(Size size) { return static_cast<Bank>(size); }
 
@@ -46,12 +47,15 @@ struct Address {
   }
 };
 
+/// The output of the PLC in a holding register: by its reference number (40001) alone it would be memory.
+Address as_output_register(const Address& holding);
+
 /// Whether two addresses are one location: they are equal, and assigned.
 constexpr bool same_location(const Address& a, const Address& b) { return a.assigned && a == b; }
 
-/// Reads an IEC 61131-3 address: %IX1, %I1, %QX0.5, %IW5, %IW5.12, %QD2, %IX0.0.0, %I*, %MX0.500 (memory). Numbers are
-/// decimal. ASCII case and blanks around the text are ignored. Nothing if the text is not such an address or its number
-/// exceeds 64 bits.
+/// Reads an IEC 61131-3 address: %IX1, %I1, %QX0.5, %IW5, %IW5.12, %QD2, %IX0.0.0, %I*, %MX0.500 (memory), and channels
+/// of modules of B&R, %IX."IF3.ST1".DigitalInput01. Numbers are decimal. ASCII case and blanks around the text are
+/// ignored. Nothing if the text is not such an address or its number exceeds 64 bits.
 std::optional<Address> parse_iec(std::string_view text);
 
 /// Reads a MELSEC device: X1F, Y0001 (inputs and outputs, counted in `radix`), K4X0 (16 inputs from X0 on), and

@@ -36,6 +36,7 @@ struct IecText {
   bool assigned = true;
   std::array<std::uint64_t, 8> parts{};
   std::size_t count = 0;
+  std::string_view channel;  ///< of a module of B&R: `."IF3.ST1".DigitalInput01`
 };
 
 const auto kIecSize = [](auto& context) {
@@ -53,8 +54,15 @@ const auto kIecArea = [](auto& context) {
   x3::get<IecText>(context).area = x3::_attr(context)->area;
   x3::get<IecText>(context).letter = x3::_attr(context)->name.front();
 };
+const auto kIecChannel = [](auto& context) {
+  const auto& written = x3::_attr(context);
+  x3::get<IecText>(context).channel = {written.begin(), static_cast<std::size_t>(written.end() - written.begin())};
+};
+const auto kChannelName = +(x3::ascii::alnum | x3::char_('_'));
+const auto kChannel = x3::raw['.' >> x3::lit('"') >> +(x3::char_ - '"') >> '"' >> +('.' >> kChannelName)];
+
 const auto kIec = '%' >> OneOf<kAreas>()[kIecArea] >> -OneOf<kSizes>()[kIecSize] >>
-                  (kDecimal[kIecPart] % '.' | x3::lit('*')[kUnassigned]);
+                  (kDecimal[kIecPart] % '.' | x3::lit('*')[kUnassigned] | kChannel[kIecChannel]);
 
 Address of_parts(const IecText& written) {
   Key key;
@@ -119,6 +127,7 @@ std::optional<Address> parse_iec(std::string_view text) {
 std::optional<Address> parse_iec_by_grammar(std::string_view text) {
   IecText written;
   if (!matches(trimmed(text), kIec, written)) return std::nullopt;
+  if (!written.channel.empty()) return keyed(written.area, written.size, Key().add(written.channel));
   if (written.assigned) return address_of(written);
   Address address = keyed(written.area, written.size, Key());
   address.assigned = false;

@@ -41,7 +41,7 @@ std::optional<Address> parse_modbus(std::string_view text) {
   if (written.bit && !is_register) return std::nullopt;
   const Area area = table == 0 ? Area::output : table == 4 ? Area::memory : Area::input;
   if (!is_register) return at_bits(area, Size::bit, kBits, Size::bit, number - 1);
-  const Bank bank = area == Area::memory ? kMemoryBanks + 250 : bank_of_elements(Size::word);
+  const Bank bank = area == Area::memory ? kHoldingRegisters : bank_of_elements(Size::word);
   return at_bits(area, written.bit ? Size::bit : Size::word, bank, Size::word,
                  16 * (number - 1) + written.bit.value_or(0));
 }
@@ -57,6 +57,10 @@ std::optional<std::string> modbus_text(const Address& address, Radix) {
   const std::string reference = fmt::format("{}{:05}", table, number + 1);
   if (!is_register || address.size == Size::word) return reference;
   return fmt::format("{}.{}", reference, address.first_bit % 16);
+}
+
+Address as_output_register(const Address& holding) {
+  return at_bits(Area::output, holding.size, bank_of_elements(Size::word), Size::word, holding.first_bit);
 }
 
 }  // namespace symplant::address

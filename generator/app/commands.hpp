@@ -11,6 +11,7 @@ class App;
 
 namespace symplant::app {
 
+void add_campaign(CLI::App& app, Context& context);
 void add_check(CLI::App& app, Context& context);
 void add_explain(CLI::App& app, Context& context);
 void add_rules(CLI::App& app, Context& context);

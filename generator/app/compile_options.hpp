@@ -20,6 +20,7 @@ struct CompileOptions {
   findings::Selection selection = {};  ///< which findings are reported
   findings::Known known = {};          ///< findings that are not reported again
   name::IoRows io = {};                ///< rows that are I/O; none: those of the plant.json
+  std::string malfunctions = {};       ///< a file with more malfunctions; empty: none
   std::string naming = {};             ///< a naming.json or `@PROFILE`; empty: what the plant.json gives
 };
 

@@ -82,12 +82,19 @@ class ReportWriter {
 
   void questions() {
     if (report_.questions.empty()) return;
-    line("are these inputs on in a healthy plant? (--accept N,.. makes them constant):");
-    for (std::size_t i = 0; i < report_.questions.size(); ++i) {
-      numbered(report_.correspondences.size() + i, question_text(report_.questions[i]),
-               answers_.accepted.contains(i) ? "; accepted" : "");
-    }
+    const bool interlocks = report_.questions.back().about_interlocks();
+    const std::size_t contacts = report_.questions.size() - (interlocks ? 1 : 0);
+    if (contacts != 0) line("are these inputs on in a healthy plant? (--accept N,.. makes them constant):");
+    for (std::size_t i = 0; i < contacts; ++i) question(i);
     if (report_.more_questions != 0) line(fmt::format("      and {}", counted(report_.more_questions, "more shape")));
+    if (!interlocks) return;
+    line("interlocks with one text on both sides, which nothing drives (--accept N pairs them):");
+    question(contacts);
+  }
+
+  void question(std::size_t i) {
+    numbered(report_.correspondences.size() + i, question_text(report_.questions[i]),
+             answers_.accepted.contains(i) ? "; accepted" : "");
   }
 
   void accounted() {
@@ -98,6 +105,7 @@ class ReportWriter {
     add(report_.operator_panel, "of the operator");
     add(report_.constants, "constant");
     add(report_.data, "data");
+    add(report_.interlocks, "interlock");
     if (!kinds.empty()) line("accounted for without a pair: " + kinds);
   }
 
@@ -173,6 +181,10 @@ std::string correspondence_text(const infer::Correspondence& one) {
 }
 
 std::string question_text(const infer::Question& question) {
+  if (question.about_interlocks()) {
+    return fmt::format("{}, {}, e.g. {}", fmt::join(question.rule.has, ", "), counted(question.shape.count, "symbol"),
+                       visible(question.shape.example));
+  }
   return fmt::format("{}, {}, e.g. {}", visible(question.shape.text), counted(question.shape.count, "input"),
                      visible(question.shape.example));
 }

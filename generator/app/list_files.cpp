@@ -11,14 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_pattern(const std::string& text) { return text.find_first_of("*?") != std::string::npos; }
-
 /// The folders or files below each of `folders` that match one part of a path.
 std::vector<fs::path> matching(const std::vector<fs::path>& folders, const std::string& part,
                                const base::FileSystem& files) {
   std::vector<fs::path> found;
   for (const fs::path& folder : folders) {
-    if (!is_pattern(part)) {
+    if (!text::is_pattern(part)) {
       found.push_back(folder / part);
       continue;
     }
@@ -32,7 +30,7 @@ std::vector<fs::path> matching(const std::vector<fs::path>& folders, const std::
 }  // namespace
 
 std::vector<std::string> list_files(const std::string& path, const base::FileSystem& files) {
-  if (!is_pattern(path)) return {path};
+  if (!text::is_pattern(path)) return {path};
   std::vector<fs::path> found{fs::path()};
   for (const fs::path& part : fs::path(path)) found = matching(found, part.string(), files);
   std::vector<std::string> paths;

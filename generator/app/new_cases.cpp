@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/suite_command.hpp"
+#include "batch/workers.hpp"
 #include "diag/visible_text.hpp"
 #include "suite/propose.hpp"
-#include "suite/workers.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/signals.hpp"
 
@@ -42,24 +42,24 @@ std::vector<std::uint64_t> numbers_of(const std::string& text) {
 void propose_cases(const TestOptions& options, const suite::Suite& suite, const PreparedPlant& prepared,
                    Context& context) {
   if (!std::binary_search(suite.cases.begin(), suite.cases.end(), options.base)) {
-    return fail_test(context,
-                     fmt::format("the suite has no case `{}`: it has {}", options.base, fmt::join(suite.cases, ", ")),
-                     host::kBadInput);
+    return fail_batch(context,
+                      fmt::format("the suite has no case `{}`: it has {}", options.base, fmt::join(suite.cases, ", ")),
+                      host::kBadInput);
   }
   if (!options.links.empty()) {
-    return fail_test(context, "`--new` needs a program in lock step: remove `--link`", host::kBadInput);
+    return fail_batch(context, "`--new` needs a program in lock step: remove `--link`", host::kBadInput);
   }
   const CaseFolder folder;
-  if (!folder.error().empty()) return fail_test(context, folder.error(), host::kEnvironment);
+  if (!folder.error().empty()) return fail_batch(context, folder.error(), host::kEnvironment);
   suite::Setup setup{suite, {}, false};
   setup.run.programs = options.programs.empty() ? suite.programs : options.programs;
   const host::PlantProgram plant = prepared.program();
   suite::BaseRun base;
   std::string error;
   if (!suite::run_base(setup, plant, suite.scenario(options.base), folder.path(), base, error)) {
-    return fail_test(context,
-                     fmt::format("the case `{}` does not pass, so that nothing is proposed:\n{}", options.base, error),
-                     host::kFindings);
+    return fail_batch(context,
+                      fmt::format("the case `{}` does not pass, so that nothing is proposed:\n{}", options.base, error),
+                      host::kFindings);
   }
   const bool with_program = !setup.run.programs.empty() || !plant.programs.empty();
   std::vector<suite::Proposal> proposals = suite::proposals_of(base, options.base, plant.tables, with_program);
@@ -71,19 +71,19 @@ void propose_cases(const TestOptions& options, const suite::Suite& suite, const 
   const auto work = [&](std::size_t piece) {
     return joined(suite::new_pairs(setup, plant, proposals[piece], base, folder.path())) + " ";
   };
-  const auto done = [&](const suite::Done& piece) { pairs[piece.piece] = numbers_of(piece.answer); };
+  const auto done = [&](const batch::Done& piece) { pairs[piece.piece] = numbers_of(piece.answer); };
   host::catch_signals();
-  error = suite::do_in_processes(proposals.size(), jobs_of(options), work, done,
+  error = batch::do_in_processes(proposals.size(), jobs_of(options), work, done,
                                  [] { return host::stop_requested().load(); });
-  if (!error.empty()) return fail_test(context, error, host::kEnvironment);
+  if (!error.empty()) return fail_batch(context, error, host::kEnvironment);
   if (host::stop_requested().load())
-    return fail_test(context, "ended by a signal: nothing is written", host::kFindings);
+    return fail_batch(context, "ended by a signal: nothing is written", host::kFindings);
 
   const std::vector<std::size_t> chosen = suite::choose(pairs, options.most);
   for (const std::size_t number : chosen) {
     const suite::Proposal& one = proposals[number];
     const auto written = context.files.write_new(suite.scenario(one.name), one.text);
-    if (!written) return fail_test(context, written.error().message, host::kEnvironment);
+    if (!written) return fail_batch(context, written.error().message, host::kEnvironment);
     context.out << "new    " << diag::visible(one.name) << ": " << diag::visible(one.words) << "\n";
   }
   context.out << fmt::format("{} of {} possible cases written", chosen.size(), all);

@@ -230,6 +230,7 @@ void show_counts(Context& context, const std::string& plant, const diag::Diagnos
 CompileOptions compile_options(const Context& context, const std::string& plant, const PlantOptions& options) {
   CompileOptions compiled{plant, options.read, options.xy, context.today};
   compiled.naming = options.naming;
+  compiled.malfunctions = options.malfunctions;
   compiled.io = options.io;
   return compiled;
 }

@@ -16,6 +16,7 @@ struct PlantOptions {
   read::ReadOptions read;
   std::optional<address::Radix> xy;
   std::string naming;
+  std::string malfunctions;  ///< a file with more malfunctions; empty: none
   name::IoRows io;
   bool verbose = false;
 };

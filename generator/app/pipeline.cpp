@@ -15,6 +15,7 @@
 #include "app/read_inputs.hpp"
 #include "check/catalogue.hpp"
 #include "description/description_rules.hpp"
+#include "elements/malfunction/file.hpp"
 #include "findings/finish.hpp"
 #include "lower/limits.hpp"
 #include "lower/lower.hpp"
@@ -45,7 +46,18 @@ void add_description_findings(const Inputs& inputs, const model::Evidence& evide
       return device.empty() || faulty.count(device) == 0;
     });
   }
-  description::add_findings(inputs.source, all, diagnostics);
+  std::vector<description::DescriptionFault> of_file;
+  std::erase_if(all, [&](description::DescriptionFault& fault) {
+    std::string pointer = inputs.malfunctions == nullptr
+                              ? std::string()
+                              : description::pointer_in_file(fault.pointer, inputs.own_malfunctions);
+    if (pointer.empty()) return false;
+    fault.pointer = std::move(pointer);
+    of_file.push_back(std::move(fault));
+    return true;
+  });
+  if (inputs.source != nullptr) description::add_findings(inputs.source, all, diagnostics);
+  if (inputs.malfunctions != nullptr) description::add_findings(inputs.malfunctions, of_file, diagnostics);
 }
 
 /// Finds the locations that rules gave as JSON pointers, in one pass over the text.
@@ -67,10 +79,8 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
            diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = derived.plant;
   add_io_findings(inputs.io, inputs.source, diagnostics);
-  if (inputs.source != nullptr) {
-    add_description_findings(inputs, derived.evidence, diagnostics);
-    map::add_url_findings(plant, diagnostics);
-  }
+  add_description_findings(inputs, derived.evidence, diagnostics);
+  if (inputs.source != nullptr) map::add_url_findings(plant, diagnostics);
   if (inputs.naming_parts != nullptr) add_naming_findings(plant, *inputs.naming_parts, diagnostics);
   if (!inputs.readable) return;
   check::check_plant(plant, derived.evidence, diagnostics);
@@ -128,7 +138,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   check(*inputs, derived, tables, diagnostics);
   finish(*inputs, derived.plant, options, diagnostics);
   if (!inputs->readable) return std::nullopt;
-  return Compiled{std::move(derived.plant), std::move(derived.evidence), std::move(tables)};
+  return Compiled{std::move(derived.plant), std::move(derived.evidence), std::move(tables), inputs->own_malfunctions};
 }
 
 }  // namespace symplant::app

@@ -19,7 +19,8 @@ namespace symplant::app {
 struct Compiled {
   model::PlantModel plant;
   model::Evidence evidence;
-  lower::EngineTables tables;  ///< empty if the description has errors, or if only checks follow
+  lower::EngineTables tables;        ///< empty if the description has errors, or if only checks follow
+  std::size_t own_malfunctions = 0;  ///< those of the plant itself, before those of another file
 };
 
 /// Reads the names of the lists with `reader`, then puts the prefixes before them. `io` records which rows its patterns

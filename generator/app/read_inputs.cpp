@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "app/list_files.hpp"
 #include "description/description_rules.hpp"
+#include "elements/malfunction/file.hpp"
 #include "naming/load.hpp"
 #include "read/loading.hpp"
 #include "symplant/json/location.hpp"
@@ -27,7 +29,8 @@ class InputReader {
     inputs_.name = fs::path(options_.plant).stem().string();
     auto bytes = files_.read(options_.plant);
     if (bytes && description::is_plant_file(options_.plant, *bytes)) {
-      return read_description(std::move(*bytes)) ? std::optional(std::move(inputs_)) : std::nullopt;
+      return read_description(std::move(*bytes)) && read_more_malfunctions() ? std::optional(std::move(inputs_))
+                                                                             : std::nullopt;
     }
     read::ReadOptions how = options_.read;
     how.xy = options_.xy;
@@ -38,7 +41,7 @@ class InputReader {
     inputs_.io = options_.io;
     naming::NamingReference given;
     given.file = options_.naming;
-    if (!read_naming(given)) return std::nullopt;
+    if (!read_naming(given) || !read_more_malfunctions()) return std::nullopt;
     return std::move(inputs_);
   }
 
@@ -104,6 +107,31 @@ class InputReader {
     }
     description::add_findings(inputs_.source, inputs_.faults, diagnostics_);
     return false;
+  }
+
+  /// Adds the malfunctions of another file to the description. False if it cannot be read.
+  bool read_more_malfunctions() {
+    if (inputs_.description != nullptr) inputs_.own_malfunctions = inputs_.description->malfunctions.size();
+    const std::string& path = options_.malfunctions;
+    if (path.empty()) return true;
+    auto bytes = files_.read(path);
+    if (!bytes) {
+      diagnostics_.add(description::rule_of(description::FaultKind::shape), bytes.error().message,
+                       read::whole_file(path));
+      return false;
+    }
+    auto text = read::decode_file(path, std::move(*bytes), diagnostics_, "save it as UTF-8");
+    if (!text) return false;
+    inputs_.malfunctions = std::make_shared<text::SourceFile>(path, std::move(text->text));
+    description::MalfunctionsReading reading = description::read_malfunctions(inputs_.malfunctions->text());
+    description::add_findings(inputs_.malfunctions, reading.syntax, diagnostics_);
+    description::add_findings(inputs_.malfunctions, reading.faults, diagnostics_);
+    if (!reading.syntax.empty() || !reading.faults.empty()) return false;
+    description::Description all = inputs_.description != nullptr ? *inputs_.description : description::Description();
+    all.malfunctions.insert(all.malfunctions.end(), std::make_move_iterator(reading.malfunctions.begin()),
+                            std::make_move_iterator(reading.malfunctions.end()));
+    inputs_.description = std::make_shared<const description::Description>(std::move(all));
+    return true;
   }
 
   /// False if a list cannot be read, or there is no list.

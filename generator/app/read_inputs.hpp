@@ -28,6 +28,8 @@ struct Inputs {
   std::shared_ptr<const text::SourceFile> source;               ///< the plant.json; null: a bare list
   std::shared_ptr<const description::Description> description;  ///< null: a bare list
   std::vector<description::DescriptionFault> faults;            ///< where the description does not fit its format
+  std::shared_ptr<const text::SourceFile> malfunctions;         ///< the file with more malfunctions; null: none
+  std::size_t own_malfunctions = 0;                             ///< those before it in the description
   bool readable = true;  ///< everything was read and fits its format; otherwise the inputs serve to find faults only
   std::vector<ReadList> lists;
   name::IoRows io;  ///< rows that are I/O although their address is internal or missing

@@ -50,8 +50,8 @@ class ScoreWriter {
   void write_counts(const score::Counts& counts) {
     json_.member("symbols", counts.counted());
     json_.member("paired", counts.paired());
-    for (const Account account : {Account::constant, Account::operator_panel, Account::data, Account::senses_parts,
-                                  Account::follows, Account::condition}) {
+    for (const Account account : {Account::constant, Account::operator_panel, Account::data, Account::interlock,
+                                  Account::senses_parts, Account::follows, Account::condition}) {
       json_.member(name::account_key(account), counts.of(account));
     }
     json_.member("accounted", counts.accounted());

@@ -127,6 +127,10 @@ std::string score_text(const score::Counts& counts) {
                   number(all, "symbol", "symbols"), counts.paired(), percent_of(counts.paired(), all),
                   counts.accounted(), percent_of(counts.accounted(), all), counts.of(Account::constant),
                   counts.of(Account::operator_panel), counts.of(Account::data));
+  if (counts.of(Account::interlock) != 0) {
+    text += fmt::format(", {} {}", counts.of(Account::interlock),
+                        number(counts.of(Account::interlock), "interlock", "interlocks"));
+  }
   if (counts.of(Account::senses_parts) != 0)
     text += fmt::format(", {} {}", counts.of(Account::senses_parts),
                         number(counts.of(Account::senses_parts), "sensor of parts", "sensors of parts"));

@@ -3,12 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <ostream>
 #include <random>
-#include <thread>
-
-#include "diag/visible_text.hpp"
 
 namespace symplant::app {
 
@@ -24,15 +19,5 @@ std::string CaseFolder::error() const {
 }
 
 std::string CaseFolder::trace(std::size_t number) const { return (path_ / fmt::format("{}.jsonl", number)).string(); }
-
-std::size_t jobs_of(const TestOptions& options) {
-  if (!options.links.empty()) return 1;  // there is one PLC
-  return options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-}
-
-void fail_test(Context& context, const std::string& message, int code) {
-  context.err << "error: " << diag::visible(message) << "\n";
-  context.exit_code = code;
-}
 
 }  // namespace symplant::app

@@ -4,10 +4,13 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/descriptor.hpp"
@@ -26,7 +29,7 @@ std::string reason(int code) {
     case EPERM:
       return "no permission";
     case EISDIR:
-      return "it is a directory; give a file";
+      return "it is a directory";
     case ENOTDIR:
       return "a part of its path is not a folder";
     case ENOSPC:
@@ -40,8 +43,26 @@ std::string reason(int code) {
   }
 }
 
+/// The commonest ending of the files in a folder, `.xml`; empty without one.
+std::string commonest_ending(const std::string& folder) {
+  std::map<std::string, std::size_t> counts;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.is_regular_file(ignored)) ++counts[entry.path().extension().string()];
+  }
+  counts.erase("");
+  const auto most =
+      std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? "" : most->first;
+}
+
 FileError error_of(std::string_view act, const std::string& path, int code) {
-  return {"cannot " + std::string(act) + " `" + path + "`: " + reason(code)};
+  std::string message = "cannot " + std::string(act) + " `" + path + "`: " + reason(code);
+  if (code != EISDIR) return {std::move(message)};
+  const std::string ending = act == "read" ? commonest_ending(path) : "";
+  if (ending.empty()) return {message + "; give a file"};
+  return {message + "; give the files in it, such as `" + (std::filesystem::path(path) / ("*" + ending)).string() +
+          "`"};
 }
 
 /// Writes to what is not a regular file (a pipe, /dev/stdout), which must not be replaced.

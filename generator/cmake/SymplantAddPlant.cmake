@@ -4,7 +4,8 @@
 #   TARGET         an executable that takes the options of `symplant run`
 #   TARGET_plant   a library with the plant's class: #include "TARGET/plant_gen.hpp", then <namespace>::Plant
 # BEHAVIOURS is the folder of your custom classes for devices (NAME_behavior.hpp): they are compiled in, and missing
-# ones are written there, once. Without it all devices follow the model. LINK_DEFAULT is the link of a start without
+# ones are written there, once. A file formulas.hpp there replaces formulas. Without it all devices and formulas follow
+# the model. LINK_DEFAULT is the link of a start without
 # --link. The code is generated again when the description, its lists, the templates or the tool change; a build
 # without such a change does nothing.
 function(symplant_add_plant TARGET)
@@ -30,8 +31,8 @@ function(symplant_add_plant TARGET)
 
   add_custom_command(
     OUTPUT "${folder}/tables_gen.cpp"
-    BYPRODUCTS "${folder}/main_gen.cpp" "${folder}/plant_gen.hpp" "${folder}/types_gen.hpp" "${folder}/tables_gen.hpp"
-               "${folder}/CMakeLists.txt"
+    BYPRODUCTS "${folder}/main_gen.cpp" "${folder}/plant_gen.hpp" "${folder}/types_gen.hpp"
+               "${folder}/formulas_gen.hpp" "${folder}/tables_gen.hpp" "${folder}/CMakeLists.txt"
     COMMAND symplant::symplant generate "${plant}" -o "${folder}" --depfile "${folder}/plant.d" ${options}
     COMMAND ${CMAKE_COMMAND} -E touch "${folder}/tables_gen.cpp"
     DEPENDS "${plant}" symplant::symplant
@@ -42,9 +43,16 @@ function(symplant_add_plant TARGET)
   add_library(${TARGET}_plant STATIC "${folder}/tables_gen.cpp")
   target_include_directories(${TARGET}_plant PUBLIC "${include_dir}")
   target_link_libraries(${TARGET}_plant PUBLIC symplant::plant)
+  # Formulas give the same bits everywhere: no fused operations.
+  target_compile_options(${TARGET}_plant
+                         PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)
   if(ARG_BEHAVIOURS)
     target_include_directories(${TARGET}_plant PRIVATE "${folder}" "${behaviours}")
     target_compile_definitions(${TARGET}_plant PRIVATE SYMPLANT_BEHAVIOURS)
+    file(GLOB formulas CONFIGURE_DEPENDS "${behaviours}/formulas.hpp")
+    if(formulas)
+      target_compile_definitions(${TARGET}_plant PRIVATE SYMPLANT_FORMULAS)
+    endif()
   endif()
 
   add_executable(${TARGET} "${folder}/main_gen.cpp")

@@ -368,6 +368,14 @@ Comparison compare(const Recorded& expected, const Recorded& actual, const Optio
   return Comparer(expected, actual, options).run();
 }
 
+void drop_unsure(Comparison& comparison) {
+  const Time sure = std::min(comparison.expected->end, comparison.actual->end) - comparison.window;
+  std::erase_if(comparison.differences, [&](const Difference& difference) {
+    const bool alone = difference.kind == Kind::missing || difference.kind == Kind::unexpected;
+    return comparison.window > 0 && alone && difference.time > sure;
+  });
+}
+
 Align align_of(std::string_view text) {
   if (text == "none") return Align::none;
   return text == "follow" ? Align::follow : Align::symbol;

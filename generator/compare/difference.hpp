@@ -66,6 +66,9 @@ struct Comparison {
   std::string warning;                      ///< what may be a mistake of the user; empty: no warning
 };
 
+/// Removes what is missing or unexpected within the window before the earlier end: its counterpart may come after it.
+void drop_unsure(Comparison& comparison);
+
 /// Compares two traces. O(changes * log(differences)).
 Comparison compare(const Recorded& expected, const Recorded& actual, const Options& options);
 

@@ -178,6 +178,7 @@ struct Description {
   std::vector<GivenSignal> signals;
   GivenMaterial material;
   std::vector<GivenMalfunction> malfunctions;
+  std::vector<std::string> alarms;  ///< operations and values, or patterns
   std::vector<GivenRequirement> requirements;
   std::vector<LinkDescription> links;
   std::vector<ProgramDescription> programs;

@@ -93,6 +93,14 @@ std::optional<tables::Time> time_member(const Json& object, std::string_view key
   return time_of(*text, here / key, faults);
 }
 
+std::optional<tables::Time> step_member(const Json& object, std::string_view key, const Pointer& here,
+                                        ShapeFaults& faults) {
+  const auto step = time_member(object, key, here, faults);
+  if (!step || (*step >= 100 * tables::kMicrosecond && *step <= 3600 * tables::kSecond)) return step;
+  faults.add(here / key, ticked(key) + " is from 100 us to 1 h", FaultKind::contradiction);
+  return std::nullopt;
+}
+
 std::optional<Duration> duration_member(const Json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults) {
   const Json* value = member(object, key);

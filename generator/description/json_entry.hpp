@@ -44,6 +44,9 @@ void check_text(std::string_view text, const Pointer& here, ShapeFaults& faults)
 /// A duration member; nothing if it is missing or invalid. An invalid duration is reported.
 std::optional<tables::Time> time_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults);
+/// Like time_member(), for a step: from 100 us to 1 h, else a fault and nothing.
+std::optional<tables::Time> step_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
+                                        ShapeFaults& faults);
 /// Like time_member(), for a duration that may be random: {"min","max"} or {"mean","sigma"}.
 std::optional<Duration> duration_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults);

@@ -240,16 +240,13 @@ class PlantFileReader {
     own.actuation = actuation_member(*defaults).value_or(own.actuation);
     own.sequence = sequence_member(*defaults).value_or(own.sequence);
     own.overrun = overrun_member(*defaults, here, faults_).value_or(own.overrun);
-    own.step = time_member(*defaults, "step", here, faults_).value_or(own.step);
-    if (own.step < 100 * tables::kMicrosecond || own.step > 3600 * tables::kSecond) {
-      faults_.add(here / "step", "`step` is from 100 us to 1 h");
-      own.step = Defaults().step;
-    }
+    own.step = step_member(*defaults, "step", here, faults_).value_or(own.step);
   }
 
   void read_symbol_patterns() {
     file_.description.inverted = texts_member(root_, "inverted");
     file_.description.plain = texts_member(root_, "plain");
+    file_.description.alarms = texts_member(root_, "alarms");
     if (const Json* io = member(root_, "io")) {
       file_.description.io = {texts_member(*io, "events"), texts_member(*io, "operations")};
     }

@@ -92,8 +92,9 @@ struct Subject {
     model,        ///< what is derived for the device of this path: states, transitions, a missing side
     name,         ///< a symbol whose name breaks the naming rule: it may be any missing one with a similar name
     requirement,  ///< a requirement of the plant description
+    value,        ///< a value of the plant description
   };
-  static constexpr std::size_t kKinds = 7;
+  static constexpr std::size_t kKinds = 8;
   Kind kind;
   std::string name;
 

@@ -18,7 +18,8 @@ constexpr std::size_t kWindow = 120;         ///< the most columns shown of a ro
 constexpr std::size_t kBeforeLocation = 40;  ///< characters shown before the location in a long row
 constexpr std::size_t kTabStop = 4;
 constexpr std::string_view kEllipsis = "…";
-constexpr std::size_t kFewOfRule = 3;   ///< warnings or notes
+constexpr std::size_t kFewOfRule = 3;  ///< warnings or notes
+constexpr std::size_t kErrorsOfRule = 5;
 constexpr std::size_t kFewRelated = 3;  ///< related rows of one finding
 
 struct Colours {
@@ -132,14 +133,20 @@ class TextRenderer {
       const bool error = finding->severity == Severity::error;
       std::size_t& of_this = of_rule[finding->rule->slug];
       if (finding->severity < options_.least || shown >= (error ? options_.most_errors : options_.most) ||
-          (of_this == kFewOfRule && !error)) {
+          of_this == (error ? kErrorsOfRule : kFewOfRule)) {
+        leave_out(*finding);
+        continue;
+      }
+      const std::size_t before = text_.size();
+      one(*finding);
+      if (finding->count == 1) first_related(*finding);
+      if (shown > 0 && static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')) > options_.most_lines) {
+        text_.resize(before);
         leave_out(*finding);
         continue;
       }
       ++shown;
       ++of_this;
-      one(*finding);
-      if (finding->count == 1) first_related(*finding);
     }
     report_left_out();
     return std::move(text_);

@@ -15,6 +15,7 @@ struct TextOptions {
   // Without `all`: the most important findings; the others are counted by rule at the end.
   std::size_t most = 7;          ///< the most findings shown
   std::size_t most_errors = 20;  ///< the most findings shown if all of them are errors
+  std::size_t most_lines = 34;   ///< the most lines shown, but for the first finding
   Severity least = Severity::warning;
 };
 

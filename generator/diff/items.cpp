@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "description/description.hpp"
+#include "elements/follow/words.hpp"
 #include "elements/malfunction/words.hpp"
 #include "elements/material/words.hpp"
 #include "elements/requirement/words.hpp"
@@ -195,8 +196,7 @@ std::vector<Item> plant_items(const model::PlantModel& plant) {
     items.push_back({"requirement", requirement.name, view::requirement_text(requirement, plant)});
   }
   for (const model::Follow& follow : plant.follows) {
-    items.push_back(
-        {"follows", std::string(plant.symbols[follow.symbol].name()), model::condition_text(follow.condition, plant)});
+    items.push_back({"follows", std::string(plant.symbols[follow.symbol].name()), view::follow_text(follow, plant)});
   }
   for (const model::Value& value : plant.values) {
     items.push_back({"value", value.name, view::value_line(value, plant)});

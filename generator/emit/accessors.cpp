@@ -12,16 +12,19 @@
 #include <vector>
 
 #include "base/index_table.hpp"
+#include "elements/value/functions.hpp"
 #include "text/ascii.hpp"
 #include "text/identifier.hpp"
 
 namespace symplant::emit {
 namespace {
 
-/// Members of symplant::plant::NamedPlant in upper case; an accessor of the plant would hide them.
+/// Members of the base classes of a plant in upper case; an accessor of the plant would hide them.
 constexpr auto kPlantMembers = std::to_array<std::string_view>({
+    "ACTIVE_MALFUNCTIONS",
     "ADVANCE_BEFORE",
     "ADVANCE_TO",
+    "AFTER_LEFT",
     "CHANGED_EVENT_VALUES",
     "CHANGED_EVENTS",
     "DISARMED",
@@ -30,18 +33,38 @@ constexpr auto kPlantMembers = std::to_array<std::string_view>({
     "EVENTS",
     "FORCE",
     "FORGET_CHANGED_EVENTS",
+    "GONE",
     "INDEX",
+    "IS_ACTIVE",
+    "IS_CUT",
     "IS_FORCED",
+    "IS_FROZEN_TRACK",
     "IS_ON",
     "IS_PENDING",
+    "IS_STUCK",
     "LOST_FINDINGS",
+    "MADE",
+    "MALFUNCTION",
+    "MALFUNCTION_NUMBERS",
+    "MALFUNCTION_OF_SYMBOL",
     "MODEL_HASH",
+    "MEMORY_SIZE",
+    "MOTION",
     "NEXT_DUE",
     "NOW",
     "OPERATION",
     "OPERATION_VALUE",
     "OPERATIONS",
+    "OUTPUT",
+    "OUTPUT_RANGE",
+    "PART",
+    "PARTS",
+    "PARTS_GONE",
+    "PARTS_MADE",
+    "PARTS_PRESENT",
     "PLANT",
+    "PULSED_EVENTS",
+    "PUT",
     "RELEASE",
     "RESET",
     "RESTORE",
@@ -54,11 +77,26 @@ constexpr auto kPlantMembers = std::to_array<std::string_view>({
     "SET_OPERATIONS",
     "SET_QUALITY",
     "SET_STATE",
+    "SET_STUCK",
+    "SET_VALUE",
+    "SHOW",
+    "SHOW_ON_REQUEST",
+    "SHOW_OUTPUTS",
+    "SOURCE",
+    "START",
+    "START_MALFUNCTION",
     "STATE_HASH",
+    "STOP",
+    "STOP_MALFUNCTION",
     "TABLES",
+    "TAKE",
     "TAKE_FINDING",
+    "TRANSFER",
     "UNIT",
     "VALUE",
+    "WATCH_OUTPUTS",
+    "WEIGHT",
+    "WRITTEN_OPERATION_VALUE",
 });
 
 /// A device name without the number at its end, and that number; no number if it has none or a very long one.
@@ -86,6 +124,7 @@ std::string path_of(const std::string& line, const std::string& process) {
 
 /// A plant of more devices has no accessors for single devices itself: g++ takes time for the square of the members.
 constexpr std::size_t kMostDevicesOfPlant = 1000;
+constexpr std::size_t kMostValuesOfPlant = 1000;  ///< for the same reason
 
 /// By name in upper case, so that the order of rows does not count.
 using Devices = std::map<std::string, std::uint32_t>;
@@ -177,6 +216,9 @@ class Writer {
         }
       }
     }
+    if (tables_.values.outputs > kMostValuesOfPlant)
+      rows.text("  // Too many values for a function each: output() gives them.\n");
+    if (tables_.values.outputs <= kMostValuesOfPlant) add_values(rows, scope);
   }
 
  private:
@@ -192,6 +234,20 @@ class Writer {
     rows.text("  symplant::plant::Device<::").text(name_space_).text("::").text(class_of(unit)).text("> ").text(name);
     rows.text("() ").text(plant == "plant_" ? "const " : "").text("noexcept { return {").text(plant).text(", ");
     rows.number(unit).text("}; }  // ").comment(plant_.units[unit].path).text("\n");
+  }
+
+  /// What each value shows, and a function that sets it, if that is possible.
+  void add_values(RowWriter& rows, text::IdentifierScope& scope) const {
+    for (std::uint32_t o = 0; o < tables_.values.outputs; ++o) {
+      const std::string name = model::output_name(plant_, o);
+      rows.text("  double ").text(scope.unique(function_name(name))).text("() const noexcept { return output(");
+      rows.number(o).text("); }  // ").comment(name).text("\n");
+    }
+    for (std::uint32_t v = 0; v < plant_.values.size(); ++v) {
+      if (!tables::keeps_its_output(plant_.values[v].row.kind)) continue;
+      rows.text("  bool ").text(scope.unique("set_" + function_name(plant_.values[v].name)));
+      rows.text("(double number) noexcept { return set_value(").number(v).text(", number); }\n");
+    }
   }
 
   void add_process(RowWriter& rows, const std::string& path, const std::string& type, const Devices& devices) const {

@@ -11,6 +11,7 @@
 #include "elements/link/rows.hpp"
 #include "elements/malfunction/rows.hpp"
 #include "elements/material/rows.hpp"
+#include "elements/value/functions.hpp"
 #include "emit/accessors.hpp"
 #include "emit/behaviour_view.hpp"
 #include "emit/encode.hpp"
@@ -59,6 +60,15 @@ void add_parts(View& view, const model::Material& material) {
                                  {}});
 }
 
+/// The functions of the formulas, if there are any.
+void add_formulas(View& view, const model::PlantModel& plant, const lower::EngineTables& tables) {
+  view.lists["formulas"];
+  if (tables.values.formulas.empty()) return;
+  view.lists["formulas"].push_back({{{"formula_function_rows", formula_function_rows(tables, plant)},
+                                     {"formula_entry_rows", formula_entry_rows(tables, plant)}},
+                                    {}});
+}
+
 View plant_view(const model::PlantModel& plant, const lower::EngineTables& tables) {
   const std::vector<std::string> classes = class_names(tables, plant);
   View view;
@@ -77,11 +87,12 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["type_count"] = std::to_string(tables.types.size());
   Accessors by_name = accessors(tables, plant, classes, texts["namespace"]);
   add_rows(view, "group_rows", !plant.units.empty(), std::move(by_name.groups));
-  add_rows(view, "accessor_rows", !plant.units.empty(), std::move(by_name.plant));
+  add_rows(view, "accessor_rows", !plant.units.empty() || !plant.values.empty(), std::move(by_name.plant));
   add_rows(view, "symbol_constant_rows", !plant.symbols.empty(),
            [&tables](RowWriter& rows) { symbol_constant_rows(rows, tables); });
   add_base(view, plant);
   add_parts(view, plant.material);
+  add_formulas(view, plant, tables);
   texts["type_rows"] = type_rows(tables, plant, classes, texts["namespace"]);
   texts["link_count"] = std::to_string(plant.description->links.size());
   texts["link_rows"] = link_rows(*plant.description);

@@ -103,9 +103,12 @@ std::vector<std::string> random_time_readers(const lower::EngineTables& tables, 
       }
     }
   }
+  const tables::MalfunctionTables all = tables.malfunctions.tables();
   for (std::size_t m = 0; m < tables.malfunctions.rows.size(); ++m) {
     const tables::MalfunctionRow& row = tables.malfunctions.rows[m];
-    for (const tables::Time time : {row.every, row.chance, row.lasts}) {
+    std::vector<tables::Time> times{row.chance, row.lasts};
+    for (const tables::EffectRow& effect : all.effects_of(static_cast<std::uint32_t>(m))) times.push_back(effect.every);
+    for (const tables::Time time : times) {
       if (time >= 0) continue;
       std::string& reader = readers[static_cast<std::size_t>(-1 - time)];
       if (reader.empty()) reader = fmt::format("malfunction {}", plant.malfunctions[m].name);
@@ -151,8 +154,9 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
       }
       case tables::ReaderKind::follow: {
         const model::Follow& follow = plant.follows[row.reader];
-        readers.push_back(fmt::format("{} follows: {}", plant.symbols[follow.symbol].name(),
-                                      short_condition_text(follow.condition, plant)));
+        const bool off = row.reader_input == 1;
+        readers.push_back(fmt::format("{} {}: {}", plant.symbols[follow.symbol].name(), off ? "off" : "follows",
+                                      short_condition_text(off ? *follow.off : follow.condition, plant)));
         break;
       }
       case tables::ReaderKind::condition:
@@ -170,7 +174,10 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
         const model::Malfunction& malfunction = plant.malfunctions[row.reader];
         const bool unless = row.reader_input == 1;
         readers.push_back(
-            fmt::format("{}, {}: {}", malfunction.name, unless ? "unless" : "when",
+            fmt::format("{}, {}: {}", malfunction.name,
+                        unless               ? "unless"
+                        : malfunction.during ? "while"
+                                             : "when",
                         short_condition_text(unless ? *malfunction.unless : *malfunction.condition, plant)));
         break;
       }

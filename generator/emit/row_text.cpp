@@ -53,9 +53,10 @@ std::string_view enumerator(tables::FormulaOp value) {
 }
 
 std::string_view enumerator(tables::MalfunctionKind value) {
-  static constexpr std::array<std::string_view, 5> kNames{
-      "tables::MalfunctionKind::slower", "tables::MalfunctionKind::stuck", "tables::MalfunctionKind::force",
-      "tables::MalfunctionKind::flicker", "tables::MalfunctionKind::lose"};
+  static constexpr std::array<std::string_view, 7> kNames{
+      "tables::MalfunctionKind::slower",  "tables::MalfunctionKind::stuck", "tables::MalfunctionKind::force",
+      "tables::MalfunctionKind::flicker", "tables::MalfunctionKind::lose",  "tables::MalfunctionKind::set",
+      "tables::MalfunctionKind::distort"};
   return name_of(kNames, value);
 }
 
@@ -73,8 +74,8 @@ std::string_view enumerator(tables::Operand::Kind value) {
 }
 
 std::string_view enumerator(tables::RandomTime::Kind value) {
-  static constexpr std::array<std::string_view, 2> kNames{"tables::RandomTime::Kind::uniform",
-                                                          "tables::RandomTime::Kind::normal"};
+  static constexpr std::array<std::string_view, 3> kNames{
+      "tables::RandomTime::Kind::uniform", "tables::RandomTime::Kind::normal", "tables::RandomTime::Kind::seconds"};
   return name_of(kNames, value);
 }
 

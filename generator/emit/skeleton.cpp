@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "elements/alarm/skeleton.hpp"
 #include "elements/material/skeleton.hpp"
+#include "elements/value/skeleton.hpp"
 #include "emit/shapes.hpp"
 #include "model/condition_text.hpp"
 
@@ -77,8 +79,10 @@ class Skeleton {
         "  // \"defaults\": { \"travel\": \"1s\", \"dwell\": \"1s\", \"actuation\": \"latched\", \"sequence\": "
         "\"free\" },");
     material();
+    values();
     requirements();
     malfunctions();
+    alarms();
     links();
     check_section();
     line("  \"symbols\": [" + list_reference() + "],");
@@ -115,6 +119,16 @@ class Skeleton {
         "  // Parts on tracks: these inputs look like sensors of parts. Fill in lengths, positions and what drives "
         "them:");
     line("  // \"material\": " + one_line(proposed_) + ",");
+  }
+
+  /// One line: a signal is an error without its value.
+  void values() {
+    std::size_t left_out = 0;
+    const Json proposed = proposed_values(plant_, left_out);
+    if (proposed.is_null()) return;
+    line(fmt::format("  // These inputs are numbers: values with formulas give them theirs{}. Fill the formulas in:",
+                     left_out == 0 ? "" : fmt::format(" ({} more without an entry)", left_out)));
+    line("  // \"values\": " + one_line(proposed["values"]) + ", \"signals\": " + one_line(proposed["signals"]) + ",");
   }
 
   std::string list_reference() const {
@@ -215,6 +229,13 @@ class Skeleton {
     line(
         "  // Malfunctions that a scenario starts by their names, besides the ordinary ones of each device and input:");
     line("  // \"malfunctions\": " + one_line(list) + ",");
+  }
+
+  void alarms() {
+    const std::vector<std::string> proposed = proposed_alarms(plant_);
+    if (proposed.empty()) return;
+    line("  // These operations look like alarms. `symplant campaign` calls a fault detected if one of them comes on:");
+    line("  // \"alarms\": " + one_line(Json(proposed)) + ",");
   }
 
   void links() {

@@ -51,28 +51,6 @@ class TableViews {
     text_tables_.push_back({{{"array", array}, {"about", std::string(about)}}, {}, {{"rows", source}}});
   }
 
-  /// As rows(), for a member of MaterialTables; members() collects those.
-  void nested_rows(const char* member, const char* array, const char* row, std::string_view about, std::string rows) {
-    if (rows.empty()) return;
-    nested_.append(nested_.empty() ? "." : ", .").append(member).append(" = ").append(array);
-    row_tables_.push_back(
-        {{{"array", array}, {"row", row}, {"about", std::string(about)}, {"rows", std::move(rows)}}, {}});
-  }
-
-  void nested_value(const char* member, const std::string& value) {
-    nested_.append(nested_.empty() ? "." : ", .").append(member).append(" = ").append(value);
-  }
-
-  void nested_texts(const char* member, const char* array, std::string_view about, const std::string& blob) {
-    if (blob.empty()) return;
-    nested_.append(fmt::format("{2}.{0} = {{{1}, sizeof {1} - 1}}", member, array, nested_.empty() ? "" : ", "));
-    const RowSource source = [&blob](RowWriter& rows) { name_rows(rows, blob, 1); };
-    text_tables_.push_back({{{"array", array}, {"about", std::string(about)}}, {}, {{"rows", source}}});
-  }
-
-  /// The value of the member that has the nested ones.
-  void nested(const char* member) { value(member, "{" + std::exchange(nested_, {}) + "}"); }
-
   void value(const char* member, std::string value) {
     members_.push_back({{{"member", member}, {"value", std::move(value)}}, {}});
   }
@@ -81,7 +59,6 @@ class TableViews {
   std::vector<View>& row_tables_;
   std::vector<View>& text_tables_;
   std::vector<View>& members_;
-  std::string nested_;
 };
 
 void add_conditions(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
@@ -108,102 +85,107 @@ void add_conditions(TableViews& views, const lower::EngineTables& tables, const 
              value_watch_rows(tables, plant, Direction::event));
   views.rows("requirements", "kRequirements", "tables::RequirementRow",
              "A requirement: kind, condition, expected condition, time limit (ns).", requirement_rows(tables, plant));
-  views.rows("follows", "kFollows", "tables::FollowRow", "A symbol that follows a condition: symbol, condition.",
+  views.rows("follows", "kFollows", "tables::FollowRow",
+             "A symbol that follows a condition: symbol, condition, maybe another one that switches it off.",
              follow_rows(tables, plant));
 }
 
 void add_malfunctions(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
   if (plant.malfunctions.empty()) return;
-  views.nested_rows("rows", "kMalfunctions", "tables::MalfunctionRow",
-                    "A malfunction: kind, its devices or symbols (first, count), how many times slower (thousandths), "
-                    "symbol or controller, every and for (ns), condition, chance and lasts (ns), becomes: after (ns), "
-                    "which one, unless (condition). Times below 0 are random.",
-                    malfunction_rows(tables));
-  views.nested_rows("units", "kMalfunctionUnits", "tables::MalfunctionUnit",
-                    "A device of a malfunction: device, state.", malfunction_unit_rows(tables, plant));
-  views.nested_rows("forces", "kMalfunctionForces", "tables::MalfunctionForce",
-                    "A symbol of a malfunction: symbol, value.", malfunction_force_rows(tables, plant));
-  views.nested_texts("names", "kMalfunctionNames", "The malfunctions' names.", tables.malfunctions.names);
-  views.nested("malfunctions");
+  views.rows("malfunctions.rows", "kMalfunctions", "tables::MalfunctionRow",
+             "A malfunction: effects (first, number), condition, whether it is active while it holds, chance and "
+             "lasts (ns), becomes: after (ns), which one, unless (condition). Times below 0 are random.",
+             malfunction_rows(tables));
+  views.rows("malfunctions.effects", "kEffects", "tables::EffectRow",
+             "What a malfunction does: kind, its devices, symbols or parameters (first, number), its tracks "
+             "(first, number), how many times slower (thousandths), symbol, controller or signal, every and for "
+             "(ns), gain, offset, drift. Times below 0 are random.",
+             effect_rows(tables));
+  views.rows("malfunctions.units", "kMalfunctionUnits", "tables::MalfunctionUnit",
+             "A device of an effect: device, state.", malfunction_unit_rows(tables, plant));
+  views.rows("malfunctions.tracks", "kMalfunctionTracks", "std::uint32_t", "A track of an effect.",
+             malfunction_track_rows(tables, plant));
+  views.rows("malfunctions.forces", "kMalfunctionForces", "tables::MalfunctionForce",
+             "A symbol of an effect: symbol, value, whether it holds what it shows.",
+             malfunction_force_rows(tables, plant));
+  views.rows("malfunctions.sets", "kMalfunctionSets", "tables::MalfunctionSet",
+             "A parameter of an effect: value, number.", malfunction_set_rows(tables, plant));
+  views.texts("malfunctions.names", "kMalfunctionNames", "The malfunctions' names.", tables.malfunctions.names, 1);
 }
 
 void add_values(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
   if (tables.values.tables().empty()) return;
-  views.nested_rows(
-      "rows", "kValues", "tables::ValueRow",
-      "A value: kind, start, min, max, step and trace (ns), output, formulas (first, number), factor, ti, "
-      "td (s), steps, device, numbers, states, outputs, whether it has d, jumps (first, number).",
-      value_rows(tables, plant));
-  views.nested_rows("order", "kValueOrder", "std::uint32_t", "Values that are computed from others, in this order.",
-                    value_order_rows(tables));
-  views.nested_rows("changes", "kChanges", "tables::ChangeRow", "A jump of a value: condition, formula.",
-                    change_rows(tables));
-  views.nested_rows(
-      "signals", "kSignals", "tables::SignalRow",
-      "A signal: symbol, formula, every (ns), whether it is scaled, from a to b, to c to d, noise, limits.",
-      signal_rows(tables, plant));
-  views.nested_rows("formulas", "kFormulas", "tables::FormulaRow",
-                    "A formula: its steps and its inputs (first, number).", formula_rows(tables));
-  views.nested_rows("steps", "kFormulaSteps", "tables::FormulaStep",
-                    "A step of a formula: what it does, with which input or points, with which number.",
-                    formula_step_rows(tables));
-  views.nested_rows("inputs", "kFormulaInputs", "tables::FormulaInput",
-                    "An input of a formula: kind, kind of number, output, slot, counter or location.",
-                    formula_input_rows(tables));
-  views.nested_rows("numbers", "kNumbers", "double", "Points of curves, numbers of positions, matrices.",
-                    number_rows(tables));
-  views.nested_rows("comparisons", "kComparisons", "tables::ComparisonRow",
-                    "A comparison of two operands: each with kind, kind of number, what, number; tolerance, condition, "
-                    "input, comparison.",
-                    comparison_rows(tables));
-  views.nested_value("outputs", std::to_string(tables.values.outputs));
-  views.nested_texts("names", "kValueNames", "The values' names and units.", tables.values.names);
-  views.nested_texts("formula_texts", "kFormulaTexts", "The texts of the formulas.", tables.values.formula_texts);
-  views.nested("values");
+  views.rows("values.rows", "kValues", "tables::ValueRow",
+             "A value: kind, start, min, max, step and trace (ns), output, formulas (first, number), factor, ti, "
+             "td (s), steps, device, numbers, states, outputs, whether it has d, jumps (first, number).",
+             value_rows(tables, plant));
+  views.rows("values.order", "kValueOrder", "std::uint32_t", "Values that are computed from others, in this order.",
+             value_order_rows(tables));
+  views.rows("values.changes", "kChanges", "tables::ChangeRow", "A jump of a value: condition, formula.",
+             change_rows(tables));
+  views.rows("values.signals", "kSignals", "tables::SignalRow",
+             "A signal: symbol, formula, every (ns), whether it is scaled, from a to b, to c to d, noise, limits.",
+             signal_rows(tables, plant));
+  views.rows("values.formulas", "kFormulas", "tables::FormulaRow",
+             "A formula: its steps and its inputs (first, number).", formula_rows(tables));
+  views.rows("values.steps", "kFormulaSteps", "tables::FormulaStep",
+             "A step of a formula: what it does, with which input or points, with which number.",
+             formula_step_rows(tables));
+  if (!tables.values.formulas.empty()) views.value("values.compiled", "kCompiledFormulas<Formulas>");
+  views.rows("values.inputs", "kFormulaInputs", "tables::FormulaInput",
+             "An input of a formula: kind, kind of number, output, slot, counter or location.",
+             formula_input_rows(tables));
+  views.rows("values.numbers", "kNumbers", "double", "Points of curves, numbers of positions, matrices.",
+             number_rows(tables));
+  views.rows("values.comparisons", "kComparisons", "tables::ComparisonRow",
+             "A comparison of two operands: each with kind, kind of number, what, number; tolerance, condition, "
+             "input, comparison.",
+             comparison_rows(tables));
+  views.value("values.outputs", std::to_string(tables.values.outputs));
+  views.texts("values.names", "kValueNames", "The values' names and units.", tables.values.names, 1);
+  views.texts("values.formula_texts", "kFormulaTexts", "The texts of the formulas.", tables.values.formula_texts, 1);
 }
 
 void add_material(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
   const model::Material& material = plant.material;
   const lower::Material& rows = tables.material;
   if (material.empty()) return;
-  views.nested_rows("kinds", "kPartKinds", "tables::KindRow", "A kind of part: length (um), code.",
-                    part_kind_rows(material));
-  views.nested_rows("tracks", "kTracks", "tables::TrackRow",
-                    "A track: length, gap (um), its drives, stops, sensors and ends (first, count).",
-                    track_rows(tables, material));
-  views.nested_rows("drives", "kDrives", "tables::DriveRow",
-                    "A drive: up to where (um), its conditions forward and backward, the symbol of its speed, speed "
-                    "(um/s).",
-                    drive_rows(tables, plant));
-  views.nested_rows("stops", "kStops", "tables::StopRow", "A stop: position (um), condition.",
-                    stop_rows(tables, material));
-  views.nested_rows("ends", "kEnds", "tables::EndRow", "An end of a track: location, condition.",
-                    end_rows(tables, material));
-  views.nested_rows("sensors", "kPartSensors", "tables::SensorRow",
-                    "A sensor of parts: symbol, location, position (um), the kinds that it sees (first, count), reads.",
-                    part_sensor_rows(tables, plant));
-  views.nested_rows("places", "kPlaces", "tables::PlaceRow", "A place: how many it holds, its sensors (first, count).",
-                    place_rows(tables, material));
-  views.nested_rows("transfers", "kTransfers", "tables::TransferRow", "A transfer: from, to, condition, once.",
-                    transfer_rows(tables, material));
-  views.nested_rows("work", "kWork", "tables::WorkRow", "Work: location, condition, kind before, kind after.",
-                    work_rows(tables, material));
-  views.nested_rows(
-      "sources", "kSources", "tables::SourceRow",
-      "A source: location, its kinds (first, count), first, every (ns; below 0: random), count, condition.",
-      source_rows(tables, material));
-  views.nested_rows("sensor_kinds", "kSensorKinds", "std::uint32_t", "Kinds that sensors see.",
-                    kind_number_rows(rows.sensor_kinds, material));
-  views.nested_rows("source_kinds", "kSourceKinds", "std::uint32_t", "Kinds that sources make.",
-                    kind_number_rows(rows.source_kinds, material));
-  views.nested_rows("counters", "kPartCounters", "tables::PartCounterRow",
-                    "A number of parts that conditions read: location, kind.", part_counter_rows(tables, material));
-  views.nested_texts("kind_names", "kPartKindNames", "The kinds of parts.", rows.kind_names);
-  views.nested_texts("location_names", "kLocationNames", "The tracks, then the places.", rows.location_names);
-  views.nested_texts("transfer_names", "kTransferNames", "The transfers.", rows.transfer_names);
-  views.nested_texts("work_names", "kWorkNames", "The work.", rows.work_names);
-  views.nested_texts("source_names", "kSourceNames", "The sources.", rows.source_names);
-  views.nested("material");
+  views.rows("material.kinds", "kPartKinds", "tables::KindRow", "A kind of part: length (um), code.",
+             part_kind_rows(material));
+  views.rows("material.tracks", "kTracks", "tables::TrackRow",
+             "A track: length, gap (um), its drives, stops, sensors and ends (first, count).",
+             track_rows(tables, material));
+  views.rows("material.drives", "kDrives", "tables::DriveRow",
+             "A drive: up to where (um), its conditions forward and backward, the symbol of its speed, speed "
+             "(um/s).",
+             drive_rows(tables, plant));
+  views.rows("material.stops", "kStops", "tables::StopRow", "A stop: position (um), condition.",
+             stop_rows(tables, material));
+  views.rows("material.ends", "kEnds", "tables::EndRow", "An end of a track: location, condition.",
+             end_rows(tables, material));
+  views.rows("material.sensors", "kPartSensors", "tables::SensorRow",
+             "A sensor of parts: symbol, location, position (um), the kinds that it sees (first, count), reads.",
+             part_sensor_rows(tables, plant));
+  views.rows("material.places", "kPlaces", "tables::PlaceRow",
+             "A place: how many it holds, its sensors (first, count).", place_rows(tables, material));
+  views.rows("material.transfers", "kTransfers", "tables::TransferRow", "A transfer: from, to, condition, once.",
+             transfer_rows(tables, material));
+  views.rows("material.work", "kWork", "tables::WorkRow", "Work: location, condition, kind before, kind after.",
+             work_rows(tables, material));
+  views.rows("material.sources", "kSources", "tables::SourceRow",
+             "A source: location, its kinds (first, count), first, every (ns; below 0: random), count, condition.",
+             source_rows(tables, material));
+  views.rows("material.sensor_kinds", "kSensorKinds", "std::uint32_t", "Kinds that sensors see.",
+             kind_number_rows(rows.sensor_kinds, material));
+  views.rows("material.source_kinds", "kSourceKinds", "std::uint32_t", "Kinds that sources make.",
+             kind_number_rows(rows.source_kinds, material));
+  views.rows("material.counters", "kPartCounters", "tables::PartCounterRow",
+             "A number of parts that conditions read: location, kind.", part_counter_rows(tables, material));
+  views.texts("material.kind_names", "kPartKindNames", "The kinds of parts.", rows.kind_names, 1);
+  views.texts("material.location_names", "kLocationNames", "The tracks, then the places.", rows.location_names, 1);
+  views.texts("material.transfer_names", "kTransferNames", "The transfers.", rows.transfer_names, 1);
+  views.texts("material.work_names", "kWorkNames", "The work.", rows.work_names, 1);
+  views.texts("material.source_names", "kSourceNames", "The sources.", rows.source_names, 1);
   views.rows("part_watches", "kPartWatches", "tables::ValueWatch",
              "A number of parts that a condition compares: operand, counter, condition, input of the condition, "
              "comparison, kind of number.",

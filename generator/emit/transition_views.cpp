@@ -12,6 +12,7 @@
 
 #include "emit/encode.hpp"
 #include "emit/model_text.hpp"
+#include "symplant/tables/names.hpp"
 #include "text/identifier.hpp"
 
 namespace symplant::emit {
@@ -162,11 +163,13 @@ class TransitionViews {
     return tables_.times[tables_.units[type_.example].times + static_cast<std::uint32_t>(dt ^ tables::kOfDevice)];
   }
 
-  /// A time in ms, for other languages; the mean of a random time.
+  /// A time in ms, for other languages; the mean of a random time; 0 for one that a formula gives.
   std::string milliseconds(tables::Time time) const {
     if (time < 0) {
       const tables::RandomTime& row = tables_.random_times[static_cast<std::size_t>(-1 - time)];
-      time = row.kind == tables::RandomTime::Kind::uniform ? row.a + (row.b - row.a) / 2 : row.a;
+      time = row.kind == tables::RandomTime::Kind::uniform   ? row.a + (row.b - row.a) / 2
+             : row.kind == tables::RandomTime::Kind::seconds ? 0
+                                                             : row.a;
     }
     std::string text = fmt::format("{}.{:06}", time / tables::kMillisecond, time % tables::kMillisecond);
     text.erase(text.find_last_not_of('0') + 1);
@@ -208,6 +211,10 @@ class TransitionViews {
 
   std::string random_text(tables::Time time) const {
     const tables::RandomTime& row = tables_.random_times[static_cast<std::size_t>(-1 - time)];
+    if (row.kind == tables::RandomTime::Kind::seconds) {
+      const auto texts = tables::split_names(tables_.values.formula_texts);
+      return fmt::format("({}) s", texts[static_cast<std::size_t>(row.a)]);
+    }
     if (row.kind == tables::RandomTime::Kind::uniform) {
       return fmt::format("uniform, {} to {}", time_words(row.a), time_words(row.b));
     }

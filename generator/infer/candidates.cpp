@@ -18,7 +18,11 @@ constexpr double kPure = 0.9;           ///< share of a word's samples on one si
 constexpr double kLeastMarked = 0.05;   ///< share of samples with a direction word
 constexpr std::size_t kLeastCount = 3;  ///< samples of a class word
 constexpr double kLeastOfDevice = 6;    ///< symbols of a device that a shape names
+constexpr double kLeastTwins = 0.3;     ///< share of a direction word's texts that the other side has, too
 constexpr std::size_t kMostDifferences = 12;
+/// Words that say a direction by themselves; all others may be the side of a machine or a class.
+constexpr std::array<std::string_view, 14> kDirectionWords = {"i",  "o",  "q",  "x",  "y",  "e",  "a",
+                                                              "di", "do", "dq", "in", "ai", "ao", "aq"};
 
 struct Sides {
   std::size_t operations = 0;
@@ -54,6 +58,7 @@ class CandidateFinder {
       find_classes(position);
     }
     find_motions();
+    find_equal_texts();
     find_differences();
     std::stable_sort(found_.begin(), found_.end(), [](const Candidate& a, const Candidate& b) {
       return a.kind != b.kind ? a.kind < b.kind : a.support > b.support;
@@ -75,15 +80,38 @@ class CandidateFinder {
                        [&](const std::string& word) { return vocabulary_.motion(word).has_value(); });
   }
 
+  /// Of each word at a position, how many texts have the same other words as a text of the other side.
+  std::map<std::string, std::size_t> twins(std::size_t position) const {
+    std::map<std::vector<std::string>, Sides> rests;
+    const auto rest_of = [&](const SampleWords& text) {
+      std::vector<std::string> rest = text.words;
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(position));
+      return rest;
+    };
+    for (const SampleWords& text : words_) {
+      if (text.words.size() > position) rests[rest_of(text)].add(text.operation);
+    }
+    std::map<std::string, std::size_t> counts;
+    for (const SampleWords& text : words_) {
+      if (text.words.size() <= position) continue;
+      const Sides& sides = rests.at(rest_of(text));
+      counts[text.words[position]] += (text.operation ? sides.events : sides.operations) > 0 ? 1U : 0U;
+    }
+    return counts;
+  }
+
   /// A position with short words of which each is on one side.
   void find_markers() {
     std::size_t most = 0;
     for (std::size_t k = 0; k + 1 < kPositions; ++k) {
       WordSides marks;
       Sides total;
+      std::map<std::string, std::size_t> twins_of = twins(k);
       for (const auto& [word, sides] : sides_[k]) {
         const auto side = sides.pure();
         if (!side || word.size() > 2 || is_number(word)) continue;
+        const bool known = std::find(kDirectionWords.begin(), kDirectionWords.end(), word) != kDirectionWords.end();
+        if (!known && static_cast<double>(twins_of[word]) < kLeastTwins * static_cast<double>(sides.total())) continue;
         marks.emplace(word, *side);
         total.operations += *side == name::Direction::operation ? sides.total() : 0;
         total.events += *side == name::Direction::event ? sides.total() : 0;
@@ -202,9 +230,14 @@ class CandidateFinder {
       add(CandidateKind::motions, {std::move(marked)}, support + 1, "motions after a direction");
     }
     find_contactors();
-    name::SymbolRule others = rule("{device...}_{direction}_{task...}");
+  }
+
+  void find_equal_texts() {
+    if (marks_.empty()) return;
+    name::SymbolRule others =
+        rule(marker_position_ == 0 ? "{direction}_{device}_{task...}" : "{device...}_{direction}_{task...}");
     mark(others);
-    add(CandidateKind::others, {std::move(others)}, support, "equal texts after a direction");
+    add(CandidateKind::others, {std::move(others)}, words_.size(), "equal texts after a direction");
   }
 
   /// Contacts of a contactor (`MC ON`) report that a motor runs, in whichever direction.
@@ -231,20 +264,45 @@ class CandidateFinder {
     return marks_.contains(difference.operation.front()) || marks_.contains(difference.operation.back());
   }
 
+  /// Without the direction at the begin, which differs anyway: `q Resin A Motor Up` and `i Resin A Limit Up`.
+  std::vector<SampleWords> behind_marks() const {
+    std::vector<SampleWords> texts;
+    for (const SampleWords& text : words_) {
+      if (text.words.size() < 2 || !marks_.contains(text.words.front())) continue;
+      texts.push_back(text);
+      texts.back().words.erase(texts.back().words.begin());
+    }
+    return texts;
+  }
+
   void find_differences() {
+    find_differences(words_, false);
+    if (is_marked(0)) find_differences(behind_marks(), true);
+  }
+
+  void find_differences(const std::vector<SampleWords>& words, bool marked) {
     std::size_t count = 0;
-    for (const Difference& difference : differences_of(words_, vocabulary_, {})) {
-      if (difference.operation.empty() || difference.event.empty() || is_marker(difference)) continue;
-      if (!is_credible(difference, cause_of(difference, vocabulary_))) continue;
+    DifferenceLimits limits;
+    const std::size_t usual_common = limits.least_common;
+    if (marked) limits.least_common = 1;
+    for (const Difference& difference : differences_of(words, vocabulary_, limits)) {
+      const Cause cause = cause_of(difference, vocabulary_);
+      const bool fed_back = difference.operation.empty() && cause == Cause::echo;  // `X` and `X feedback`
+      if (!fed_back && (difference.operation.empty() || difference.event.empty() || is_marker(difference))) continue;
+      if (!is_credible(difference, cause)) continue;
+      const bool plain = difference.operation.size() == 1 && difference.event.size() == 1 &&
+                         words[difference.example_operation].words.size() > usual_common;
+      if (marked && cause == Cause::unknown && !plain) continue;  // a lamp of a conveyor and the fault of its drive
       if (++count > kMostDifferences) break;
       const bool before = difference.before == difference.support;
       const bool after = difference.after == difference.support;
-      if (!before && !after) continue;
+      if (before == after && (fed_back || !before)) continue;
       std::vector<name::SymbolRule> rules;
       for (const bool operation : {true, false}) {
-        const std::string words = joined(operation ? difference.operation : difference.event);
-        name::SymbolRule one = rule(before ? after ? "{device...}_" + words + "_{task...}" : "{device...}_" + words
-                                           : words + "_{device...}");
+        std::string pattern = marked ? "{direction}_" : "";
+        pattern += pattern_of(operation ? difference.operation : difference.event, before, after);
+        name::SymbolRule one = rule(std::move(pattern));
+        if (marked) mark(one);
         if (!before || !after) one.task = "ON";
         one.side = operation ? name::Direction::operation : name::Direction::event;
         rules.push_back(std::move(one));
@@ -252,6 +310,13 @@ class CandidateFinder {
       add(CandidateKind::difference, std::move(rules), difference.support,
           "`" + joined(difference.operation) + "` -> `" + joined(difference.event) + "`");
     }
+  }
+
+  /// The device, around or next to the words; without words it is the whole text.
+  static std::string pattern_of(const std::vector<std::string>& words, bool before, bool after) {
+    if (words.empty()) return "{device...}";
+    if (!before) return joined(words) + "_{device...}";
+    return "{device...}_" + joined(words) + (after ? "_{task...}" : "");
   }
 
   const std::vector<SampleWords>& words_;

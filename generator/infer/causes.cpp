@@ -45,6 +45,12 @@ Cause cause_of(const Difference& difference, const name::Vocabulary& vocabulary)
   if (has_word(event, known.alarm, vocabulary) || has_word(event, known.panel, vocabulary)) return Cause::none;
   if (has_word(operation, known.alarm, vocabulary) || has_word(operation, known.panel, vocabulary)) return Cause::none;
   if (!event.empty() && has_word(event, known.echo, vocabulary)) return Cause::echo;
+  const std::string command = joined_words(operation);
+  const std::string report = joined_words(event);
+  const auto says_so = [&](const name::BuiltInWords::Cause& cause) {
+    return cause.operation == command && cause.event == report;
+  };
+  if (std::any_of(known.causes.begin(), known.causes.end(), says_so)) return Cause::echo;
   if (event.empty() && has_word(operation, known.echo, vocabulary)) return Cause::ack;
   if (has_word(event, known.done, vocabulary) && !operation.empty()) return Cause::work;
   const bool operation_side =

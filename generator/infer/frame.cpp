@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,13 +11,13 @@
 #include "infer/differences.hpp"
 #include "infer/words.hpp"
 #include "name/vocabulary.hpp"
+#include "text/ascii.hpp"
 #include "text/folding.hpp"
 
 namespace symplant::infer {
 namespace {
 
 constexpr std::size_t kLeastFused = 3;  ///< texts in which a motion is written together with another word
-constexpr std::string_view kDirections = "i o x y q e a";  ///< letters that are words
 constexpr std::string_view kSeparators = " _.:/&(),[]\"'#";
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
@@ -76,10 +77,42 @@ std::string fused_motions(std::span<const Sample> samples) {
   return texts < kLeastFused ? std::string() : expression;
 }
 
+/// `ADV [1,2]` of a valve, `ADV [1]` and `ADV [2]` of its sensors.
+bool ends_in_numbers(std::string_view text) {
+  const std::size_t open = text.rfind('[');
+  if (open == text.npos || !text.ends_with(']')) return false;
+  const std::string_view numbers = text.substr(open + 1, text.size() - open - 2);
+  return !numbers.empty() && numbers.find_first_not_of("0123456789, ") == numbers.npos;
+}
+
 bool is_spare(std::string_view word) {
   const auto spare = name::built_in_words().spare;
   const std::string_view stem = word.substr(0, word.find_last_not_of("0123456789") + 1);
   return std::find(spare.begin(), spare.end(), stem) != spare.end();
+}
+
+/// What means no text: no letter and no digit, or one or two letters in brackets: `-`, `[T]`, `[DT]`.
+bool is_placeholder(std::string_view text) {
+  if (text.empty()) return false;
+  const auto is_word = [](char c) {
+    return text::is_digit(c) || is_lower(c) || is_upper(c) || static_cast<unsigned char>(c) >= 0x80;
+  };
+  if (text.size() <= 4 && text.front() == '[' && text.back() == ']') {
+    return std::all_of(text.begin() + 1, text.end() - 1, [](char c) { return is_lower(c) || is_upper(c); });
+  }
+  return std::none_of(text.begin(), text.end(), is_word);
+}
+
+/// Texts that mean no text, as patterns.
+void ignore_placeholders(std::span<const Sample> samples, name::Naming& naming) {
+  std::set<std::string> found;
+  for (const Sample& sample : samples) {
+    for (const std::string_view text : {sample.text.name, sample.text.comment}) {
+      const bool is_pattern = text.find_first_of("*?") != text.npos;  // which would match other texts
+      if (is_placeholder(text) && !is_pattern) found.insert(text::folded(text));
+    }
+  }
+  naming.ignore.insert(naming.ignore.end(), found.begin(), found.end());
 }
 
 void ignore_spares(std::span<const Sample> samples, name::Naming& naming, const name::Vocabulary& vocabulary) {
@@ -101,17 +134,6 @@ void ignore_spares(std::span<const Sample> samples, name::Naming& naming, const 
   }
 }
 
-/// The words that do not say the side.
-std::vector<SampleWords> without_sides(std::vector<SampleWords> texts, const name::Vocabulary& vocabulary) {
-  for (SampleWords& text : texts) {
-    std::erase_if(text.words, [&](const std::string& word) {
-      return kDirections.find(word) != std::string_view::npos || vocabulary.class_said(word) ||
-             vocabulary.is_affix(word, name::Direction::event) || vocabulary.is_affix(word, name::Direction::operation);
-    });
-  }
-  return texts;
-}
-
 }  // namespace
 
 name::Naming frame_of(std::span<const Sample> samples) {
@@ -123,6 +145,10 @@ name::Naming frame_of(std::span<const Sample> samples) {
   if (count_texts(samples, [](std::string_view text) { return text.find("$N") != text.npos; }) != 0) {
     naming.normalise.line_break = "$N";
   }
+  if (count_texts(samples, ends_in_numbers) >= kLeastFused) {
+    naming.normalise.replace.push_back({" *\\[([0-9]+)\\]$", "$1"});
+    naming.normalise.replace.push_back({" *\\[[0-9]+(, *[0-9]+)+\\]$", ""});
+  }
   const std::string fused = fused_motions(samples);
   if (!fused.empty()) {
     naming.normalise.replace.push_back({"(" + fused + ")", " $1"});
@@ -132,6 +158,7 @@ name::Naming frame_of(std::span<const Sample> samples) {
   }
   const name::Vocabulary vocabulary(naming.tasks, {});
   ignore_spares(samples, naming, vocabulary);
+  ignore_placeholders(samples, naming);
   return naming;
 }
 

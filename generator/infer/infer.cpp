@@ -167,12 +167,15 @@ name::Naming pruned(name::Naming naming, std::span<const Sample> samples) {
 
 }  // namespace
 
-Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known) {
+Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known, Interlocks interlocks) {
   const std::vector<Sample> all_some = searched(samples);
   name::Naming frame = frame_of(all_some);
   add_abbreviations(frame, all_some);
-  const std::vector<name::SymbolRule> panel = panel_rules(frame, all_some);
-  const std::vector<Sample> some = without(all_some, frame, panel);
+  std::vector<name::SymbolRule> apart = panel_rules(frame, all_some);
+  if (interlocks == Interlocks::apart) {
+    for (name::SymbolRule& rule : interlock_rules(frame, all_some)) apart.push_back(std::move(rule));
+  }
+  const std::vector<Sample> some = without(all_some, frame, apart);
   Proposal proposal = search(frame, some);
   for (const name::Naming& naming : known) {
     const name::Counts score = score_on(naming, some);
@@ -181,7 +184,7 @@ Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> kn
     proposal.score = score;
     proposal.steps = {fmt::format("ready rule `{}`: {} paired", naming.name, score.paired())};
   }
-  proposal.naming.rules.insert(proposal.naming.rules.begin(), panel.begin(), panel.end());
+  proposal.naming.rules.insert(proposal.naming.rules.begin(), apart.begin(), apart.end());
   proposal.naming = with_roles(proposal.naming, all_some);
   proposal.naming = pruned(std::move(proposal.naming), samples);
   proposal.score = score_on(proposal.naming, samples);

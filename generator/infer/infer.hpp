@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,8 +18,12 @@ struct Proposal {
   std::vector<std::string> steps;  ///< what was found and why, for --verbose
 };
 
+/// Whether interlocks with one text on both sides are set apart, or paired as any other text.
+enum class Interlocks : std::uint8_t { apart, paired };
+
 /// Deterministic. The result is not worse than any rule in `known`. Searches for rules in some thousand samples, then
 /// applies them to all. O(samples).
-Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known);
+Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known,
+               Interlocks interlocks = Interlocks::apart);
 
 }  // namespace symplant::infer

@@ -16,6 +16,7 @@ void count_accounts(const ReportInput& input, Report& report) {
     if (account == name::Account::constant) ++report.constants;
     if (account == name::Account::operator_panel) ++report.operator_panel;
     if (account == name::Account::data) ++report.data;
+    if (account == name::Account::interlock) ++report.interlocks;
     if (!input.is_operation(i) || (!paired && !input.is_left_over(i))) continue;
     ++report.operations;
     if (paired) ++report.operations_paired;
@@ -90,7 +91,10 @@ name::Naming with_answers(const name::Naming& naming, const Report& report, cons
   remove_at(result.rules, rules);
   remove_at(result.archetypes, archetypes);
   auto front = result.rest.begin();
-  for (const std::size_t index : accepted) front = std::next(result.rest.insert(front, report.questions[index].rule));
+  for (const std::size_t index : accepted) {
+    if (report.questions[index].about_interlocks()) continue;  // infer() answers this one
+    front = std::next(result.rest.insert(front, report.questions[index].rule));
+  }
   return result;
 }
 

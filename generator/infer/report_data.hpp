@@ -44,10 +44,13 @@ struct TextShape {
   name::Source source{};
 };
 
-/// A contact that may be on in a healthy plant: `rule`, for Naming::rest, makes it a constant.
+/// A contact that may be on in a healthy plant: `rule`, for Naming::rest, makes it a constant. Or, if `rule` has the
+/// role `interlock`, the symbols of that rule, which are to be paired: then infer() runs again with Interlocks::paired.
 struct Question {
   TextShape shape;
   name::SymbolRule rule;
+
+  bool about_interlocks() const { return rule.role == name::Role::interlock; }
 };
 
 struct NearMiss {
@@ -73,11 +76,12 @@ struct Shapes {
 
 struct Report {
   name::Counts score;
-  std::size_t operations = 0;  ///< BOOL; not ignored, and not accounted for as operator's, data or constant
+  std::size_t operations = 0;  ///< BOOL; not ignored, and not accounted for as operator's, data, interlock or constant
   std::size_t operations_paired = 0;
   std::size_t constants = 0;
   std::size_t operator_panel = 0;
   std::size_t data = 0;
+  std::size_t interlocks = 0;
   std::vector<Correspondence> correspondences;  ///< the one that links most first
   std::vector<Question> questions;              ///< the most common first
   std::size_t more_questions = 0;               ///< shapes that are not in `questions`

@@ -90,6 +90,30 @@ void add_direction_conflicts(const ReportInput& input, Report& report) {
   report.direction_conflicts = first_of(shapes.take());
 }
 
+namespace {
+
+/// The question about interlocks, the last one.
+void add_interlocks(const ReportInput& input, Report& report) {
+  ShapeCounter shapes(input);
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < input.samples.size(); ++i) {
+    if (input.applied.pairing.accounts[i] != name::Account::interlock) continue;
+    shapes.add(i);
+    ++count;
+  }
+  name::SymbolRule rule;
+  rule.role = name::Role::interlock;
+  for (const name::SymbolRule& one : input.naming.naming().rules) {
+    if (one.role == name::Role::interlock) rule.has.insert(rule.has.end(), one.has.begin(), one.has.end());
+  }
+  if (count == 0 || rule.has.empty()) return;
+  TextShape shape = shapes.take().front();
+  shape.count = count;
+  report.questions.push_back({std::move(shape), std::move(rule)});
+}
+
+}  // namespace
+
 void add_questions(const ReportInput& input, Report& report) {
   ShapeCounter shapes(input);
   bool all_have_addresses = true;
@@ -107,6 +131,7 @@ void add_questions(const ReportInput& input, Report& report) {
     name::SymbolRule rule = constant_rule(shape, all_have_addresses);
     report.questions.push_back({std::move(shape), std::move(rule)});
   }
+  add_interlocks(input, report);
 }
 
 }  // namespace symplant::infer

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,7 +31,7 @@ std::vector<RoleWords> role_words() {
   return {{"diagnosis", known.diagnosis, name::Direction::event, name::Role::constant, false},
           {"alarms", known.alarm, name::Direction::event, name::Role::constant, false},
           {"alarm lamps", known.alarm, name::Direction::operation, name::Role::operator_panel, std::nullopt},
-          {"interlocks", known.interlock, std::nullopt, name::Role::data, std::nullopt},
+          {"interlocks", known.interlock, std::nullopt, name::Role::interlock, std::nullopt},
           {"data", known.data, std::nullopt, name::Role::data, std::nullopt},
           {"parts", known.parts, name::Direction::event, name::Role::operator_panel, std::nullopt}};
 }
@@ -87,6 +88,31 @@ std::vector<name::SymbolRule> panel_rules(const name::Naming& frame, std::span<c
     rule.name = "panel";
     rule.patterns.push_back({source, "*"});
     rule.role = name::Role::operator_panel;
+    rules.push_back(std::move(rule));
+  }
+  return rules;
+}
+
+std::vector<name::SymbolRule> interlock_rules(const name::Naming& frame, std::span<const Sample> samples) {
+  const name::Vocabulary vocabulary(frame.tasks, {});
+  std::vector<name::SymbolRule> rules;
+  for (const name::Source source : {name::Source::comment, name::Source::name}) {
+    const std::vector<SampleWords> texts = words_of(samples, source, frame, vocabulary);
+    const std::vector<SampleWords> sideless = without_sides(texts, vocabulary);
+    name::SymbolRule rule;
+    for (const std::string_view word : name::built_in_words().mutual) {
+      std::array<std::set<std::vector<std::string>>, 2> sides;  // events, operations
+      for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (contains(texts[i].words, word, vocabulary)) sides[texts[i].operation ? 1 : 0].insert(sideless[i].words);
+      }
+      const auto both = static_cast<std::size_t>(
+          std::count_if(sides[0].begin(), sides[0].end(), [&](const auto& words) { return sides[1].contains(words); }));
+      if (both > 0 && 2 * both >= std::min(sides[0].size(), sides[1].size())) rule.has.emplace_back(word);
+    }
+    if (rule.has.empty()) continue;
+    rule.name = "interlocks";
+    rule.patterns.push_back({source, "*"});
+    rule.role = name::Role::interlock;
     rules.push_back(std::move(rule));
   }
   return rules;

@@ -18,12 +18,6 @@ namespace {
 constexpr std::size_t kMostTokens = 9;
 constexpr std::size_t kMostTasks = 4'000;  ///< of one device: beyond, its level is probably wrong
 
-std::string joined_words(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text.append(text.empty() ? "" : " ").append(word);
-  return text;
-}
-
 /// 1, 2ND, 3차: a word that counts.
 bool counts(std::string_view word) {
   const std::size_t digits = word.find_first_not_of("0123456789");
@@ -122,12 +116,15 @@ class TaskMiner {
     return (cut.count > 0 && cut.removed[0] == token) || (cut.count > 1 && cut.removed[1] == token);
   }
 
+  /// The kept words in whatever order, then the numbers in theirs: program 1 of robot 4 is not program 4 of robot 1.
   static std::string key_of(const std::vector<TaskToken>& tokens, const TaskCut& cut) {
     std::vector<std::string_view> kept;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
       if (!is_removed(cut, i)) kept.push_back(stem(tokens[i].word));
     }
-    std::sort(kept.begin(), kept.end());
+    const auto numbers =
+        std::stable_partition(kept.begin(), kept.end(), [](std::string_view word) { return !counts(word); });
+    std::sort(kept.begin(), numbers);
     std::string key;
     for (const std::string_view word : kept) key.append(word).append(1, '\x1f');
     return key;
@@ -182,6 +179,7 @@ class TaskMiner {
     if (std::any_of(operation.begin(), operation.end(), in_both)) return;
     const Task& commanding = tasks_[operation_cut.task];
     if (has_word(words_of(tasks_[event_cut.task]), known_.interlock, vocabulary_) && !permits(commanding)) return;
+    if (resets(operation, tasks_[event_cut.task])) return;
     const bool causal = is_causal(operation, event);
     if ((!causal && common) || !is_specific(key, commanding, causal)) return;
     TaskDifference& difference = tally_[{operation, event}];
@@ -189,6 +187,11 @@ class TaskMiner {
     difference.event = event;
     difference.causal = causal;
     difference.links.push_back({operation_cut.task, event_cut.task});
+  }
+
+  /// Whether an operation resets what the event shows: it switches it off, so the event does not follow it.
+  bool resets(const std::vector<std::string>& operation, const Task& event) const {
+    return has_word(operation, known_.reset, vocabulary_) && !has_word(words_of(event), known_.reset, vocabulary_);
   }
 
   /// Whether an operation gives a permission, which an interlock of the other side may answer.

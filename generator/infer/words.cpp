@@ -10,6 +10,7 @@
 #include "text/utf8.hpp"
 
 namespace symplant::infer {
+
 namespace {
 
 std::string text_of(const Sample& sample, name::Source source) {
@@ -43,6 +44,26 @@ std::vector<SampleWords> words_of(std::span<const Sample> samples, name::Source 
     }
   }
   return all;
+}
+
+namespace {
+constexpr std::string_view kSideLetters = "i o x y q e a";  ///< that are words
+}  // namespace
+
+std::vector<SampleWords> without_sides(std::vector<SampleWords> texts, const name::Vocabulary& vocabulary) {
+  for (SampleWords& text : texts) {
+    std::erase_if(text.words, [&](const std::string& word) {
+      return kSideLetters.find(word) != std::string_view::npos || vocabulary.class_said(word) ||
+             vocabulary.is_affix(word, name::Direction::event) || vocabulary.is_affix(word, name::Direction::operation);
+    });
+  }
+  return texts;
+}
+
+std::string joined_words(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text.append(text.empty() ? "" : " ").append(word);
+  return text;
 }
 
 std::string shape_of(std::string_view word) {

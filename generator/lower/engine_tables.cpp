@@ -41,10 +41,11 @@ tables::MaterialTables Material::tables() const {
   };
 }
 
-tables::MalfunctionTables Malfunctions::tables() const { return {rows, units, forces, names}; }
+tables::MalfunctionTables Malfunctions::tables() const { return {rows, effects, units, tracks, forces, sets, names}; }
 
 tables::ValueTables Values::tables() const {
-  return {rows, order, changes, signals, formulas, steps, inputs, numbers, comparisons, outputs, names, formula_texts};
+  return {rows,   order,   changes,     signals, formulas, steps,        {},
+          inputs, numbers, comparisons, outputs, names,    formula_texts};
 }
 
 tables::PlantTables EngineTables::tables() const {

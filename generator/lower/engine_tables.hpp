@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "symplant/condition/formula.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::lower {
@@ -52,8 +53,11 @@ struct Material {
 /// The malfunctions, as tables::MalfunctionTables.
 struct Malfunctions {
   std::vector<tables::MalfunctionRow> rows;
+  std::vector<tables::EffectRow> effects;
   std::vector<tables::MalfunctionUnit> units;
+  std::vector<std::uint32_t> tracks;
   std::vector<tables::MalfunctionForce> forces;
+  std::vector<tables::MalfunctionSet> sets;
   std::string names;
 
   tables::MalfunctionTables tables() const;
@@ -68,6 +72,7 @@ struct Values {
   std::vector<tables::FormulaRow> formulas;
   std::vector<tables::FormulaStep> steps;
   std::vector<tables::FormulaInput> inputs;
+  std::vector<const condition::Formula*> sources;  ///< by formula: that of the plant model, which must outlive this
   std::vector<double> numbers;
   std::vector<tables::ComparisonRow> comparisons;
   std::uint32_t outputs = 0;

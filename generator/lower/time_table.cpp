@@ -35,12 +35,22 @@ class TimeTable {
   tables::Time lowered(const description::Duration& duration) {
     using Kind = description::Duration::Kind;
     if (duration.kind == Kind::fixed) return duration.a;
+    if (duration.kind == Kind::seconds) return computed(duration);
     const tables::RandomTime row{
         duration.kind == Kind::uniform ? tables::RandomTime::Kind::uniform : tables::RandomTime::Kind::normal,
         duration.a, duration.b};
     const auto [found, added] =
         random_.try_emplace({row.kind, row.a, row.b}, -1 - static_cast<tables::Time>(tables_.random_times.size()));
     if (added) tables_.random_times.push_back(row);
+    return found->second;
+  }
+
+  /// A reference to a row that has the index of the formula in the model until the values are lowered.
+  tables::Time computed(const description::Duration& duration) {
+    const auto [found, added] =
+        computed_.try_emplace(duration.a, -1 - static_cast<tables::Time>(tables_.random_times.size()));
+    if (!added) return found->second;
+    tables_.random_times.push_back({tables::RandomTime::Kind::seconds, duration.a, 0});
     return found->second;
   }
 
@@ -120,6 +130,7 @@ class TimeTable {
   Times example_;
   Times times_;  ///< of the current unit
   std::map<std::tuple<tables::RandomTime::Kind, tables::Time, tables::Time>, tables::Time> random_;
+  std::map<tables::Time, tables::Time> computed_;  ///< by index of the formula
 };
 
 }  // namespace

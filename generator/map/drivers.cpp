@@ -42,8 +42,10 @@ std::optional<std::string> driven_by(const LinkView& view, std::uint32_t symbol)
     case Driver::unit:
     case Driver::behavior:
       return unit_name(view, driver.unit);
-    case Driver::condition:
-      return "a condition";
+    case Driver::condition: {
+      const model::Symbol& leader = view.of->plant.symbols[view.of->use.leader(symbol)];
+      return leader.account == model::Account::shows_value ? "a formula" : "a condition";
+    }
     case Driver::part:
       return "parts at " + view.of->plant.material.location_name(driver.unit);
   }

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <variant>
 
 #include "check/catalogue.hpp"
@@ -100,7 +104,29 @@ void add_size_faults(const tables::PlantTables& tables, const link::modbus::IoMa
   }
 }
 
-/// Of each packed table, the symbols whose addresses have no number, if most of its symbols have one.
+/// The bit of an address with two parts, `%IX0.9`, as its last part says; nothing for all others.
+std::optional<int> bit_of_two_parts(std::string_view address) {
+  const std::size_t dot = address.find('.');
+  if (!address.starts_with('%') || dot == std::string_view::npos || dot != address.rfind('.')) return std::nullopt;
+  const std::string_view digits = address.substr(dot + 1);
+  int bit = 0;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), bit);
+  return fault == std::errc() && end == digits.data() + digits.size() ? std::optional(bit) : std::nullopt;
+}
+
+constexpr int kBitsOfByte = 8;
+
+bool is_beyond_byte(std::string_view address) { return bit_of_two_parts(address).value_or(0) >= kBitsOfByte; }
+
+/// Why an address has no number.
+std::string reason_of(std::string_view address) {
+  if (is_beyond_byte(address)) return fmt::format("a byte has no bit {}", *bit_of_two_parts(address));
+  if (std::count(address.begin(), address.end(), '.') > 1) return "it has more than two parts";
+  return "it is of another form, or 65536 or more";
+}
+
+/// Of each packed table, the symbols whose addresses have no number, if some of its symbols have one, or if an address
+/// looks as if it had one. A table in which no address has a number is packed as a whole.
 void add_packed_findings(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller,
                          const link::modbus::IoMap& map, diag::Diagnostics& diagnostics) {
   std::array<std::size_t, link::modbus::kTables> numbered{};
@@ -119,19 +145,24 @@ void add_packed_findings(const model::PlantModel& plant, const tables::PlantTabl
     }
   }
   for (std::size_t t = 0; t < link::modbus::kTables; ++t) {
-    if (others[t].empty() || numbered[t] <= others[t].size()) continue;  // such a list is packed as a whole
+    const auto beyond = std::find_if(others[t].begin(), others[t].end(), [](const model::Symbol* symbol) {
+      return is_beyond_byte(symbol->address_cell());
+    });
+    if (others[t].empty() || (numbered[t] == 0 && beyond == others[t].end())) continue;
+    if (beyond != others[t].end()) std::rotate(others[t].begin(), beyond, beyond + 1);
     const model::Symbol& symbol = *others[t].front();
     std::vector<diag::Related> related;
     for (std::size_t i = 1; i < std::min<std::size_t>(others[t].size(), 10); ++i) {
       const model::Symbol& other = *others[t][i];
       related.push_back({check::location_of(plant, *other.row, other.address_cell()), "this one has no number either"});
     }
-    diagnostics.add(*check::find_rule("SP317"), check::about(symbol),
-                    fmt::format("`{}` has no number on a link, so {} other {}s are in list order and do not have their "
-                                "own numbers: correct this address, or give `{}` a `number` in `links`",
-                                symbol.address_cell(), numbered[t] + others[t].size() - 1,
-                                link::modbus::table_name(static_cast<link::modbus::Table>(t)), symbol.name()),
-                    check::location_of(plant, *symbol.row, symbol.address_cell()), std::move(related));
+    diagnostics.add(
+        *check::find_rule("SP317"), check::about(symbol),
+        fmt::format("`{}` has no number on a link, because {}; so {} other {}s are in list order and do not "
+                    "have their own numbers: correct this address, or give `{}` a `number` in `links`",
+                    symbol.address_cell(), reason_of(symbol.address_cell()), numbered[t] + others[t].size() - 1,
+                    link::modbus::table_name(static_cast<link::modbus::Table>(t)), symbol.name()),
+        check::location_of(plant, *symbol.row, symbol.address_cell()), std::move(related));
   }
 }
 
@@ -158,11 +189,13 @@ bool map_can_have_findings(const model::PlantModel& plant) {
       [](const description::LinkDescription& link) { return link.has_settings || link::is_client(link.url); });
   std::size_t odd = 0;
   bool wide = false;
+  bool beyond_byte = false;
   for (const model::Symbol& symbol : plant.symbols) {
+    beyond_byte = beyond_byte || (symbol.address && is_beyond_byte(symbol.address_cell()));
     odd += symbol.address && (!symbol.address->plain || symbol.address->number >= kAddresses) ? 1U : 0U;
     wide = wide || link::image::words_of(symbol.type) > 1;
   }
-  return is_set || wide || (odd != 0 && 2 * odd < plant.symbols.size());
+  return is_set || wide || beyond_byte || (odd != 0 && odd < plant.symbols.size());
 }
 
 void add_map_findings(const model::PlantModel& plant, const lower::EngineTables& lowered,

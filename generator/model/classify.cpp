@@ -2,9 +2,11 @@
 #include "model/classify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <string>
 
 #include "text/ascii.hpp"
 
@@ -48,7 +50,21 @@ std::optional<std::uint64_t> integer(std::string_view text, DataType type) {
   return value;
 }
 
+/// A truth value, as tools in German, French, Italian, Spanish and Portuguese write it, too.
+std::optional<std::uint64_t> truth(std::string_view text) {
+  constexpr std::array<std::string_view, 6> kTrue{"1", "TRUE", "WAHR", "VRAI", "VERO", "VERDADERO"};
+  constexpr std::array<std::string_view, 5> kFalse{"0", "FALSE", "FALSCH", "FAUX", "FALSO"};
+  const auto is_it = [&](std::string_view word) { return text::equal_ignoring_case(text, word); };
+  if (std::any_of(kTrue.begin(), kTrue.end(), is_it)) return 1;
+  if (std::any_of(kFalse.begin(), kFalse.end(), is_it)) return 0;
+  return std::nullopt;
+}
+
+/// `12.5`, or `12,5` of a tool whose language writes a comma.
 std::optional<std::uint64_t> number_of_real(std::string_view text) {
+  std::string point(text);
+  if (text.find('.') == text.npos) std::replace(point.begin(), point.end(), ',', '.');
+  text = point;
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -141,6 +157,13 @@ std::optional<InternalReason> classify_named(const read::ListRow& row, const Row
   return std::nullopt;
 }
 
+/// A holding register (40001) is memory, but an output if a name or the description says that it is an operation.
+RowAddress with_output_register(RowAddress address) {
+  if (address.address && address.address->bank == address::kHoldingRegisters)
+    address.address = address::as_output_register(*address.address);
+  return address;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> initial_value(std::string_view text, DataType type) {
@@ -150,9 +173,7 @@ std::optional<std::uint64_t> initial_value(std::string_view text, DataType type)
     text.remove_prefix(hash + 1);  // INT#5, WORD#16#FF
   }
   if (type == DataType::boolean) {
-    if (text::equal_ignoring_case(text, "TRUE") || text == "1") return 1;
-    if (text::equal_ignoring_case(text, "FALSE") || text == "0") return 0;
-    return std::nullopt;
+    return truth(text);
   }
   if (type == DataType::real || type == DataType::lreal) {
     if (starts_with_ignoring_case(text, "E") && text.size() > 1) text.remove_prefix(1);  // MELSEC: E3.14
@@ -191,7 +212,9 @@ RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect
 }
 
 std::optional<InternalReason> classify(const read::ListRow& row, const name::Reading& reading,
-                                       const RowAddress& address, Symbol& symbol) {
+                                       const RowAddress& written, Symbol& symbol) {
+  const bool is_operation = reading.given_io && reading.given_direction == tables::Direction::operation;
+  const RowAddress address = is_operation ? with_output_register(written) : written;
   std::optional<Named> named;
   const bool by_address = !reading.is_read() || reading.direction_by == name::Evidence::address;
   if (reading.given_io) {

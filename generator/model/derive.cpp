@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/large_memory.hpp"
+#include "elements/alarm/resolve.hpp"
 #include "elements/follow/resolve.hpp"
 #include "elements/link/resolve.hpp"
 #include "elements/malfunction/resolve.hpp"
@@ -167,7 +168,7 @@ void resolve_conditions(PlantModel& plant, MadeNames& made, description::Faults&
   resolve_requirements(plant, conditions, made, faults);
   resolve_follows(plant, conditions, made, faults);
   resolve_values(plant, conditions, made, faults);
-  resolve_signals(plant, conditions, made);
+  resolve_signals(plant, conditions, made, faults);
 }
 
 }  // namespace
@@ -208,6 +209,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   report_lacks(plant, faults);
   evidence.driven_twice = find_shared_addresses(plant);
   resolve_malfunctions(plant, faults);
+  resolve_alarms(plant, faults);
   resolve_links(plant, links, faults);
   check_view(plant, faults);
   return derived;

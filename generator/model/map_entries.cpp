@@ -171,7 +171,7 @@ class LinkResolver {
     const std::string& text = meant.entry->text;
     constexpr std::size_t kPattern = 2;
     constexpr std::size_t kExact = 1'000'000;
-    if (text.find_first_of("*?") != std::string::npos) {
+    if (text::is_pattern(text)) {
       meant.rank = kPattern + text::literal_characters(text);
       if (!meant.entry->number) return true;
       faults_.add(

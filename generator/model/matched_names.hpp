@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "description/faults.hpp"
 #include "model/plant_model.hpp"
 #include "text/braces.hpp"
+#include "text/pattern.hpp"
 
 namespace symplant::model {
 
@@ -34,6 +36,17 @@ class MatchedNames {
   std::string_view self_;
   std::vector<std::string_view> shares_;  ///< of the wildcards
 };
+
+/// Calls `function(unit)` for one unit of each device that a pattern matches; false if there is no such device.
+/// O(units * pattern).
+template <class Function>
+bool for_each_device(const PlantModel& plant, std::string_view pattern, Function function) {
+  std::unordered_set<std::string_view> devices;
+  for (const Unit& unit : plant.units) {
+    if (text::matches_pattern(unit.device_path(), pattern) && devices.insert(unit.device_path()).second) function(unit);
+  }
+  return !devices.empty();
+}
 
 /// Names that entries of patterns make and that the plant may lack. An entry is left out, with a warning, for the
 /// devices that lack it; if all that the pattern matches lack it, that is an error.

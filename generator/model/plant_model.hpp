@@ -13,6 +13,7 @@
 
 #include "address/address.hpp"
 #include "description/description.hpp"
+#include "elements/alarm/model.hpp"
 #include "elements/follow/model.hpp"
 #include "elements/link/model.hpp"
 #include "elements/malfunction/model.hpp"
@@ -252,12 +253,14 @@ struct PlantModel {
   std::vector<Symbol> symbols;            ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;                ///< in the order of their first symbol
   std::vector<Requirement> requirements;
-  std::vector<Follow> follows;  ///< sorted by symbol
+  std::vector<Follow> follows;                    ///< sorted by symbol
+  std::vector<condition::Formula> time_formulas;  ///< of times in seconds: description::Duration::a is an index
   std::vector<Value> values;    ///< as in the description, those of `for` in the order of their devices
   std::vector<Signal> signals;  ///< sorted by symbol
   Material material;
   std::vector<Malfunction> malfunctions;  ///< as in the description
-  std::vector<ControllerLink> links;      ///< by controller: the settings of its link, given or default
+  std::vector<Alarm> alarms;
+  std::vector<ControllerLink> links;  ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};
 
   const name::Naming& naming() const { return reader->naming().naming(); }

@@ -29,6 +29,7 @@ class Relations {
       Unit& unit = plant_.units[u];
       if (unit.described == nullptr) continue;
       add_conditions(unit);
+      add_times(unit);
       add_inputs(unit);
       add_disables(u);
     }
@@ -62,6 +63,38 @@ class Relations {
       add(given[i].during, pointer / i / "while");
     }
     unit.first_input = static_cast<std::uint32_t>(unit.conditions.size());
+  }
+
+  /// Resolves the formulas of times. Equal ones are shared; a faulty one is 0.
+  void add_times(Unit& unit) {
+    const description::Pointer pointer = description::key_pointer(*unit.described, description::DeviceKey::transitions);
+    for (Transition& transition : unit.transitions) {
+      if (transition.given == kNone) continue;
+      const description::Pointer here = pointer / std::size_t{transition.given};
+      add_time(unit, transition.after, here / "after" / "seconds");
+      add_time(unit, transition.takes, here / "takes" / "seconds");
+    }
+  }
+
+  void add_time(const Unit& unit, description::Duration& time, const description::Pointer& here) {
+    if (time.kind != description::Duration::Kind::seconds) return;
+    const std::string text = *time.formula;
+    const MatchedNames matched = matched_by(unit, description::DeviceKey::transitions);
+    condition::Formula formula;
+    std::string lacking;
+    const bool is_made = text::has_braces(text);
+    const bool sound = conditions_.formula(text, &matched, here, formula, is_made ? &lacking : nullptr);
+    if (is_made) made_.takes(here);
+    if (!lacking.empty()) made_.lacks(here, unit.path, std::move(lacking), text);
+    if (!sound) {
+      time = description::Duration::fixed(0);
+      return;
+    }
+    const auto index = static_cast<tables::Time>(plant_.time_formulas.size());
+    const auto [known, added] = formulas_.try_emplace(formula.text, index);
+    time = description::Duration::seconds(formula.text);
+    time.a = known->second;
+    if (added) plant_.time_formulas.push_back(std::move(formula));
   }
 
   /// Sorted by name, since an object of JSON has no order. Without a behavior inputs are only checked.
@@ -123,7 +156,7 @@ class Relations {
       if (!made) continue;
       const std::string& device = *made;
       if (is_made) made_.takes(here / i);
-      if (device.find_first_of("*?") != std::string::npos) {
+      if (text::is_pattern(device)) {
         for (const std::uint32_t unit : matching(device, here / i)) {
           if (unit != by) disabled.push_back(unit);
         }
@@ -182,6 +215,7 @@ class Relations {
   description::Faults& faults_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> matching_;  // of `disables`: a pattern -> its units
   std::size_t disabled_ = 0;
+  std::unordered_map<std::string, tables::Time> formulas_;  // of times, by text: their index
 };
 
 }  // namespace

@@ -17,7 +17,6 @@ using description::FaultKind;
 using description::Pointer;
 using description::ticked;
 
-bool is_pattern(std::string_view name) { return name.find_first_of("*?") != std::string_view::npos; }
 bool is_bit(const Symbol& symbol) { return symbol.type == tables::DataType::boolean; }
 
 /// Calls `take(symbol)` for each BOOL symbol that a name or a pattern means; reports those that mean none.
@@ -26,7 +25,7 @@ void for_each_bit(PlantModel& plant, const SymbolNames& names, const std::vector
                   std::string_view key, description::Faults& faults, const Take& take) {
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const Pointer here = Pointer(std::string(key)) / i;
-    if (!is_pattern(texts[i])) {
+    if (!text::is_pattern(texts[i])) {
       const std::uint32_t symbol = names.find(texts[i], here, faults);
       if (symbol == kNone) continue;
       if (is_bit(plant.symbols[symbol])) {
@@ -51,6 +50,7 @@ void for_each_bit(PlantModel& plant, const SymbolNames& names, const std::vector
 struct Entry {
   std::string_view symbol;  ///< a name, or a pattern
   std::string_view text;
+  std::string_view off = {};  ///< of a switch with hysteresis
 };
 
 /// What the two elements differ in.
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> by_specificity(const std::vector<Entry>& entries) {
   std::vector<std::uint32_t> order(entries.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto rank = [&](std::uint32_t i) {
-    return is_pattern(entries[i].symbol) ? text::literal_characters(entries[i].symbol) : std::string::npos;
+    return text::is_pattern(entries[i].symbol) ? text::literal_characters(entries[i].symbol) : std::string::npos;
   };
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank(a) > rank(b); });
   return order;
@@ -97,7 +97,7 @@ class PatternMatcher {
   /// By symbol: its entry, or kNone.
   std::vector<std::uint32_t> run() {
     for (const std::uint32_t entry : by_specificity(given_)) {
-      if (is_pattern(given_[entry].symbol)) {
+      if (text::is_pattern(given_[entry].symbol)) {
         match(entry);
       } else {
         assign_exact(entry);
@@ -134,8 +134,9 @@ class PatternMatcher {
         continue;
       }
       const Entry& other = given_[entries_[i]];
-      const bool equal = is_pattern(other.symbol) && text::literal_characters(other.symbol) == literals;
-      if (equal && other.text != given_[entry].text) contradiction(i, entry);
+      const bool equal = text::is_pattern(other.symbol) && text::literal_characters(other.symbol) == literals;
+      const bool differs = other.text != given_[entry].text || other.off != given_[entry].off;
+      if (equal && differs) contradiction(i, entry);
     }
     if (!any) faults_.warn(key_of(entry), ticked(pattern) + std::string(kind_.nothing), FaultKind::matches_nothing);
   }
@@ -165,12 +166,14 @@ void match_follows(PlantModel& plant, const std::vector<description::GivenFollow
                    description::Faults& faults) {
   std::vector<Entry> entries;
   entries.reserve(given.size());
-  for (const description::GivenFollow& follow : given) entries.push_back({follow.symbol, follow.condition});
+  for (const description::GivenFollow& follow : given) {
+    entries.push_back({follow.symbol, follow.condition, follow.off});
+  }
   const std::vector<std::uint32_t> found = PatternMatcher(plant, names, kFollow, std::move(entries), faults).run();
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     if (found[i] == kNone) continue;
     plant.symbols[i].account = Account::follows;
-    plant.follows.push_back({i, {}, found[i]});
+    plant.follows.push_back({i, {}, {}, found[i]});
   }
 }
 
@@ -230,6 +233,7 @@ void check_follow_cycles(const PlantModel& plant, description::Faults& faults) {
   std::vector<std::uint32_t> readers(plant.follows.size());
   for (std::uint32_t i = 0; i < plant.follows.size(); ++i) {
     add_followed(plant.follows[i].condition, index_of, reads[i]);
+    if (plant.follows[i].off) add_followed(*plant.follows[i].off, index_of, reads[i]);
     for (const std::uint32_t other : reads[i]) ++readers[other];
   }
   std::vector<std::uint32_t> unread;

@@ -7,9 +7,9 @@ namespace symplant::name {
 
 std::string_view account_key(Account account) {
   constexpr std::array<std::string_view, kAccounts> kKeys = {
-      "paired",   "numeric",    "ignored",        "constant",       "operator", "data",         "parts",
-      "follow",   "signal",     "plain",          "condition",      "no_rule",  "no_direction", "no_operation",
-      "no_event", "task_taken", "unit_too_large", "named_internal", "role_none"};
+      "paired",       "numeric",  "ignored",    "constant",       "operator",       "data",     "interlock",
+      "parts",        "follow",   "signal",     "plain",          "condition",      "no_rule",  "no_direction",
+      "no_operation", "no_event", "task_taken", "unit_too_large", "named_internal", "role_none"};
   return kKeys[static_cast<std::size_t>(account)];
 }
 

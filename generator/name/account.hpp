@@ -20,6 +20,7 @@ enum class Account : std::uint8_t {
   constant,        ///< a contact that keeps its value
   operator_panel,  ///< a lamp, a push button
   data,            ///< a bit of a number, or one of several symbols of one text
+  interlock,       ///< a permission between two machines, with one text on both sides
   senses_parts,    ///< a sensor of the material flow
   follows,         ///< it follows a condition
   shows_value,     ///< a number that shows a formula
@@ -35,7 +36,7 @@ enum class Account : std::uint8_t {
   named_internal,  ///< its name says that it is neither operation nor event
   role_none,       ///< its rule has the role `none`
 };
-inline constexpr std::size_t kAccounts = 19;
+inline constexpr std::size_t kAccounts = 20;
 
 /// Whether the score counts a BOOL symbol of this account.
 constexpr bool is_counted(Account account) { return account != Account::numeric && account != Account::ignored; }

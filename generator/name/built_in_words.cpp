@@ -269,9 +269,10 @@ constexpr auto kDiagnosis = std::to_array<std::string_view>({"battery", "배터�
 constexpr auto kParts =
     std::to_array<std::string_view>({"part", "plt", "pallet", "workpiece", "파트", "파레트", "감지", "대차", "ワーク",
                                      "teil", "werkstück", "наличия", "наличие", "деталь"});
-constexpr auto kSpare = std::to_array<std::string_view>({"spare", "reserve", "reserved", "sp", "res", "unused",
-                                                         "notused", "예비", "미사용", "予備", "未使用", "frei",
-                                                         "unbenutzt", "резерв", "свободный", "запас", "dummy", "n/a"});
+constexpr auto kSpare =
+    std::to_array<std::string_view>({"spare", "reserve",   "reserved", "reserva",   "riserva", "réserve", "sp",
+                                     "res",   "unused",    "notused",  "예비",      "미사용",  "予備",    "未使用",
+                                     "frei",  "unbenutzt", "резерв",   "свободный", "запас",   "dummy",   "n/a"});
 constexpr auto kHealthy = std::to_array<std::string_view>(
     {"ready",   "normal",       "ok",     "emg",      "estop",  "e-stop",     "emergency", "em stop", "air",
      "door",    "gate",         "fence",  "curtain",  "safety", "cp",         "mc",        "mccb",    "nfb",
@@ -291,10 +292,16 @@ constexpr auto kInterlock = std::to_array<std::string_view>(
      "interf",    "mutual",     "mutal",        "enable",     "permit",    "permission", "allow", "ready in",
      "in ok",     "non intf",   "간섭무",       "간섭",       "인터록",    "작업가능",   "가능",  "インターロック",
      "干渉",      "freigabe",   "verriegelung", "разрешение", "блокировка"});
+constexpr auto kMutual = std::to_array<std::string_view>(
+    {"handshake", "핸드쉐이크", "핸드 쉐이크", "interlock", "intlk", "intf", "interf", "mutual", "mutal", "non intf",
+     "간섭무", "간섭", "인터록", "インターロック", "干渉", "verriegelung", "блокировка"});
 
 constexpr auto kCauses = std::to_array<BuiltInWords::Cause>({{"select", "echo"},
                                                              {"sel", "echo"},
                                                              {"start", "running"},
+                                                             {"start", "started"},
+                                                             {"stop", "stopped"},
+                                                             {"run", "running"},
                                                              {"start", "runing"},
                                                              {"start", "run"},
                                                              {"동작", "동작감시"},
@@ -317,9 +324,9 @@ constexpr auto kCauses = std::to_array<BuiltInWords::Cause>({{"select", "echo"},
 
 const BuiltInWords& built_in_words() {
   static constexpr BuiltInWords kWords{
-      kPairs, kSynonyms, kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel, kAlarm, kDiagnosis,
-      kData,  kParts,    kSpare,        kHealthy,          kEcho,         kStart,   kDone,  kReset, kInterlock,
-      kCauses};
+      kPairs,  kSynonyms, kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel, kAlarm, kDiagnosis,
+      kData,   kParts,    kSpare,        kHealthy,          kEcho,         kStart,   kDone,  kReset, kInterlock,
+      kMutual, kCauses};
   return kWords;
 }
 

@@ -100,7 +100,12 @@ NamingParts::NamingParts(const Naming& naming)
     : separators(naming.separators),
       vocabulary(naming.tasks, {}),
       replace(compiled_replacements(naming.normalise.replace, "/normalise/replace", faults)) {
-  for (const std::string& pattern : naming.ignore) ignore.push_back(text::folded(text::normal_form(pattern)));
+  for (const std::string& pattern : naming.ignore) {
+    std::string folded = text::folded(text::normal_form(pattern));
+    const bool written = !folded.empty() &&
+                         (separators.length_at(folded, 0) != 0 || separators.length_at(folded, folded.size() - 1) != 0);
+    (written ? ignore_written : ignore).push_back(std::move(folded));
+  }
   for (std::size_t i = 0; i < naming.rules.size(); ++i) {
     rules.push_back(compiled_rule("rules", naming.rules[i], i, *this, faults));
   }

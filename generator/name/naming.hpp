@@ -16,7 +16,7 @@
 namespace symplant::name {
 
 /// What a rule's symbols are. Only `io` symbols are linked; the others are accounted for.
-enum class Role : std::uint8_t { io, operator_panel, data, constant, none };
+enum class Role : std::uint8_t { io, operator_panel, data, interlock, constant, none };
 
 /// A text of a symbol.
 enum class Source : std::uint8_t {

@@ -71,6 +71,8 @@ struct NamingParts {
   Vocabulary vocabulary;
   Replacements replace;
   std::vector<std::string> ignore;  ///< folded patterns with `*` and `?`
+  std::vector<std::string>
+      ignore_written;  ///< those that begin or end with a separator, which a prepared text does not
   std::vector<CompiledRule> rules;
   std::vector<CompiledRule> rest;
   std::vector<std::vector<Pattern>> archetypes;  ///< by archetype, then by text

@@ -65,6 +65,7 @@ struct SymbolReader::Work {
   void read_rest(const SymbolText& symbol, Reading& reading);
   bool match(const SymbolText& symbol, const CompiledRule& rule, const CompiledPattern& pattern, MatchedText& match);
   bool is_ignored(const SymbolText& symbol);
+  RuleTrial try_rule(const SymbolText& symbol, std::size_t rule);
   void forget_texts() {
     for (SourceText& source : sources) source.made = false;
   }
@@ -153,6 +154,11 @@ void SymbolReader::Work::read_rest(const SymbolText& symbol, Reading& reading) {
 }
 
 bool SymbolReader::Work::is_ignored(const SymbolText& symbol) {
+  for (const std::string& pattern : parts.ignore_written) {
+    for (const std::string_view text : {symbol.name, symbol.comment}) {
+      if (!text.empty() && text::matches_pattern(text::folded(text), pattern)) return true;
+    }
+  }
   if (parts.ignore.empty()) return false;
   for (const std::size_t slot : {std::size_t{0}, std::size_t{1}}) {
     const PreparedText& text = source(symbol, slot);
@@ -305,6 +311,30 @@ Reading SymbolReader::read_by(std::size_t rule, const SymbolText& symbol) {
   Reading reading;
   reading.direction = symbol.address;
   return reading;
+}
+
+RuleTrial SymbolReader::Work::try_rule(const SymbolText& symbol, std::size_t rule) {
+  const SymbolRule& given = naming->naming().rules[rule];
+  const CompiledRule& compiled = parts.rules[rule];
+  if (match(symbol, rule)) return {RuleTrial::End::reads, 0};
+  if (given.side && symbol.address != given.side) return {RuleTrial::End::other_side, 0};
+  if (compiled.levels || match_count < compiled.patterns.size()) return {RuleTrial::End::pattern, match_count};
+  return {RuleTrial::End::word_absent, 0};
+}
+
+std::vector<RuleTrial> SymbolReader::trials(const SymbolText& symbol) {
+  work_->forget_texts();
+  std::vector<RuleTrial> all;
+  for (std::size_t rule = 0; rule < work_->parts.rules.size(); ++rule) {
+    all.push_back(work_->try_rule(symbol, rule));
+    if (all.back().end == RuleTrial::End::reads) break;
+  }
+  return all;
+}
+
+std::string SymbolReader::normal_text(const SymbolText& symbol, Source source) {
+  work_->forget_texts();
+  return std::string(work_->source(symbol, source == Source::comment ? 1 : 0).shown());
 }
 
 const CompiledNaming& SymbolReader::naming() const { return *work_->naming; }

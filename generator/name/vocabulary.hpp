@@ -53,6 +53,7 @@ struct BuiltInWords {
   std::span<const std::string_view> done;     ///< work is done
   std::span<const std::string_view> reset;
   std::span<const std::string_view> interlock;  ///< of permissions between machines
+  std::span<const std::string_view> mutual;     ///< those of them by which two machines keep out of each other's room
   std::span<const Cause> causes;                ///< words of an operation and of the event that it causes
 };
 const BuiltInWords& built_in_words();

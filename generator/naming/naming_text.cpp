@@ -17,7 +17,7 @@ std::string_view said_text(name::Said says) {
 }
 
 std::string_view role_text(name::Role role) {
-  constexpr std::array<std::string_view, 5> kRoles = {"", "operator", "data", "constant", "none"};
+  constexpr std::array<std::string_view, 6> kRoles = {"", "operator", "data", "interlock", "constant", "none"};
   return kRoles[static_cast<std::size_t>(role)];
 }
 

@@ -26,6 +26,7 @@ name::Source source_of(std::string_view word) {
 name::Role role_of(std::string_view word) {
   if (word == "operator") return name::Role::operator_panel;
   if (word == "data") return name::Role::data;
+  if (word == "interlock") return name::Role::interlock;
   if (word == "constant") return name::Role::constant;
   if (word == "none") return name::Role::none;
   return name::Role::io;

@@ -60,6 +60,7 @@ std::string vocabulary_text() {
       {"spare", words_json(words.spare)},
       {"healthy", words_json(words.healthy)},
       {"interlock", words_json(words.interlock)},
+      {"mutual", words_json(words.mutual)},
       {"echo", words_json(words.echo)},
       {"start", words_json(words.start)},
       {"done", words_json(words.done)},

@@ -29,6 +29,8 @@ Account account_of(const Input& input, name::Role role) {
       return input.side == name::Direction::event ? Account::constant : Account::role_none;
     case name::Role::none:
       return Account::role_none;
+    case name::Role::interlock:
+      return Account::interlock;
     case name::Role::io:
     case name::Role::data:
       break;

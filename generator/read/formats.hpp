@@ -6,6 +6,8 @@
 namespace symplant::read {
 
 extern const ReaderInfo kAnyTable;
+extern const ReaderInfo kBrIoMapping;
+extern const ReaderInfo kCodesysExp;
 extern const ReaderInfo kCodesysIoMapping;
 extern const ReaderInfo kGxIec;
 extern const ReaderInfo kGxWorksComments;

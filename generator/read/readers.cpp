@@ -28,6 +28,8 @@ constexpr std::array kReaders{
     &kGxIec,             //
     &kGxWorksLabels,     //
     &kGxWorksComments,   //
+    &kBrIoMapping,       //
+    &kCodesysExp,        //
     &kCodesysIoMapping,  //
     &kKepware,           //
     &kLsGlobals,         //
@@ -76,6 +78,7 @@ std::string_view beginning(std::string_view text) {
 Choice choose(const ReadOptions& options, std::string_view text) {
   Choice best;
   const std::string_view begin = beginning(text);
+  if (options.input_format.empty() && options.columns.columns.empty() && recognize_table(begin)) return best;
   for (const ReaderInfo* reader : kReaders) {
     const bool asked_for = reader->name == options.input_format;
     if (!asked_for && !options.input_format.empty()) continue;
@@ -90,7 +93,10 @@ Choice choose(const ReadOptions& options, std::string_view text) {
 
 void report_unknown(const LoadedText& text, diag::Diagnostics& diagnostics) {
   const diag::Location begin{text.source, text.source->span_of(text.source->line_at(0))};
-  if (const auto known = recognize_text(text.source->text())) {
+  auto known = recognize_table(beginning(text.source->text()));
+  if (!known) known = recognize_text(text.source->text());
+  if (!known) known = recognize_bytes(text.source->path(), text.source->text());
+  if (known) {
     diagnostics.add(kRecognizedFormat, fmt::format("this is {}; {}", known->what, known->advice), begin);
     return;
   }

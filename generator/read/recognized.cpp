@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 
+#include "read/formats/table_formats.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::read {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr std::string_view kTiaAdvice =
     "export the tags: in TIA Portal, open the PLC tag table, choose `Export` and write the workbook (.xlsx) or the XML";
+constexpr std::string_view kTiaProject = "a TIA Portal project or archive";
 constexpr std::string_view kLogixAdvice =
     "export the tags: in Logix Designer, Tools > Export > Tags and Logic Comments (CSV), or save the project as L5K or "
     "L5X";
@@ -88,7 +91,7 @@ constexpr std::array kBinaries{
     Signature{kZipMagic, true, "projectarchive", {"an archive of a CODESYS project", kCodesysAdvice}},
     Signature{kZipMagic, true, "project", {"a CODESYS project", kCodesysAdvice}},
     Signature{kZipMagic, true, "library", {"a CODESYS library", kCodesysAdvice}},
-    Signature{"TIA Portal", false, "", {"a TIA Portal project or archive", kTiaAdvice}},
+    Signature{"TIA Portal", false, "", {kTiaProject, kTiaAdvice}},
     Signature{kZipMagic, true, "", {"a zip archive", "unpack it and give the list in it"}},
     Signature{"", true, "xls", kOldWorkbook},
 };
@@ -161,6 +164,31 @@ std::optional<RecognizedFile> first_of(const std::array<Signature, N>& signature
   return found == signatures.end() ? std::nullopt : std::optional(found->file);
 }
 
+struct KnownTable {
+  HeaderWords header;
+  RecognizedFile file;
+};
+
+constexpr std::array kTables{
+    KnownTable{
+        {"modbusaddress", "functioncode", "nickname"},
+        {"the address list of AutomationDirect CLICK",
+         "give a table with the columns `Name` and `Address`, with the Modbus address of each row as a reference "
+         "number of six digits: `100001` for an input, `008193` for a coil"}},
+    KnownTable{{"rack", "slot", "point"},
+               {"a table whose addresses are in several columns (rack, slot and point)",
+                "add a column `Address` with the address as the PLC program has it, such as `Local:1:I.Data.0`, or a "
+                "Modbus reference number"}},
+    KnownTable{{"stepno", "instruction", "io(device)"}, {"a program of GX Works (ladder, CSV)", kGxAdvice}},
+};
+
+/// A project or an archive of TIA Portal by the end of its path: .ap16, .zap19.
+bool is_tia_project(std::string_view extension) {
+  if (extension.starts_with('z')) extension.remove_prefix(1);
+  return extension.size() == 4 && extension.starts_with("ap") && text::is_digit(extension[2]) &&
+         text::is_digit(extension[3]);
+}
+
 /// A line of a sequential symbol table of STEP 7 or STEP 5: TAB address TAB symbol TAB comment.
 bool is_seq(std::string_view text) {
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
@@ -176,7 +204,9 @@ bool has_magic(std::string_view bytes) {
 }
 
 std::optional<RecognizedFile> recognize_bytes(std::string_view path, std::string_view bytes) {
-  return first_of(kBinaries, bytes, text::to_lower(path.substr(path.rfind('.') + 1)));
+  const std::string extension = text::to_lower(path.substr(path.rfind('.') + 1));
+  if (is_tia_project(extension)) return RecognizedFile{kTiaProject, kTiaAdvice};
+  return first_of(kBinaries, bytes, extension);
 }
 
 std::optional<RecognizedFile> recognize_text(std::string_view text) {
@@ -185,6 +215,13 @@ std::optional<RecognizedFile> recognize_text(std::string_view text) {
   if (is_seq(begin))
     return RecognizedFile{"a symbol table of STEP 7 or STEP 5 in sequential form (.seq)", kStep7Advice};
   return first_of(kTexts, begin, "");
+}
+
+std::optional<RecognizedFile> recognize_table(std::string_view text) {
+  const auto found = std::find_if(kTables.begin(), kTables.end(), [&](const KnownTable& table) {
+    return layout_in_any(text, std::span(&table.header, 1)).has_value();
+  });
+  return found == kTables.end() ? std::nullopt : std::optional(found->file);
 }
 
 }  // namespace symplant::read

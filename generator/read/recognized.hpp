@@ -22,4 +22,8 @@ std::optional<RecognizedFile> recognize_bytes(std::string_view path, std::string
 /// Recognizes a text that is not a symbol list by its beginning.
 std::optional<RecognizedFile> recognize_text(std::string_view text);
 
+/// Recognizes, by its header, a table that no reader may take though it has names or addresses: read as another one it
+/// would lose them.
+std::optional<RecognizedFile> recognize_table(std::string_view text);
+
 }  // namespace symplant::read

@@ -26,7 +26,10 @@ class ReadOperations {
     for (const model::Transfer& transfer : material.transfers) add(transfer.condition);
     for (const model::Work& work : material.work) add(work.condition);
     for (const model::Source& source : material.sources) add(source.condition);
-    for (const model::Follow& follow : plant_.follows) add(follow.condition);
+    for (const model::Follow& follow : plant_.follows) {
+      add(follow.condition);
+      add(follow.off);
+    }
     for (const model::Malfunction& malfunction : plant_.malfunctions) {
       add(malfunction.condition);
       add(malfunction.unless);

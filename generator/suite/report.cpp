@@ -113,7 +113,7 @@ std::string junit_text(const Results& results, const Counts& counts) {
   if (std::string missing = missing_text(results, counts); !missing.empty()) {
     cases.push_back({"every case has a result", 0, "", std::move(missing)});
   }
-  return trace::junit_xml(results.header().suite, cases, static_cast<tables::Time>(wall * 1e9));
+  return trace::junit_xml(results.header().of, cases, static_cast<tables::Time>(wall * 1e9));
 }
 
 void write_html(const Results& results, const Counts& counts, base::TextSink& sink) {
@@ -147,7 +147,7 @@ void write_html(const Results& results, const Counts& counts, base::TextSink& si
     out.put(diag::script_json(base::text_of(json_text)));
   };
   base::put_framed(suite_frame(),
-                   {{"@title@", base::whole(diag::markup_text(results.header().suite))},
+                   {{"@title@", base::whole(diag::markup_text(results.header().of))},
                     {"@style@", [](base::TextSink& out) { out.put(suite_style()); }},
                     {"@data@", data},
                     {"@script@", [](base::TextSink& out) { out.put(suite_script()); }}},

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/text_source.hpp"
-#include "suite/results.hpp"
+#include "suite/result.hpp"
 
 namespace symplant::suite {
 

@@ -53,18 +53,18 @@ std::vector<std::string> message_lines(const std::string& text) {
 
 std::string_view verdict_name(Result::Verdict verdict) { return name_in(kVerdicts, verdict); }
 
-std::string line_of(const Result& result) {
-  const Json json = {{"case", result.name},
-                     {"plant", speed_name(result.speed)},
-                     {"verdict", verdict_name(result.verdict)},
-                     {"reference", name_in(kReferences, result.reference)},
-                     {"seconds", result.seconds},
-                     {"messages", result.messages},
-                     {"chart", result.chart}};
+std::string Result::line() const {
+  const Json json = {{"case", name},
+                     {"plant", speed_name(speed)},
+                     {"verdict", verdict_name(verdict)},
+                     {"reference", name_in(kReferences, reference)},
+                     {"seconds", seconds},
+                     {"messages", messages},
+                     {"chart", chart}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::optional<Result> result_of(std::string_view line) try {
+std::optional<Result> Result::of_line(std::string_view line) try {
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   const auto speed = speed_of(json.at("plant").get<std::string>());

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "batch/result_file.hpp"
 #include "suite/suite.hpp"
 
 namespace symplant::suite {
@@ -33,6 +34,10 @@ struct Result {
 
   /// `start`, `start on the fast plant`
   std::string title() const;
+  /// As one line of JSON, without its end.
+  std::string line() const;
+  /// Nothing if the text is not such a line.
+  static std::optional<Result> of_line(std::string_view line);
 };
 
 /// How many messages a result has at most, and one more that counts the others.
@@ -42,9 +47,8 @@ std::vector<std::string> message_lines(const std::string& text);
 
 std::string_view verdict_name(Result::Verdict verdict);
 
-/// A result as one line of JSON, without its end.
-std::string line_of(const Result& result);
-/// Nothing if the text is not such a line.
-std::optional<Result> result_of(std::string_view line);
+/// The key of files of results.
+inline constexpr const char* kResultKey = "symplant-test";
+using Results = batch::Results<Result>;
 
 }  // namespace symplant::suite

@@ -135,13 +135,7 @@ class CaseRun {
     how.only.clear();  // both have what is chosen
     compare::Comparison comparison = compare::compare(expected.recorded, actual.recorded, how);
     if (!comparison.error.empty()) return fail(comparison.error);
-    // What comes so late may have its counterpart after the end of the other run.
-    const tables::Time sure = std::min(expected.recorded.end, actual.recorded.end) - comparison.window;
-    std::erase_if(comparison.differences, [&](const compare::Difference& difference) {
-      using Kind = compare::Difference::Kind;
-      const bool alone = difference.kind == Kind::missing || difference.kind == Kind::unexpected;
-      return comparison.window > 0 && alone && difference.time > sure;
-    });
+    compare::drop_unsure(comparison);
     result_.reference = comparison.differences.empty() ? Reference::same : Reference::differs;
     if (comparison.differences.empty()) return;
     if (!setup_.update) result_.verdict = Verdict::failed;

@@ -100,6 +100,11 @@ inline constexpr auto kGeneratedNames = std::to_array<std::string_view>({
     "entered",
     "left",
     "woken",
+    "formula",
+    "Formulas",
+    "ModelFormulas",
+    "compiled_formula",
+    "kCompiledFormulas",
 });
 
 }  // namespace symplant::text

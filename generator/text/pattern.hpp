@@ -18,4 +18,7 @@ std::vector<std::string_view> wildcard_shares(std::string_view text, std::string
 /// How many characters of a pattern are neither `*` nor `?`.
 std::size_t literal_characters(std::string_view pattern);
 
+/// Whether a name has wildcards. O(the name).
+inline bool is_pattern(std::string_view name) { return name.find_first_of("*?") != std::string_view::npos; }
+
 }  // namespace symplant::text

@@ -11,6 +11,7 @@
 #include "elements/requirement/words.hpp"
 #include "model/plant_model.hpp"
 #include "view/chart.hpp"
+#include "view/flow.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -36,6 +37,7 @@ class DotWriter {
     text_ += kAttributes;
     for (const std::uint32_t unit : scene_.units) add_unit(unit);
     for (const std::uint32_t unit : scene_.units) add_disables(unit);
+    add_flow(flow_of(scene_));
     add_requirements();
     add_material();
     text_ += "}\n";
@@ -90,6 +92,25 @@ class DotWriter {
             other, other);
       }
     }
+  }
+
+  void add_flow(const Flow& flow) {
+    if (flow.empty()) return;
+    text_ += "\n  subgraph cluster_values {\n    label=\"values\"\n";
+    for (std::size_t b = 0; b < flow.boxes.size(); ++b) {
+      const FlowBox& box = flow.boxes[b];
+      out("    f{} [label=\"", b);
+      for (const std::string& line : box.lines) text_.append(diag::dot_text(line)).append("\\l");
+      out("\"{}", box.kind == FlowBox::Kind::value ? ", style=\"\"" : ", color=gray40");
+      for (std::size_t i = 0; i < box.whole.size(); ++i) {
+        text_.append(i == 0 ? ", tooltip=\"" : "\\n").append(diag::dot_text(box.whole[i]));
+      }
+      text_ += box.whole.empty() ? "]\n" : "\"]\n";
+    }
+    for (const FlowArrow& arrow : flow.arrows) {
+      out("    f{} -> f{}{}\n", arrow.from, arrow.to, arrow.in_condition ? " [style=dashed]" : "");
+    }
+    text_ += "  }\n";
   }
 
   void add_requirements() {

@@ -6,11 +6,15 @@
 
 namespace symplant::view {
 
-/// Nanoseconds, or the parameters of a random time.
+/// Nanoseconds, the parameters of a random time, or a formula of seconds.
 inline void write_time(const description::Duration& time, JsonWriter& json) {
   if (time.kind == description::Duration::Kind::fixed) return json.value(time.a);
   const bool uniform = time.kind == description::Duration::Kind::uniform;
   json.begin_object();
+  if (time.kind == description::Duration::Kind::seconds) {
+    json.member("seconds", *time.formula);
+    return json.end_object();
+  }
   json.member(uniform ? "min" : "mean", time.a);
   json.member(uniform ? "max" : "sigma", time.b);
   json.end_object();

@@ -13,6 +13,7 @@
 #include "elements/malfunction/words.hpp"
 #include "elements/material/html.hpp"
 #include "elements/requirement/words.hpp"
+#include "elements/value/html.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
 #include "symplant/tables/digest.hpp"
@@ -57,6 +58,7 @@ class DataWriter {
       json_.row(visible(requirement.name), visible(requirement_text(requirement, plant_)));
     });
     write_page_material(scene_, json_);
+    write_page_values(scene_, unit_positions_, json_);
     write_malfunctions();
     json_.key("symbols");
     json_.begin_array();

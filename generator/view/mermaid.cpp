@@ -10,6 +10,7 @@
 #include "elements/material/words.hpp"
 #include "elements/requirement/words.hpp"
 #include "view/chart.hpp"
+#include "view/flow.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -28,6 +29,7 @@ class MermaidWriter {
   std::string write() {
     text_ = kMermaidHead;
     for (const std::uint32_t unit : scene_.units) add_unit(unit);
+    add_flow(flow_of(scene_));
     if (!scene_.plant.requirements.empty()) {
       text_ += "  state \"requirements\" as requirements\n";
       std::vector<std::string> lines;
@@ -72,6 +74,24 @@ class MermaidWriter {
     }
     text_ += "  }\n";
     add_note(fmt::format("u{}", index), facts_of(index, scene_.plant, references_));
+  }
+
+  /// Boxes are states, since a diagram has one type. The notes have the texts that boxes cut.
+  void add_flow(const Flow& flow) {
+    if (flow.empty()) return;
+    text_ += "  state \"values\" as values {\n";
+    for (std::size_t b = 0; b < flow.boxes.size(); ++b) {
+      const std::vector<std::string>& lines = flow.boxes[b].lines;
+      out("    state \"{}\" as f{}\n", diag::mermaid_text(lines.front()), b);
+      for (std::size_t i = 1; i < lines.size(); ++i) out("    f{} : {}\n", b, diag::mermaid_text(lines[i]));
+    }
+    for (const FlowArrow& arrow : flow.arrows) {
+      out("    f{} --> f{}{}\n", arrow.from, arrow.to, arrow.in_condition ? " : in a condition" : "");
+    }
+    for (std::size_t b = 0; b < flow.boxes.size(); ++b) {
+      if (!flow.boxes[b].whole.empty()) add_note(fmt::format("f{}", b), flow.boxes[b].whole);
+    }
+    text_ += "  }\n";
   }
 
   void add_note(const std::string& of, const std::vector<std::string>& lines) {

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "elements/alarm/json.hpp"
 #include "elements/follow/json.hpp"
 #include "elements/malfunction/json.hpp"
 #include "elements/material/json.hpp"
@@ -222,7 +223,8 @@ void write_list(const model::PlantList& list, const model::PlantModel& plant, Js
 }
 
 /// The elements that are not part of a device, in the order of their members.
-constexpr std::array kElements{write_requirements, write_follows, write_values, write_material, write_malfunctions};
+constexpr std::array kElements{write_requirements, write_follows,      write_values,
+                               write_material,     write_malfunctions, write_alarms};
 
 void write_model(const Scene& scene, JsonWriter& json) {
   const model::PlantModel& plant = scene.plant;

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "diag/visible_text.hpp"
+#include "elements/follow/words.hpp"
 #include "elements/malfunction/words.hpp"
 #include "elements/material/words.hpp"
 #include "elements/requirement/words.hpp"
@@ -47,8 +48,7 @@ class TableWriter {
     if (!plant_.follows.empty()) {
       line("follow");
       for (const model::Follow& follow : plant_.follows) {
-        line(fmt::format("  {}: {}", plant_.symbols[follow.symbol].name(),
-                         model::condition_text(follow.condition, plant_)));
+        line(fmt::format("  {}: {}", plant_.symbols[follow.symbol].name(), follow_text(follow, plant_)));
       }
       text_.add("\n");
     }

@@ -10,6 +10,7 @@
 #include "diag/encode.hpp"
 #include "elements/requirement/words.hpp"
 #include "model/condition_text.hpp"
+#include "symplant/tables/duration.hpp"
 #include "text/identifier.hpp"
 #include "view/cross_references.hpp"
 #include "view/scxml_names.hpp"
@@ -33,14 +34,6 @@ constexpr std::string_view kNoMaterial =
     "<!-- The material flow is left out: tracks, places, transfers, work and sources. The numbers of parts in "
     "conditions\n"
     "     are data that nothing changes. -->\n";
-
-/// Seconds in the syntax of CSS: `1.5s`.
-std::string delay_text(tables::Time time) {
-  std::string text = fmt::format("{}.{:09}", time / tables::kSecond, time % tables::kSecond);
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text + "s";
-}
 
 /// `name="value"` with a blank before it.
 std::string attribute(std::string_view name, std::string_view value) {
@@ -158,7 +151,7 @@ class ScxmlWriter {
       if (t.from != state || !delayed(t)) continue;
       const std::string name = delay_name(index, position);
       actions += entering ? fmt::format("          <send id=\"{0}\" event=\"{0}\" delay=\"{1}\"/>\n", name,
-                                        delay_text(t.after.a))
+                                        tables::duration_text(t.after.a))
                           : fmt::format("          <cancel sendid=\"{}\"/>\n", name);
     }
     if (!actions.empty()) out("        <{0}>\n{1}        </{0}>\n", entering ? "onentry" : "onexit", actions);

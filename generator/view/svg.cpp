@@ -12,6 +12,7 @@
 #include "elements/requirement/words.hpp"
 #include "view/chart.hpp"
 #include "view/dot.hpp"
+#include "view/flow_layout.hpp"
 #include "view/layout.hpp"
 #include "view/words.hpp"
 
@@ -35,6 +36,9 @@ constexpr std::string_view kLocationStyle =
     ".tick{stroke:#999;fill:#777}.leader{stroke:#aaa}.sensor{fill:#1769c5}.stop{fill:#c62828}.transfer{fill:#0e7c66}."
     "work{fill:#8a4fbf}"
     ".source{fill:#d17a00}text.tick{stroke:#fff;stroke-width:3;paint-order:stroke}</style>\n";
+constexpr std::string_view kFlowStyle =
+    "<style>.flow-value{fill:#eef4fb;stroke:#345}.flow-source{fill:#f2f2f2;stroke:#777}.flow-sink{fill:#fff4e0;"
+    "stroke:#a66a00}</style>\n";
 constexpr std::string_view kSvgHead =
     "<defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"8\" markerHeight=\"8\" "
     "orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#345\"/></marker></defs>\n";
@@ -86,6 +90,21 @@ class CardWriter {
     card_.height += drawing.height + kLineHeight;
   }
 
+  /// The signal flow.
+  explicit CardWriter(const Flow& flow) {
+    add_title("values");
+    const FlowLayout layout = lay_out(flow);
+    out("<g transform=\"translate(0 {})\">\n", card_.height);
+    for (const FlowLayout::Arrow& arrow : layout.arrows) {
+      out("<path class=\"way{}\" d=\"{}\" marker-end=\"url(#head)\"/>\n",
+          flow.arrows[arrow.arrow].in_condition ? " automatic" : "", path_text(arrow.points));
+    }
+    for (const FlowLayout::Box& box : layout.boxes) add_box(box, flow.boxes[box.box]);
+    card_.content += "</g>\n";
+    card_.width = std::max(card_.width, layout.width);
+    card_.height += layout.height;
+  }
+
   Card card() && { return std::move(card_); }
 
  private:
@@ -124,6 +143,22 @@ class CardWriter {
       case Shape::Kind::text:
         out("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", shape.style, shape.x, shape.y, markup_text(shape.text));
     }
+  }
+
+  void add_box(const FlowLayout::Box& at, const FlowBox& box) {
+    out("<g>");
+    for (std::size_t i = 0; i < box.whole.size(); ++i) {
+      out("{}{}{}", i == 0 ? "<title>" : "\n", markup_text(box.whole[i]), i + 1 == box.whole.size() ? "</title>" : "");
+    }
+    out("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\"/>\n", flow_class(box.kind), at.x,
+        at.y, at.width, at.height, box.kind == FlowBox::Kind::value ? 2 : 12);
+    int y = at.y + kFlowTextTop;
+    for (const std::string& line : box.lines) {
+      out("<text{} x=\"{}\" y=\"{}\">{}</text>\n", y == at.y + kFlowTextTop ? " class=\"name\"" : "",
+          at.x + kFlowTextLeft, y, markup_text(line));
+      y += kLineHeight;
+    }
+    out("</g>\n");
   }
 
   void add_arrow(const ArrowPosition& arrow, const ChartEdge& edge) {
@@ -168,13 +203,14 @@ class CardWriter {
   Card card_;
 };
 
-std::string own_picture(const Scene& scene) {
+std::string own_picture(const Scene& scene, const Flow& flow) {
   const CrossReferences references = cross_references(scene.plant);
   std::vector<Card> cards;
   for (const std::uint32_t unit : scene.units) cards.push_back(CardWriter(unit, scene.plant, references).card());
   for (const std::uint32_t location : scene.locations) {
     cards.push_back(CardWriter(draw_location(scene.plant, location)).card());
   }
+  if (!flow.empty()) cards.push_back(CardWriter(flow).card());
   if (!scene.units.empty() && !scene.plant.requirements.empty()) {
     std::vector<std::string> lines;
     for (const model::Requirement& requirement : scene.plant.requirements) {
@@ -203,17 +239,21 @@ std::string own_picture(const Scene& scene) {
   }
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n{2}<title>{3}"
-      "</title>\n{4}{5}{6}<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{7}</svg>\n",
+      "</title>\n{4}{5}{6}{7}<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{8}</svg>\n",
       width, y + row_height + kCardGap, kComment, markup_text(scene.plant.name), kStyle,
-      scene.locations.empty() ? std::string_view() : kLocationStyle, kSvgHead, content);
+      scene.locations.empty() ? std::string_view() : kLocationStyle, flow.empty() ? std::string_view() : kFlowStyle,
+      kSvgHead, content);
 }
 
 }  // namespace
 
 View svg_view(const Scene& scene) {
+  const Flow flow = flow_of(scene);
   std::string decision = "the picture is laid out by symplant itself";
   if (!scene.locations.empty()) {
     decision += ", since Graphviz does not draw tracks";
+  } else if (!flow.empty()) {
+    decision += ", since it places the values between the inputs and outputs of the plant";
   } else if (scene.programs != nullptr) {
     const std::string dot = base::text_of(dot_view(scene).text);
     auto drawn = scene.programs->run({"dot", {"-Tsvg"}, dot});
@@ -222,7 +262,7 @@ View svg_view(const Scene& scene) {
     }
     decision += drawn ? ", since `dot` gave no picture" : ", since " + drawn.error().message;
   }
-  return {base::whole(own_picture(scene)), {std::move(decision)}};
+  return {base::whole(own_picture(scene, flow)), {std::move(decision)}};
 }
 
 }  // namespace symplant::view

@@ -30,6 +30,8 @@ std::string duration_text(const description::Duration& duration) {
       return time_text(duration.a) + " to " + time_text(duration.b);
     case description::Duration::Kind::normal:
       return time_text(duration.a) + " (sigma " + time_text(duration.b) + ")";
+    case description::Duration::Kind::seconds:
+      return "(" + *duration.formula + ") s";
   }
   return time_text(duration.a);
 }
@@ -107,6 +109,8 @@ std::string_view unmodelled_key(model::Account reason) {
       return "operator";
     case model::Account::data:
       return "data";
+    case model::Account::interlock:
+      return "interlock";
     case model::Account::constant:
       return "constant";
     case model::Account::role_none:
@@ -150,6 +154,8 @@ std::string_view unmodelled_reason(model::Account reason) {
       return "operator panel";
     case model::Account::data:
       return "data: a bit of a number, or one of several symbols of one text";
+    case model::Account::interlock:
+      return "interlock: a permission between two machines";
     case model::Account::constant:
       return "constant: a contact that keeps its value";
     case model::Account::role_none:

@@ -43,6 +43,9 @@ struct Formula {
   std::vector<double> numbers;       ///< of each curve: how many points, then x and y of each
 };
 
+/// Whether a name, in any case of its letters, is a word or a function of formulas. O(functions).
+bool is_formula_word(std::string_view name);
+
 /// Parses a formula and looks up its names:
 ///
 ///     formula    = both { "or" both }

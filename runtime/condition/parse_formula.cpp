@@ -399,6 +399,13 @@ class Parser {
 
 }  // namespace
 
+bool is_formula_word(std::string_view name) {
+  const auto is_it = [name](std::string_view word) { return is_word(name, word); };
+  return std::any_of(std::begin(kWords), std::end(kWords), is_it) ||
+         std::any_of(kFormulaFunctions.begin(), kFormulaFunctions.end(),
+                     [&](const FormulaFunction& function) { return is_it(function.name); });
+}
+
 std::variant<Formula, Fault> parse_formula(std::string_view text, const Names& names) {
   return Parser(text, names).run();
 }

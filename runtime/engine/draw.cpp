@@ -12,11 +12,8 @@ tables::Time uniform(tables::Time first, tables::Time last, std::uint64_t random
   return first + static_cast<tables::Time>((static_cast<Wide>(random) * width) >> 64);
 }
 
-/// The sum of twelve uniform numbers is nearly normal, with variance 1.
 tables::Time normal(tables::Time mean, tables::Time sigma, std::uint64_t& state) noexcept {
-  std::int64_t sum = -(std::int64_t{6} << 32);
-  for (int i = 0; i < 12; ++i) sum += static_cast<std::int64_t>(split_mix(state) >> 32);
-  const SignedWide scaled = static_cast<SignedWide>(sigma) * sum;
+  const SignedWide scaled = static_cast<SignedWide>(sigma) * normal_sum(state);
   const SignedWide time = static_cast<SignedWide>(mean) + (scaled >> 32);  // rounds down, also below zero
   if (time < 0) return 0;
   return time > tables::kNever ? tables::kNever : static_cast<tables::Time>(time);

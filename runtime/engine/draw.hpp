@@ -23,6 +23,13 @@ constexpr std::uint64_t split_mix(std::uint64_t& state) noexcept {
   return z ^ (z >> 31);
 }
 
+/// The sum of twelve uniform numbers, less its mean, times 2^32: nearly normal, with variance 1.
+constexpr std::int64_t normal_sum(std::uint64_t& state) noexcept {
+  std::int64_t sum = -(std::int64_t{6} << 32);
+  for (int i = 0; i < 12; ++i) sum += static_cast<std::int64_t>(split_mix(state) >> 32);
+  return sum;
+}
+
 /// A time of the given distribution, from a generator that starts at `state`: ns, >= 0.
 tables::Time random_time(const tables::RandomTime& time, std::uint64_t state) noexcept;
 

@@ -55,6 +55,8 @@ class Engine {
   bool put(const tables::PartLocation& to, std::uint32_t kind) noexcept;
   bool take(const tables::PartLocation& from) noexcept;
   bool set_value(std::uint32_t value, double number) noexcept;
+  void watch_outputs() noexcept { values_.watch(); }
+  void show_outputs() noexcept { values_.show_from_here(); }
   bool start_malfunction(std::uint32_t number, MalfunctionChange::By by) noexcept {
     return malfunctions_.start(number, by);
   }

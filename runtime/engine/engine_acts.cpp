@@ -222,7 +222,10 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   }
   touched_.size = moved_.size = 0;
   flow_.forget_changes();
-  if (values_.active()) values_.forget_changes();
+  if (values_.active()) {
+    values_.forget_changes();
+    values_.show_all();
+  }
   malfunctions_.forget_changes();
   malfunctions_.mark_all();
   unpublished_ = true;

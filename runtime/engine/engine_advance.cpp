@@ -167,8 +167,10 @@ void Engine::step_follows(bool counting) noexcept {
     const tables::FollowRow& row = tables_.follows[follow];
     const std::uint32_t bit = tables_.symbols[row.symbol].index;
     const std::uint64_t mask = bit_in_word(bit);
-    const bool on = truth(row.condition);
-    if (state.frozen != 0 || on == ((events_.made(bit / 64) & mask) != 0)) return;
+    const bool was = (events_.made(bit / 64) & mask) != 0;
+    const bool stays = row.off != tables::kNone && was;
+    const bool on = (truth(row.condition) || stays) && (row.off == tables::kNone || !truth(row.off));
+    if (state.frozen != 0 || on == was) return;
     make_event_bits(bit / 64, on ? mask : 0, on ? 0 : mask);
     active_ = true;
     if (counting && state.steps < kLoopSteps) ++state.steps;

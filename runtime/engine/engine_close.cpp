@@ -165,11 +165,11 @@ void Engine::close_instant() noexcept {
   if (observer_ != nullptr &&
       (static_cast<std::uint32_t>(reported_any_ || malfunctions_.pending()) | touched_.size | operation_changes_.size |
        static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size | event_slot_changes_.size |
-       static_cast<std::uint32_t>(flow_.changes().size() | flow_.moved_tracks().size() | values_.changes().size()) |
-       static_cast<std::uint32_t>(values_.shows())) != 0) {
+       static_cast<std::uint32_t>(flow_.changes().size() | flow_.moved_tracks().size()) |
+       static_cast<std::uint32_t>(values_.has_changes())) != 0) {
     observer_->instant({head_->now, touched_.view(), operation_changes_.view(), changed_events,
                         operation_slot_changes_.view(), event_slot_changes_.view(), flow_.changes(),
-                        flow_.moved_tracks(), malfunctions_.changes(), values_.changes()});
+                        flow_.moved_tracks(), malfunctions_.changes(), values_.take_shown()});
   }
   event_changes_.next_instant();
   touched_.size = operation_changes_.size = 0;

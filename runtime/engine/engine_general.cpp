@@ -354,12 +354,14 @@ void Engine::go_on(std::uint32_t unit) noexcept {
   if (state.due != tables::kNever) head_->wheel.insert(units_, unit, state.due);
 }
 
-/// A draw of the random time to which `time` < 0 of the tables refers.
+/// A draw of the random time to which `time` < 0 of the tables refers, or the result of its formula.
 tables::Time Engine::drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition,
                            tables::Time time) noexcept {
+  const tables::RandomTime& random = tables_.random_times[static_cast<std::size_t>(-1 - time)];
+  if (random.kind == tables::RandomTime::Kind::seconds) return values_.time_of(static_cast<std::uint32_t>(random.a));
   Record& record = records_[general_row(unit).first_record + type.record_of[transition]];
   const std::uint64_t start = draw_start(head_->seed, name_hash(unit), transition, record.draws++);
-  return random_time(tables_.random_times[static_cast<std::size_t>(-1 - time)], start);
+  return random_time(random, start);
 }
 
 tables::Time Engine::after_by_behaviour(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,

@@ -57,7 +57,7 @@ struct Instant {
   std::span<const PartChange> parts;      ///< in the order in which they happened
   std::span<const std::uint32_t> tracks;  ///< those whose parts came, left or changed their speeds, in no order
   std::span<const MalfunctionChange> malfunctions;  ///< in the order in which they happened
-  std::span<const std::uint32_t> values;            ///< outputs of values that changed, each once, in no order
+  std::span<const std::uint32_t> values;            ///< outputs of values that a trace shows now and that changed
 };
 
 /// Receives every instant with a change, every instant at which a trace may show values that changed before, every

@@ -59,6 +59,11 @@ struct BitPlane {
   std::uint64_t made(std::uint32_t word) const noexcept {
     return forced[word] != 0 || dirty.has(word) ? made_[word] : bits[word];
   }
+  /// The word after forces, also while it is dirty.
+  std::uint64_t current(std::uint32_t word) const noexcept {
+    const std::uint64_t before = made(word);
+    return (before & ~forced[word]) | forced_on[word] | (opposite[word] & ~before);
+  }
   /// Changes the word before forces; returns it after forces. The caller sets `bits`; the word must not be dirty.
   std::uint64_t sample(std::uint32_t word, std::uint64_t value) noexcept {
     if (forced[word] == 0) return value;

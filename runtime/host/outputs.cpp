@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <utility>
 
+#include "symplant/host/fault_start.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/scenario/step_text.hpp"
 
@@ -29,7 +30,9 @@ ActText act_of(const scenario::Scenario& scenario, std::uint64_t step, const tra
   return {scenario::act_json(scenario.steps[step], names), "scenario"};
 }
 
-bool records_changes(const RunOptions& options) { return !options.trace.empty() || !options.vcd.empty(); }
+bool records_changes(const RunOptions& options) {
+  return !options.trace.empty() || !options.vcd.empty() || options.records;
+}
 
 Outputs::Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder,
                  trace::History& history, Report& report, std::ostream& out)
@@ -83,6 +86,7 @@ void Outputs::write(const trace::Record& record) {
     }
     loop_goes_on_ = record.more;
   }
+  if (options_.records) options_.records(record);
   if (trace_) trace_->write(record);
   if (vcd_ && vcd_end_ < 0) vcd_->write(record);
 }
@@ -111,7 +115,8 @@ void Outputs::trace_note(const trace::Record& record) {
   if (record.of == trace::kInstantNote) {
     trace_->instant(record.time, record.value);
   } else if (record.of == trace::kActNote) {
-    const scenario::Scenario* const playing = panel_ != nullptr ? panel_->playing() : nullptr;
+    const bool of_panel = panel_ != nullptr && record.value != kFaultAct;
+    const scenario::Scenario* const playing = of_panel ? panel_->playing() : nullptr;
     const ActText act = playing != nullptr ? act_of(*playing, record.value, names_) : act_text_(record.value);
     trace_->act(record.time, act.json, act.by);
   } else if (record.of == trace::kQualityNote) {

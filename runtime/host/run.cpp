@@ -1,6 +1,8 @@
 // Runs a plant from start to end.
 #include "symplant/host/run.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <filesystem>
 #include <ostream>
@@ -10,6 +12,7 @@
 #include "symplant/exec/rt_check.hpp"
 #include "symplant/host/console.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/host/fault_start.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/junit.hpp"
 #include "symplant/host/last_resort.hpp"
@@ -32,6 +35,7 @@
 #include "symplant/host/summary.hpp"
 #include "symplant/host/why.hpp"
 #include "symplant/host/without_effect.hpp"
+#include "symplant/host/words.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -144,7 +148,7 @@ struct Played {
 void report_plant(const Played& played, const Links& links, const Stage& stage, const RunStreams& streams) {
   const PlantProgram& program = played.program;
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
-                 << behaviour_lines(program.tables, program.behaviours);
+                 << behaviour_lines(program.tables, program.behaviours) << formula_lines(program.tables.values);
   if (!played.real && played.replay == nullptr) {
     std::vector<bool> with_program(program.tables.symbols.size());
     for (const OpenProgram& one : played.programs) with_program[one.choice.options.controller] = true;
@@ -152,6 +156,10 @@ void report_plant(const Played& played, const Links& links, const Stage& stage, 
   }
   streams.report << program_lines(played.programs, program.tables);
   if (played.scenario != nullptr) streams.report << scenario_summary(played.options.scenario, *played.scenario);
+  if (stage.fault) {
+    streams.report << fmt::format("fault: `{}` from {}\n", shown(played.options.fault),
+                                  trace::seconds(played.options.fault_at));
+  }
   if (played.replay != nullptr) streams.report << replay_summary(played.options.replay, *played.replay);
   if (played.options.links.empty() && keeps_plants_links_closed(played.options, !played.programs.empty()) &&
       !(program.links.empty() && program.default_link.empty())) {
@@ -214,6 +222,10 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   if (options.end != nullptr) *options.end = stage.plant.now();
   stage.outputs.finish(stage.plant.now(), streams.err);
+  if (stage.fault && stage.fault->next() != tables::kNever) {
+    streams.err << fmt::format("warning: the run ended before {}, when the malfunction of `--fault` was to start\n",
+                               trace::seconds(stage.fault->next()));
+  }
   stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), streams.report);
   streams.report << answers_text(shown.answers);
   std::optional<scenario::Verdict> verdict;
@@ -328,6 +340,11 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
     scenario = load_scenario(options.scenario, names, carried, err);
     if (!scenario) return kBadInput;
   }
+  std::optional<std::uint32_t> fault;
+  if (!options.fault.empty()) {
+    fault = fault_of(options.fault, names, err);
+    if (!fault) return kBadInput;
+  }
   if (const std::string refused = refused_with_programs(options, scenario && !scenario->restore.empty());
       !programs.empty() && !refused.empty()) {
     err << "error: " << refused << "\n";
@@ -351,6 +368,7 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
   if (!programs.empty()) add_programs(programs, real, stage);
+  if (fault) stage.start_fault(*fault, options.fault_at);
   if (replay) report_other_run(stage, options, *replay, err);
   // What a program reads it reads at its scans, not at the ends of cycles.
   if (linked || (real && !programs.empty())) stage.outputs.report_short_events_of(carried);
@@ -360,6 +378,7 @@ int run_with(ResultFiles& files, const PlantProgram& program, const RunOptions& 
     err << "error: the snapshot `" << resumed->name << "` is damaged: make it again\n";
     return kBadInput;
   }
+  if (!options.stats.empty()) stage.plant.watch_outputs();
   const Resumed* const from = resumed ? &*resumed : nullptr;
   const int code = play(stage,
                         {program, options, names, played, replay ? &*replay : nullptr, chosen, programs, carried,

@@ -87,6 +87,17 @@ void add_programs(CLI::App& app, RunOptions& options) {
 
 void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--scenario", options.scenario, "play this scenario and check its expectations")->type_name("FILE");
+  CLI::Option* const fault =
+      app.add_option("--fault", options.fault,
+                     "start this malfunction, such as `SYMBOL stuck on`; a campaign names those that it tries")
+          ->type_name("NAME")
+          ->check(
+              [](const std::string& name) { return name.empty() ? "give the name of a malfunction" : std::string(); });
+  app.add_option_function<std::string>(
+         "--fault-at", [&options](const std::string& text) { options.fault_at = duration(text, "--fault-at"); },
+         "when the malfunction of --fault starts (default: 0s)")
+      ->type_name("T")
+      ->needs(fault);
   app.add_option("--replay", options.replay, "repeat the run that this trace recorded, in virtual time")
       ->type_name("FILE");
   app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "symplant/panel/options.hpp"
 #include "symplant/tables/time.hpp"
 #include "symplant/trace/output_file.hpp"
+#include "symplant/trace/record.hpp"
 
 namespace CLI {
 class App;
@@ -41,18 +43,21 @@ struct RunOptions {
   std::optional<tables::Time> scan;        ///< the period of programs that do not set it
   std::optional<tables::Time> scan_delay;  ///< from a scan until its outputs are sampled; nothing: the period
   std::string scenario;
+  std::string fault;  ///< a malfunction that starts at `fault_at`; empty: none
+  tables::Time fault_at = 0;
   std::string replay;  ///< a trace
   std::string trace;
   std::string vcd;
   std::string findings;
   std::string junit;
   std::string stats;
-  std::string save;                             ///< the state at the end
-  std::string resume;                           ///< the state at the start
-  std::optional<panel::PanelOptions> panel;     ///< nothing: no panel
-  std::vector<std::string> exercises;           ///< scenarios that the panel offers
-  std::vector<std::string> why;                 ///< names to explain at the end
-  std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
+  std::string save;                                   ///< the state at the end
+  std::string resume;                                 ///< the state at the start
+  std::optional<panel::PanelOptions> panel;           ///< nothing: no panel
+  std::vector<std::string> exercises;                 ///< scenarios that the panel offers
+  std::vector<std::string> why;                       ///< names to explain at the end
+  std::function<void(const trace::Record&)> records;  ///< gets every record of the run, in its order; empty: none
+  std::uint64_t trace_limit = trace::kNoLimit;        ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
   bool seed_given = false;  ///< whether the user gave it
   bool fail_on_findings = false;

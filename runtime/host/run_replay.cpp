@@ -9,6 +9,7 @@
 
 #include "symplant/host/signals.hpp"
 #include "symplant/scenario/act.hpp"
+#include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/trace/finding_words.hpp"
 
@@ -148,11 +149,15 @@ void run_replay(Stage& stage, const Replay& replay, const RunOptions& options, s
 
 bool replay_fits(const RunOptions& options, std::ostream& err) {
   using enum RunOptions::Clock;
-  const std::pair<const char*, bool> contrary[] = {
-      {"--scenario", !options.scenario.empty()},    {"--link", !options.links.empty()},
-      {"--program", !options.programs.empty()},     {"--panel", options.panel.has_value()},
-      {"--exercise", !options.exercises.empty()},   {"--resume", !options.resume.empty()},
-      {"--rt-check", options.rt_check.has_value()}, {"--clock", options.clock == real_time || options.clock == plc}};
+  const std::pair<const char*, bool> contrary[] = {{"--scenario", !options.scenario.empty()},
+                                                   {"--fault", !options.fault.empty()},
+                                                   {"--link", !options.links.empty()},
+                                                   {"--program", !options.programs.empty()},
+                                                   {"--panel", options.panel.has_value()},
+                                                   {"--exercise", !options.exercises.empty()},
+                                                   {"--resume", !options.resume.empty()},
+                                                   {"--rt-check", options.rt_check.has_value()},
+                                                   {"--clock", options.clock == real_time || options.clock == plc}};
   for (const auto& [name, given] : contrary) {
     if (options.replay.empty() || !given) continue;
     err << "error: `--replay` repeats what a trace has, in virtual time: remove `" << name << "`\n";
@@ -176,21 +181,19 @@ void report_other_run(const Stage& stage, const RunOptions& options, const Repla
     err << "warning: `" << options.replay << "` was recorded with `--seed " << replay.seed
         << "`: with another one random times differ\n";
   }
-  const auto hides_operation = [&](const tables::MalfunctionRow& row) {
-    const tables::PlantTables& tables = stage.plant.tables();
-    const auto is_operation = [&](std::uint32_t symbol) {
-      return tables.symbols[symbol].direction() == tables::Direction::operation;
-    };
-    if (row.kind == tables::MalfunctionKind::flicker) return is_operation(row.subject);
-    if (row.kind != tables::MalfunctionKind::force) return false;
-    const auto forces = tables.malfunctions.forces.subspan(row.of.first, row.of.count);
-    return std::any_of(forces.begin(), forces.end(), [&](const auto& force) { return is_operation(force.symbol); });
+  const tables::PlantTables& tables = stage.plant.tables();
+  const tables::MalfunctionNumbers numbers(tables);
+  const auto hides_operation = [&](std::uint32_t malfunction) {
+    bool hides = false;
+    numbers.for_symbols(malfunction, [&](std::uint32_t symbol) {
+      hides = hides || tables.symbols[symbol].direction() == tables::Direction::operation;
+    });
+    return hides;
   };
-  const auto& malfunctions = stage.plant.tables().malfunctions;
-  const auto hiding = std::find_if(malfunctions.rows.begin(), malfunctions.rows.end(), hides_operation);
-  if (hiding == malfunctions.rows.end()) return;
-  err << "warning: malfunction `"
-      << tables::split_names(malfunctions.names)[static_cast<std::size_t>(hiding - malfunctions.rows.begin())]
+  std::uint32_t hiding = 0;
+  while (hiding < tables.malfunctions.size() && !hides_operation(hiding)) ++hiding;
+  if (hiding == tables.malfunctions.size()) return;
+  err << "warning: malfunction `" << tables::split_names(tables.malfunctions.names)[hiding]
       << "` changes an operation: the trace has the changed value, not the one that was written, so the replay may "
          "differ "
          "there\n";

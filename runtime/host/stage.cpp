@@ -1,6 +1,8 @@
 // A plant ready to run, with everything but its links.
 #include "symplant/host/stage.hpp"
 
+#include "symplant/scenario/step_text.hpp"
+
 namespace symplant::host {
 namespace {
 
@@ -35,13 +37,23 @@ Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace
       outputs(names, options, recorder, history, report, streams.out) {
   plant.reset(options.seed, real_time ? options.cycle : 0);
   recorder.attach(plant);
-  if (scenario == nullptr) return;
-  player.emplace(*scenario, plant, recorder);
-  outputs.write_acts([scenario, &names](std::uint64_t step) { return act_of(*scenario, step, names); });
+  if (scenario != nullptr) player.emplace(*scenario, plant, recorder);
+  outputs.write_acts([this, scenario, &names](std::uint64_t act) {
+    if (act != kFaultAct) return act_of(*scenario, act, names);
+    scenario::Step start;
+    start.start.push_back(fault->number());
+    return ActText{scenario::act_json(start, names), "scenario"};
+  });
+}
+
+void Stage::start_fault(std::uint32_t number, tables::Time at) {
+  fault.emplace(number, at, plant, recorder);
+  stepper(nullptr);
 }
 
 bool Stage::resume(const trace::Snapshot& snapshot) {
   if (!plant.restore(snapshot.block)) return false;
+  plant.show_outputs();
   recorder.take_over();
   history.load(plant);
   if (player) player->begin_again();

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "symplant/host/console.hpp"
+#include "symplant/host/fault_start.hpp"
 #include "symplant/host/outputs.hpp"
 #include "symplant/host/plant_program.hpp"
 #include "symplant/host/report.hpp"
@@ -44,6 +45,10 @@ class Stage {
   /// may be null.
   exec::Stepper* stepper(exec::Stepper* driver) noexcept {
     if (driver == nullptr && player) driver = &*player;
+    if (fault) {
+      fault->drive(driver);
+      driver = &*fault;
+    }
     if (!programs) return driver;
     programs->drive(driver);
     return &*programs;
@@ -53,9 +58,13 @@ class Stage {
   void advance_to(tables::Time time) noexcept {
     programs ? programs->advance_to(time) : advance_without_programs(time);
   }
+  /// Starts a malfunction at a time. To be called before the first instant.
+  void start_fault(std::uint32_t number, tables::Time at);
   /// The same without programs, which begin with the first call of advance_to().
   void advance_without_programs(tables::Time time) noexcept {
-    if (player) {
+    if (fault) {
+      fault->advance_to(time);
+    } else if (player) {
       player->advance_to(time);
     } else {
       plant.advance_to(time, &recorder);
@@ -63,7 +72,8 @@ class Stage {
   }
   /// Time of the next event of the plant, step of the scenario or scan of a program; kNever if there is nothing more.
   tables::Time next_due() const noexcept {
-    const tables::Time due = player ? std::min(plant.next_due(), player->next()) : plant.next_due();
+    tables::Time due = player ? std::min(plant.next_due(), player->next()) : plant.next_due();
+    if (fault) due = std::min(due, fault->next());
     return programs ? std::min(due, programs->next_due()) : due;
   }
 
@@ -74,6 +84,7 @@ class Stage {
   Report report;
   Outputs outputs;
   std::optional<scenario::Player> player;     ///< only with a scenario
+  std::optional<FaultStart> fault;            ///< only with --fault
   std::optional<program::LockStep> programs;  ///< only with PLC programs
 };
 

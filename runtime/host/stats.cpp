@@ -66,6 +66,19 @@ std::string parts_text(const plant::Plant& plant) {
   return ",\"parts\":{" + text + "}";
 }
 
+/// The least, the greatest and the last number of each value; empty without values.
+std::string values_text(const plant::Plant& plant, const trace::PlantNames& names) {
+  const tables::ValueTables& values = plant.tables().values;
+  std::string text;
+  for (std::uint32_t o = 0; o < values.outputs; ++o) {
+    const engine::OutputRange range = plant.output_range(o);
+    text += fmt::format(R"({}{}:{{"unit":{},"least":{},"greatest":{},"last":{}}})", text.empty() ? "" : ",",
+                        trace::json_string(names.output(o)), trace::json_string(names.unit_of_value(names.value_of(o))),
+                        range.least, range.greatest, plant.output(o));
+  }
+  return text.empty() ? "" : ",\"values\":{" + text + "}";
+}
+
 }  // namespace
 
 std::string stats_text(const StatsInput& input) {
@@ -87,7 +100,7 @@ std::string stats_text(const StatsInput& input) {
   const std::size_t requirements = input.plant.tables().requirements.size();
   const std::size_t violated = input.report.requirements_violated();
   text += fmt::format(R"(,"requirements":{{"held":{},"violated":{}}})", requirements - violated, violated);
-  text += parts_text(input.plant);
+  text += parts_text(input.plant) + values_text(input.plant, input.names);
   if (input.real_time) text += real_time_text(*input.real_time);
   if (input.real_time && input.clock != nullptr && input.real_time->cycles.plc_clock) {
     text += clock_text(*input.clock, *input.real_time->cycles.plc_clock);

@@ -98,9 +98,12 @@ std::string cut_link_lines(const tables::PlantTables& tables, const std::vector<
   const auto names = tables::split_names(tables.malfunctions.names);
   std::string text;
   for (std::size_t m = 0; m < names.size(); ++m) {
-    const tables::MalfunctionRow& row = tables.malfunctions.rows[m];
-    if (row.kind != tables::MalfunctionKind::lose) continue;
-    if (row.subject < with_program.size() && with_program[row.subject]) continue;
+    const auto effects = tables.malfunctions.effects_of(static_cast<std::uint32_t>(m));
+    const bool cuts = std::any_of(effects.begin(), effects.end(), [&](const tables::EffectRow& effect) {
+      return effect.kind == tables::MalfunctionKind::lose &&
+             (effect.subject >= with_program.size() || !with_program[effect.subject]);
+    });
+    if (!cuts) continue;
     text +=
         fmt::format("malfunction `{}` has no effect in virtual time: it cuts a link, which runs in real time only\n",
                     shown(names[m]));
@@ -124,6 +127,15 @@ std::string behaviour_lines(const tables::PlantTables& tables, std::span<const e
         "behavior `{}` of {} has no code in this program, the derived model applies; to include its code, use "
         "`symplant generate`\n",
         shown(names[b]), plural(static_cast<std::size_t>(devices), "device"));
+  }
+  return text;
+}
+
+std::string formula_lines(const tables::ValueTables& values) {
+  const auto texts = tables::split_names(values.formula_texts);
+  std::string text;
+  for (std::size_t f = 0; f < values.compiled.size(); ++f) {
+    if (values.compiled[f].replaced) text += fmt::format("formula `{}` is replaced by C++\n", shown(texts[f]));
   }
   return text;
 }

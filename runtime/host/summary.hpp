@@ -25,6 +25,9 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
 /// empty.
 std::string behaviour_lines(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours);
 
+/// A line for each formula that the user's C++ replaces; else empty.
+std::string formula_lines(const tables::ValueTables& values);
+
 /// A line for each malfunction that cuts a link, for a run in virtual time.
 std::string cut_link_lines(const tables::PlantTables& tables, const std::vector<bool>& with_program);
 

@@ -177,6 +177,12 @@ bool Plant::set_value(std::uint32_t value, double number) noexcept { return engi
 
 double Plant::output(std::uint32_t output) const noexcept { return engine_->values().output(output); }
 
+void Plant::show_outputs() noexcept { engine_->show_outputs(); }
+
+void Plant::watch_outputs() noexcept { engine_->watch_outputs(); }
+
+engine::OutputRange Plant::output_range(std::uint32_t output) const noexcept { return engine_->values().range(output); }
+
 double Plant::weight(std::uint32_t location) const noexcept { return engine_->flow().weight(location); }
 
 bool Plant::start_malfunction(std::uint32_t number, engine::MalfunctionChange::By by) noexcept {

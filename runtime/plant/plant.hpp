@@ -10,6 +10,7 @@
 #include "symplant/engine/bit_words.hpp"
 #include "symplant/engine/instant.hpp"
 #include "symplant/engine/malfunction/active_malfunction.hpp"
+#include "symplant/engine/value/output_range.hpp"
 #include "symplant/tables/finding.hpp"
 #include "symplant/tables/malfunction_numbers.hpp"
 #include "symplant/tables/tables.hpp"
@@ -195,6 +196,14 @@ class Plant {
 
   /// An output of a value (ValueRow::output). O(1).
   double output(std::uint32_t output) const noexcept;
+  /// After restore(): an observer gets all outputs at the next time at which a trace shows them, as after a reset.
+  /// O(outputs).
+  void show_outputs() noexcept;
+  /// From now on the least and the greatest number of each output are noted: a few instructions for each number that
+  /// changes. O(outputs).
+  void watch_outputs() noexcept;
+  /// The range of an output since watch_outputs(), which must have been called. O(1).
+  engine::OutputRange output_range(std::uint32_t output) const noexcept;
 
   UnitView unit(std::uint32_t unit) const noexcept;
   /// How long the cause of a transition from the unit's state must still hold before the unit leaves; kNever if the

@@ -93,6 +93,14 @@ std::variant<std::unique_ptr<Library>, LoadError> Library::open(const std::strin
 
 Library::~Library() { ::dlclose(handle_); }
 
+bool is_still_loaded(const std::string& path) {
+  std::error_code unknown;
+  const std::string file = std::filesystem::absolute(path, unknown).string();
+  void* const handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
+  if (handle != nullptr) ::dlclose(handle);
+  return handle != nullptr;
+}
+
 std::string file_digest(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return {};

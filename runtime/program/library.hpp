@@ -38,6 +38,10 @@ class Library {
 /// Why a program does not fit this interface; empty if it does.
 std::string program_fault(const symplant_program* program);
 
+/// Whether this process still has a library, though it was closed: its variables keep their values from run to run. So
+/// do those of C++ that are unique (STB_GNU_UNIQUE), unless it is compiled with -fno-gnu-unique.
+bool is_still_loaded(const std::string& path);
+
 /// A digest of a file, as hexadecimal digits; empty if it cannot be read. O(file).
 std::string file_digest(const std::string& path);
 

@@ -17,9 +17,9 @@ std::string failure_words(const Failure& failure) {
 
 LockStep::LockStep(plant::Plant& plant, engine::Observer* observer)
     : plant_(plant), observer_(observer), names_(plant.tables()) {
-  const auto& rows = plant.tables().malfunctions.rows;
-  may_lose_ = std::any_of(rows.begin(), rows.end(),
-                          [](const tables::MalfunctionRow& row) { return row.kind == tables::MalfunctionKind::lose; });
+  const auto& effects = plant.tables().malfunctions.effects;
+  may_lose_ = std::any_of(effects.begin(), effects.end(),
+                          [](const tables::EffectRow& effect) { return effect.kind == tables::MalfunctionKind::lose; });
 }
 
 std::string LockStep::add(const symplant_program& program, const Options& options) {

@@ -253,9 +253,7 @@ void StepReader::read_set(const Json& object, const std::string& pointer, Step& 
       continue;
     }
     const std::string here = json::child(pointer, name);
-    const tables::ValueKind kind = names_.tables().values.rows[*value].kind;
-    if (kind != tables::ValueKind::parameter && kind != tables::ValueKind::integral && kind != tables::ValueKind::lag &&
-        kind != tables::ValueKind::ramp) {
+    if (!tables::keeps_its_output(names_.tables().values.rows[*value].kind)) {
       add(here, ticked(name) + " is computed from others and cannot be set; set what it reads", true);
     } else if (!number.is_number()) {
       add(here, ticked(name) + " is a value; write a number");

@@ -85,15 +85,6 @@ void add(Fnv1a64& hash, const SymbolRow& symbol) noexcept {
   hash.u32(static_cast<std::uint32_t>(symbol.kind));
 }
 
-void add(Fnv1a64& hash, const MalfunctionRow& row) noexcept {
-  hash.byte(static_cast<std::uint8_t>(row.kind));
-  add(hash, row.of);
-  hash.u32(row.factor);
-  hash.u32(row.subject);
-  for (const Time time : {row.every, row.shows, row.chance, row.lasts, row.after}) hash.time(time);
-  for (const std::uint32_t index : {row.condition, row.unless, row.next}) hash.u32(index);
-}
-
 /// Which symbols belong to which controller: one entry each time that the controller changes. The distribution of a
 /// controller's symbols over lists has no effect.
 void add_controllers(Fnv1a64& hash, const PlantTables& tables) noexcept {
@@ -149,8 +140,11 @@ void add_material(Fnv1a64& hash, const PlantTables& tables) noexcept {
 void add_malfunctions(Fnv1a64& hash, const MalfunctionTables& malfunctions) noexcept {
   if (malfunctions.empty()) return;
   add_rows(hash, malfunctions.rows);
+  add_rows(hash, malfunctions.effects);
   add_rows(hash, malfunctions.units);
+  add_rows(hash, malfunctions.tracks);
   add_rows(hash, malfunctions.forces);
+  add_rows(hash, malfunctions.sets);
   add_texts(hash, {malfunctions.names});
 }
 
@@ -167,6 +161,9 @@ void add_values(Fnv1a64& hash, const ValueTables& values) noexcept {
   add_rows(hash, values.numbers);
   add_rows(hash, values.comparisons);
   add_texts(hash, {values.names});
+  for (std::size_t f = 0; f < values.compiled.size(); ++f) {
+    if (values.compiled[f].replaced) hash.u64(f);
+  }
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 //
 // fields(row, visit) calls `visit` with each field: a number, a bool, an enumerator, a nested row, or one of the types
 // below that say what a number means. UnitRow and SymbolRow, of which the digest leaves out a field or has another
-// order, and the rows of types are not here; the digest has another order of MalfunctionRow, too.
+// order, and the rows of types are not here.
 #pragma once
 
 #include <cstdint>
@@ -112,7 +112,7 @@ constexpr void fields(const RequirementRow& row, Visit&& visit) {
 }
 template <class Visit>
 constexpr void fields(const FollowRow& row, Visit&& visit) {
-  visit(row.symbol), visit(row.condition);
+  visit(row.symbol), visit(row.condition), visit(OptionalIndex{row.off});
 }
 template <class Visit>
 constexpr void fields(const OverrunRow& row, Visit&& visit) {
@@ -180,9 +180,13 @@ constexpr void fields(const PartCounterRow& row, Visit&& visit) {
 }
 template <class Visit>
 constexpr void fields(const MalfunctionRow& row, Visit&& visit) {
-  visit(row.kind), visit(row.of), visit(row.factor), visit(Index{row.subject}), visit(row.every), visit(row.shows);
-  visit(Index{row.condition}), visit(row.chance), visit(row.lasts), visit(row.after), visit(Index{row.next});
-  visit(Index{row.unless});
+  visit(row.effects), visit(Index{row.condition}), visit(row.during), visit(row.chance), visit(row.lasts);
+  visit(row.after), visit(Index{row.next}), visit(Index{row.unless});
+}
+template <class Visit>
+constexpr void fields(const EffectRow& row, Visit&& visit) {
+  visit(row.kind), visit(row.of), visit(row.tracks), visit(row.factor), visit(Index{row.subject}), visit(row.every);
+  visit(row.shows), visit(row.gain), visit(row.offset), visit(row.drift);
 }
 template <class Visit>
 constexpr void fields(const MalfunctionUnit& row, Visit&& visit) {
@@ -190,7 +194,11 @@ constexpr void fields(const MalfunctionUnit& row, Visit&& visit) {
 }
 template <class Visit>
 constexpr void fields(const MalfunctionForce& row, Visit&& visit) {
-  visit(row.symbol), visit(Bits{row.value});
+  visit(row.symbol), visit(Bits{row.value}), visit(row.holds);
+}
+template <class Visit>
+constexpr void fields(const MalfunctionSet& row, Visit&& visit) {
+  visit(row.value), visit(row.number);
 }
 template <class Visit>
 constexpr void fields(const ValueRow& row, Visit&& visit) {

@@ -26,7 +26,7 @@ constexpr std::array<std::uint8_t, kOps> kOperands = [] {
   return operands;
 }();
 
-double truth(bool is_true) noexcept { return is_true ? 1.0 : 0.0; }
+using formula::truth;
 
 /// NaN is true.
 bool is_true(double x) noexcept { return x != 0; }
@@ -38,33 +38,33 @@ double of_one(FormulaOp op, double x) noexcept {
     case FormulaOp::no:
       return truth(!is_true(x));
     case FormulaOp::abs:
-      return std::fabs(x);
+      return formula::abs(x);
     case FormulaOp::sign:
-      return formula_sign(x);
+      return formula::sign(x);
     case FormulaOp::floor:
-      return std::floor(x);
+      return formula::floor(x);
     case FormulaOp::ceil:
-      return std::ceil(x);
+      return formula::ceil(x);
     case FormulaOp::round:
-      return formula_round(x);
+      return formula::round(x);
     case FormulaOp::sqrt:
-      return std::sqrt(x);
+      return formula::sqrt(x);
     case FormulaOp::exp:
-      return std::exp(x);
+      return formula::exp(x);
     case FormulaOp::ln:
-      return std::log(x);
+      return formula::ln(x);
     case FormulaOp::sin:
-      return std::sin(x);
+      return formula::sin(x);
     case FormulaOp::cos:
-      return std::cos(x);
+      return formula::cos(x);
     case FormulaOp::tan:
-      return std::tan(x);
+      return formula::tan(x);
     case FormulaOp::asin:
-      return std::asin(x);
+      return formula::asin(x);
     case FormulaOp::acos:
-      return std::acos(x);
+      return formula::acos(x);
     case FormulaOp::atan:
-      return std::atan(x);
+      return formula::atan(x);
     default:
       return x;
   }
@@ -72,12 +72,6 @@ double of_one(FormulaOp op, double x) noexcept {
 
 double of_two(FormulaOp op, double a, double b) noexcept {
   switch (op) {
-    case FormulaOp::add:
-      return a + b;
-    case FormulaOp::subtract:
-      return a - b;
-    case FormulaOp::multiply:
-      return a * b;
     case FormulaOp::divide:
       return a / b;
     case FormulaOp::less:
@@ -95,15 +89,15 @@ double of_two(FormulaOp op, double a, double b) noexcept {
     case FormulaOp::any:
       return truth(is_true(a) || is_true(b));
     case FormulaOp::pow:
-      return std::pow(a, b);
+      return formula::pow(a, b);
     case FormulaOp::mod:
-      return std::fmod(a, b);
+      return formula::mod(a, b);
     case FormulaOp::atan2:
-      return std::atan2(a, b);
+      return formula::atan2(a, b);
     case FormulaOp::min:
-      return formula_min(a, b);
+      return formula::min(a, b);
     case FormulaOp::max:
-      return formula_max(a, b);
+      return formula::max(a, b);
     default:
       return a;
   }
@@ -111,7 +105,7 @@ double of_two(FormulaOp op, double a, double b) noexcept {
 
 double of_three(FormulaOp op, double a, double b, double c) noexcept {
   if (op == FormulaOp::choose) return is_true(a) ? b : c;
-  return op == FormulaOp::wrap ? formula_wrap(a, b, c) : formula_limit(a, b, c);
+  return op == FormulaOp::wrap ? formula::wrap(a, b, c) : formula::limit(a, b, c);
 }
 
 /// The points of a curve: how many, then x and y of each.
@@ -127,13 +121,34 @@ double evaluate(std::span<const FormulaStep> steps, std::span<const double> numb
   std::array<double, kMostFormulaDepth> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before read
   double* end = stack.data();
   for (const FormulaStep& step : steps) {
-    switch (operands_of(step.op)) {
-      case 0:
-        *end++ = step.op == FormulaOp::input ? inputs[step.of] : step.number;
+    switch (step.op) {  // the most frequent ones
+      case FormulaOp::number:
+        *end++ = step.number;
+        continue;
+      case FormulaOp::input:
+        *end++ = inputs[step.of];
+        continue;
+      case FormulaOp::add:
+        --end;
+        end[-1] = end[-1] + end[0];
+        continue;
+      case FormulaOp::subtract:
+        --end;
+        end[-1] = end[-1] - end[0];
+        continue;
+      case FormulaOp::multiply:
+        --end;
+        end[-1] = end[-1] * end[0];
+        continue;
+      case FormulaOp::curve:
+        end[-1] = formula::curve(end[-1], points_at(numbers, step.of));
+        continue;
+      default:
         break;
+    }
+    switch (operands_of(step.op)) {
       case 1:
-        end[-1] = step.op == FormulaOp::curve ? formula_curve(end[-1], points_at(numbers, step.of))
-                                              : of_one(step.op, end[-1]);
+        end[-1] = of_one(step.op, end[-1]);
         break;
       case 2:
         --end;
@@ -148,21 +163,27 @@ double evaluate(std::span<const FormulaStep> steps, std::span<const double> numb
   return stack[0];
 }
 
-double formula_sign(double x) noexcept { return x > 0 ? 1.0 : x < 0 ? -1.0 : x; }
+}  // namespace symplant::tables
 
-double formula_round(double x) noexcept { return std::nearbyint(x); }
+namespace symplant::tables::formula {
 
-double formula_min(double a, double b) noexcept { return b < a ? b : a; }
+double exp(double x) noexcept { return std::exp(x); }
+double ln(double x) noexcept { return std::log(x); }
+double sin(double x) noexcept { return std::sin(x); }
+double cos(double x) noexcept { return std::cos(x); }
+double tan(double x) noexcept { return std::tan(x); }
+double asin(double x) noexcept { return std::asin(x); }
+double acos(double x) noexcept { return std::acos(x); }
+double atan(double x) noexcept { return std::atan(x); }
+double pow(double x, double y) noexcept { return std::pow(x, y); }
+double mod(double x, double y) noexcept { return std::fmod(x, y); }
+double atan2(double y, double x) noexcept { return std::atan2(y, x); }
 
-double formula_max(double a, double b) noexcept { return a < b ? b : a; }
-
-double formula_wrap(double x, double low, double high) noexcept {
+double wrap(double x, double low, double high) noexcept {
   return x - (high - low) * std::floor((x - low) / (high - low));
 }
 
-double formula_limit(double x, double low, double high) noexcept { return formula_min(formula_max(x, low), high); }
-
-double formula_curve(double x, std::span<const double> points) noexcept {
+double curve(double x, std::span<const double> points) noexcept {
   if (std::isnan(x)) return x;
   if (x <= points[0]) return points[1];
   std::size_t below = 0;  // the last point with x at or below
@@ -177,4 +198,4 @@ double formula_curve(double x, std::span<const double> points) noexcept {
   return y0 + (x - x0) * (points[above * 2 + 1] - y0) / (points[above * 2] - x0);
 }
 
-}  // namespace symplant::tables
+}  // namespace symplant::tables::formula

@@ -45,25 +45,57 @@ class MalfunctionNumbers {
   std::uint32_t symbol(std::uint32_t number) const noexcept { return (number - first_symbol_) / 2; }
   bool is_on(std::uint32_t number) const noexcept { return (number - first_symbol_) % 2 != 0; }
 
-  /// The units of a written malfunction that slows or stops units; empty for other kinds.
-  std::span<const MalfunctionUnit> units_of(std::uint32_t written) const noexcept {
-    const MalfunctionRow& row = tables_.malfunctions.rows[written];
-    if (row.kind == MalfunctionKind::force) return {};
-    return tables_.malfunctions.units.subspan(row.of.first, row.of.count);
+  /// What an ordinary malfunction does: it is a `stuck` or `slower` of a unit, or a `force` of a symbol.
+  MalfunctionKind ordinary_kind(std::uint32_t number) const noexcept {
+    if (!is_of_unit(number)) return MalfunctionKind::force;
+    return (number - written_) % 2 == 0 ? MalfunctionKind::stuck : MalfunctionKind::slower;
   }
-  /// Whether a malfunction slows or stops a unit. O(log its units).
-  bool names_unit(std::uint32_t number, std::uint32_t unit) const noexcept {
-    if (!is_written(number)) return is_of_unit(number) && this->unit(number) == unit;
-    const auto units = units_of(number);
+
+  /// Whether a malfunction has an effect of this kind, `slower` or `stuck`, on a unit. O(effects * log their units).
+  bool acts_on(std::uint32_t number, MalfunctionKind kind, std::uint32_t unit) const noexcept {
+    if (!is_written(number)) return is_of_unit(number) && ordinary_kind(number) == kind && this->unit(number) == unit;
+    const auto effects = tables_.malfunctions.effects_of(number);
+    return std::any_of(effects.begin(), effects.end(),
+                       [&](const EffectRow& effect) { return effect.kind == kind && names_unit(effect, unit); });
+  }
+  /// Whether a malfunction has an effect of this kind, `slower` or `stuck`, on a track. O(effects * log their tracks).
+  bool acts_on_track(std::uint32_t number, MalfunctionKind kind, std::uint32_t track) const noexcept {
+    if (!is_written(number)) return false;
+    const auto effects = tables_.malfunctions.effects_of(number);
+    return std::any_of(effects.begin(), effects.end(),
+                       [&](const EffectRow& effect) { return effect.kind == kind && names_track(effect, track); });
+  }
+  /// Whether an effect names a unit. O(log its units).
+  bool names_unit(const EffectRow& effect, std::uint32_t unit) const noexcept {
+    const auto units = tables_.malfunctions.units_of(effect);
     const auto found = std::lower_bound(units.begin(), units.end(), unit,
                                         [](const MalfunctionUnit& a, std::uint32_t b) { return a.unit < b; });
     return found != units.end() && found->unit == unit;
   }
-
-  MalfunctionKind kind(std::uint32_t number) const noexcept {
-    if (is_written(number)) return tables_.malfunctions.rows[number].kind;
-    if (!is_of_unit(number)) return MalfunctionKind::force;
-    return (number - written_) % 2 == 0 ? MalfunctionKind::stuck : MalfunctionKind::slower;
+  /// Whether an effect slows or stops a track. O(log its tracks).
+  bool names_track(const EffectRow& effect, std::uint32_t track) const noexcept {
+    const auto tracks = tables_.malfunctions.tracks_of(effect);
+    return std::binary_search(tracks.begin(), tracks.end(), track);
+  }
+  /// Calls `function(symbol)` for each symbol that a malfunction forces or lets flicker, in the order of its effects.
+  template <class Function>
+  void for_symbols(std::uint32_t number, Function function) const {
+    if (!is_written(number)) {
+      if (!is_of_unit(number)) function(symbol(number));
+      return;
+    }
+    for (const EffectRow& effect : tables_.malfunctions.effects_of(number)) {
+      if (effect.kind == MalfunctionKind::flicker) function(effect.subject);
+      for (const MalfunctionForce& force : tables_.malfunctions.forces_of(effect)) function(force.symbol);
+    }
+  }
+  /// Whether a malfunction cuts the link of a controller. O(effects).
+  bool cuts(std::uint32_t number, std::uint32_t controller) const noexcept {
+    if (!is_written(number)) return false;
+    const auto effects = tables_.malfunctions.effects_of(number);
+    return std::any_of(effects.begin(), effects.end(), [controller](const EffectRow& effect) {
+      return effect.kind == MalfunctionKind::lose && effect.subject == controller;
+    });
   }
 
  private:

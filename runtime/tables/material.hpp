@@ -54,6 +54,10 @@ struct DriveRow {
 
   /// Whether the speed is not constant.
   constexpr bool varies() const noexcept { return symbol != 0xFFFF'FFFF || output != 0xFFFF'FFFF; }
+  /// Whether its speed alone says where it moves.
+  constexpr bool always_forward() const noexcept {
+    return varies() && forward == 0xFFFF'FFFF && backward == 0xFFFF'FFFF;
+  }
 };
 
 /// While its condition holds, no part passes.

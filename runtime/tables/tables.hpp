@@ -85,6 +85,7 @@ struct RandomTime {
   enum class Kind : std::uint8_t {
     uniform,  ///< on [a, b], both >= 0, a <= b
     normal,   ///< mean a >= 0, standard deviation b >= 0, cut at 0
+    seconds,  ///< of a transition: not drawn, but the result of formula a of ValueTables::formulas
   };
   Kind kind;
   Time a;
@@ -205,10 +206,12 @@ struct RequirementRow {
   Time earliest = 0;            ///< `expected` must not hold before; 0 to `within`
 };
 
-/// A BOOL event that no unit drives and that is on while a condition holds.
+/// A BOOL event that no unit drives and that is on while a condition holds. With `off` it is switched on while
+/// `condition` holds and off while `off` holds, which has priority; it starts off.
 struct FollowRow {
-  std::uint32_t symbol;
-  std::uint32_t condition;
+  std::uint32_t symbol = 0;
+  std::uint32_t condition = 0;
+  std::uint32_t off = kNone;  ///< a condition; kNone: none
 };
 
 /// A `held` unit for which a command to the state that it has reached is a finding after this time.

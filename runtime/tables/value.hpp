@@ -3,6 +3,8 @@
 // A value has one output, or several if it is `linear`; outputs are numbered in the order of their values.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -29,6 +31,30 @@ enum class ValueKind : std::uint8_t {
   pid,
   linear,  ///< a discrete state-space model
 };
+
+/// The keys of plant.json, by ValueKind; a parameter has none there.
+inline constexpr std::array<std::string_view, 11> kValueKindNames{
+    "parameter", "integral", "lag", "ramp", "delay", "derivative", "is", "position", "noise", "pid", "linear"};
+static_assert(static_cast<std::size_t>(ValueKind::linear) + 1 == kValueKindNames.size());
+
+constexpr std::string_view value_kind_name(ValueKind kind) noexcept {
+  return kValueKindNames[static_cast<std::size_t>(kind)];
+}
+
+/// Whether the output stays until a step or a jump changes it: such a value has a start, may jump and may be set.
+constexpr bool keeps_its_output(ValueKind kind) noexcept {
+  return kind == ValueKind::parameter || kind == ValueKind::integral || kind == ValueKind::lag ||
+         kind == ValueKind::ramp;
+}
+
+/// Whether it stores the results of its formulas, and makes its next step from them.
+constexpr bool makes_steps(ValueKind kind) noexcept {
+  return kind == ValueKind::integral || kind == ValueKind::lag || kind == ValueKind::ramp || kind == ValueKind::delay ||
+         kind == ValueKind::linear;
+}
+
+/// Whether its outputs are worked out at each computation, in ValueTables::order.
+constexpr bool is_computed(ValueKind kind) noexcept { return !keeps_its_output(kind) && kind != ValueKind::delay; }
 
 /// What a step of a formula does with the numbers on its stack: a formula is in postfix form. Comparisons, `all`, `any`
 /// and `no` give 0 or 1.
@@ -102,6 +128,13 @@ struct FormulaRow {
   Rows inputs;
 };
 
+/// A formula as compiled code.
+struct CompiledFormula {
+  /// Input i of FormulaRow::inputs is numbers[slots[i]].
+  double (*call)(const double* numbers, const std::uint32_t* slots) noexcept = nullptr;
+  bool replaced = false;  ///< it is the user's and not what the description says
+};
+
 /// Jumps of a value: when the condition begins to hold, the output becomes the result of the formula.
 struct ChangeRow {
   std::uint32_t condition = 0;
@@ -128,7 +161,15 @@ struct ValueRow {
   std::uint32_t outputs = 1;   ///< `linear`: more than one is possible
   bool direct = false;         ///< `linear`: it has d
   Rows changes;
+
+  /// Its outputs before the first computation, within its limits and never -0.
+  constexpr double start_output() const noexcept {
+    const double from = kind == ValueKind::linear ? 0 : start;
+    return (from < min ? min : from > max ? max : from) + 0.0;
+  }
 };
+
+inline constexpr std::size_t kMostLinear = 16;  ///< states, inputs and outputs of a `linear` value, each
 
 /// Writes a formula to a numeric event.
 struct SignalRow {
@@ -164,7 +205,7 @@ struct ComparisonRow {
   Comparison comparison{};
 };
 
-/// Empty in a plant without values and signals.
+/// Empty in a plant without values, signals, comparisons of two operands and times by formulas.
 struct ValueTables {
   std::span<const ValueRow> rows;
   std::span<const std::uint32_t> order;  ///< of the values that are computed from others, each after those it reads
@@ -172,6 +213,7 @@ struct ValueTables {
   std::span<const SignalRow> signals;
   std::span<const FormulaRow> formulas;
   std::span<const FormulaStep> steps;
+  std::span<const CompiledFormula> compiled;  ///< by formula; empty: the steps are worked out
   std::span<const FormulaInput> inputs;
   std::span<const double> numbers;
   std::span<const ComparisonRow> comparisons;
@@ -179,7 +221,7 @@ struct ValueTables {
   std::string_view names;          ///< a value: its name, then its unit
   std::string_view formula_texts;  ///< a formula: as the description has it
 
-  bool empty() const noexcept { return rows.empty() && signals.empty() && comparisons.empty(); }
+  bool empty() const noexcept { return rows.empty() && formulas.empty() && comparisons.empty(); }
 };
 
 }  // namespace symplant::tables

@@ -214,7 +214,15 @@ std::string of_left_out(const FoundThing& found, const PlantNames& names) {
 
 /// A loop has either malfunctions or none.
 bool has_malfunctions(const FoundThing& loop, const PlantNames& names) {
-  return loop.of.front() >= tables::first_malfunction_of_loop(names.tables());
+  const std::uint32_t member = loop.of.front();
+  return member >= tables::first_malfunction_of_loop(names.tables()) &&
+         member < tables::first_value_of_loop(names.tables());
+}
+
+/// A loop of values may have devices, too.
+bool has_values(const FoundThing& loop, const PlantNames& names) {
+  return std::any_of(loop.of.begin(), loop.of.end(),
+                     [&](std::uint32_t member) { return member >= tables::first_value_of_loop(names.tables()); });
 }
 
 std::string of_loop(const FoundThing& found, const PlantNames& names) {
@@ -225,6 +233,12 @@ std::string of_loop(const FoundThing& found, const PlantNames& names) {
         "the "
         "run ends; check for times of almost 0, and for a `when` that names what the malfunction changes",
         one ? "" : "s", name_of(found, names), one ? "starts" : "start", one ? "ends" : "end", one ? "stays" : "stay");
+  }
+  if (has_values(found, names)) {
+    return fmt::format(
+        "instantaneous loop: {} {} again and again without time passing and {} frozen until the run ends; check for "
+        "`changes` with conditions that depend on what they set",
+        name_of(found, names), one ? "changes" : "change", one ? "is" : "are");
   }
   return fmt::format(
       "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "symplant/trace/value_traces.hpp"
+
 namespace symplant::trace {
 
 History::History(const PlantNames& names)
@@ -31,9 +33,9 @@ History::History(const PlantNames& names)
     if (symbol.inverted() && symbol.direction() == tables::Direction::operation) rose_[risen(i)] = 1;
   }
   for (const tables::ValueRow& row : tables.values.rows) {
-    const double start = row.kind == tables::ValueKind::linear ? 0 : row.start;
-    outputs_.insert(outputs_.end(), row.outputs, std::clamp(start, row.min, row.max));
+    outputs_.insert(outputs_.end(), row.outputs, row.start_output());
   }
+  traces_ = traces_of(tables.values);
   units_.reserve(tables.units.size());
   for (const tables::UnitRow& unit : tables.units) {
     units_.push_back(static_cast<std::uint32_t>(unit.initial | unit.initial << 8));
@@ -120,6 +122,7 @@ void History::load(const plant::Plant& plant) {
     const auto word = static_cast<std::uint32_t>(pack_unit(plant.unit(u)));
     if (word != units_[u]) apply({plant.now(), word, u, Record::Kind::unit});
   }
+  for (std::uint32_t o = 0; o < outputs_.size(); ++o) outputs_[o] = plant.output(o);
   forget_after(plant.now());
   malfunctions_.clear();
   for (const engine::ActiveMalfunction& one : plant.active_malfunctions()) {

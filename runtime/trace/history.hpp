@@ -40,8 +40,9 @@ class History {
   const std::vector<Malfunction>& malfunctions() const { return malfunctions_; }
 
   std::uint64_t value(std::uint32_t symbol) const;
-  /// An output of a value, as last recorded; before that as at the start.
+  /// An output of a value, as last recorded; before that as at the start. Valid if records show it.
   double output(std::uint32_t output) const { return outputs_[output]; }
+  bool shows(std::uint32_t output) const { return traces_[output] != 0; }
   /// Whether an operation commands: it is on, or an inverted one is off; a number is not 0.
   bool commands(std::uint32_t operation) const;
   /// A part at a location.
@@ -84,7 +85,8 @@ class History {
   Record part_;                                   ///< the last record of a part, whose part_move is next
   std::map<std::uint32_t, tables::Time> forced_;  ///< a symbol -> since when
   std::vector<Malfunction> malfunctions_;
-  std::vector<double> outputs_;  ///< of values
+  std::vector<double> outputs_;       ///< of values
+  std::vector<tables::Time> traces_;  ///< as traces_of()
 };
 
 }  // namespace symplant::trace

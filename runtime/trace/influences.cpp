@@ -29,21 +29,13 @@ std::string malfunctions_that(const PlantNames& names, ActiveMalfunctions active
 /// Those of a kind that name a unit.
 std::string of_kind(MalfunctionKind kind, std::uint32_t unit, const PlantNames& names, ActiveMalfunctions active) {
   const MalfunctionNumbers numbers(names.tables());
-  return malfunctions_that(names, active, [&](std::uint32_t number) {
-    return numbers.kind(number) == kind && numbers.names_unit(number, unit);
-  });
+  return malfunctions_that(names, active, [&](std::uint32_t number) { return numbers.acts_on(number, kind, unit); });
 }
 
 bool overrides(std::uint32_t malfunction, std::uint32_t symbol, const tables::PlantTables& tables) {
-  const MalfunctionNumbers numbers(tables);
-  if (!numbers.is_written(malfunction)) {
-    return !numbers.is_of_unit(malfunction) && numbers.symbol(malfunction) == symbol;
-  }
-  const tables::MalfunctionRow& row = tables.malfunctions.rows[malfunction];
-  if (row.kind == MalfunctionKind::flicker) return row.subject == symbol;
-  if (row.kind != MalfunctionKind::force) return false;
-  return std::ranges::any_of(tables.malfunctions.forces.subspan(row.of.first, row.of.count),
-                             [symbol](const tables::MalfunctionForce& force) { return force.symbol == symbol; });
+  bool found = false;
+  MalfunctionNumbers(tables).for_symbols(malfunction, [&](std::uint32_t other) { found = found || other == symbol; });
+  return found;
 }
 
 }  // namespace
@@ -60,6 +52,32 @@ std::string slowing_malfunctions(std::uint32_t unit, const PlantNames& names, Ac
   return of_kind(MalfunctionKind::slower, unit, names, active);
 }
 
+std::string stopping_malfunctions(std::uint32_t track, const PlantNames& names, ActiveMalfunctions active) {
+  const MalfunctionNumbers numbers(names.tables());
+  return malfunctions_that(names, active, [&](std::uint32_t number) {
+    return numbers.acts_on_track(number, MalfunctionKind::stuck, track);
+  });
+}
+
+std::string braking_malfunctions(std::uint32_t track, const PlantNames& names, ActiveMalfunctions active) {
+  const MalfunctionNumbers numbers(names.tables());
+  return malfunctions_that(names, active, [&](std::uint32_t number) {
+    return numbers.acts_on_track(number, MalfunctionKind::slower, track);
+  });
+}
+
+std::string holding_malfunction(std::uint32_t value, const PlantNames& names, ActiveMalfunctions active) {
+  const tables::MalfunctionTables& all = names.tables().malfunctions;
+  const MalfunctionNumbers numbers(names.tables());
+  const auto holds = [&](const tables::EffectRow& effect) {
+    return std::ranges::any_of(all.sets_of(effect), [&](const auto& set) { return set.value == value; });
+  };
+  const auto last = std::find_if(active.rbegin(), active.rend(), [&](const History::Malfunction& one) {
+    return numbers.is_written(one.number) && std::ranges::any_of(all.effects_of(one.number), holds);
+  });
+  return last == active.rend() ? "" : malfunction_words(last->number, names);
+}
+
 std::string overriding_malfunction(std::uint32_t symbol, const PlantNames& names, ActiveMalfunctions active) {
   const auto last = std::find_if(active.rbegin(), active.rend(), [&](const History::Malfunction& one) {
     return overrides(one.number, symbol, names.tables());
@@ -69,10 +87,7 @@ std::string overriding_malfunction(std::uint32_t symbol, const PlantNames& names
 
 std::string cutting_malfunctions(std::uint32_t controller, const PlantNames& names, ActiveMalfunctions active) {
   const MalfunctionNumbers numbers(names.tables());
-  return malfunctions_that(names, active, [&](std::uint32_t number) {
-    return numbers.kind(number) == MalfunctionKind::lose &&
-           names.tables().malfunctions.rows[number].subject == controller;
-  });
+  return malfunctions_that(names, active, [&](std::uint32_t number) { return numbers.cuts(number, controller); });
 }
 
 Influences& Influences::holding(std::uint32_t unit) {

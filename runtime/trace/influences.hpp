@@ -24,6 +24,14 @@ std::string disabling_malfunctions(std::uint32_t unit, const PlantNames& names, 
 /// As disabling_malfunctions(), those that slow a unit.
 std::string slowing_malfunctions(std::uint32_t unit, const PlantNames& names, ActiveMalfunctions active);
 
+/// Those that stop, or slow, the drives of a track.
+std::string stopping_malfunctions(std::uint32_t track, const PlantNames& names, ActiveMalfunctions active);
+std::string braking_malfunctions(std::uint32_t track, const PlantNames& names, ActiveMalfunctions active);
+
+/// "malfunction `gust`": the one that started last of those that hold a parameter; empty if it is free. O(active
+/// malfunctions * parameters of one).
+std::string holding_malfunction(std::uint32_t value, const PlantNames& names, ActiveMalfunctions active);
+
 /// "malfunction `wire`": the one that started last of those that override a symbol; empty if there is none.
 /// O(active malfunctions * symbols of one).
 std::string overriding_malfunction(std::uint32_t symbol, const PlantNames& names, ActiveMalfunctions active);

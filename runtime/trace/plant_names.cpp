@@ -67,9 +67,15 @@ std::string_view PlantNames::loop_member(std::uint32_t of) const {
   return within(malfunctions_.size()) ? malfunctions_[rest] : value(static_cast<std::uint32_t>(rest));
 }
 
+std::uint32_t PlantNames::value_of(std::uint32_t output) const {
+  const auto& rows = tables_.values.rows;
+  const auto after = std::upper_bound(rows.begin(), rows.end(), output,
+                                      [](std::uint32_t of, const tables::ValueRow& row) { return of < row.output; });
+  return static_cast<std::uint32_t>(after - rows.begin()) - 1;
+}
+
 std::string PlantNames::output(std::uint32_t output) const {
-  std::uint32_t v = 0;
-  while (v + 1 < tables_.values.rows.size() && tables_.values.rows[v + 1].output <= output) ++v;
+  const std::uint32_t v = value_of(output);
   const tables::ValueRow& row = tables_.values.rows[v];
   std::string name(value(v));
   return row.outputs == 1 ? name : name + "[" + std::to_string(output - row.output + 1) + "]";
@@ -81,7 +87,7 @@ std::string PlantNames::malfunction(std::uint32_t number) const {
   if (!numbers.is_of_unit(number)) {
     return std::string(symbol(numbers.symbol(number))) + (numbers.is_on(number) ? " stuck on" : " stuck off");
   }
-  const bool stuck = numbers.kind(number) == tables::MalfunctionKind::stuck;
+  const bool stuck = numbers.ordinary_kind(number) == tables::MalfunctionKind::stuck;
   return std::string(unit(numbers.unit(number))) + (stuck ? " stuck" : " slow");
 }
 

@@ -38,7 +38,9 @@ class PlantNames {
   std::string_view source(std::uint32_t source) const { return sources_[source]; }
   std::string_view value(std::uint32_t value) const { return values_[2 * std::size_t{value}]; }
   std::string_view unit_of_value(std::uint32_t value) const { return values_[2 * std::size_t{value} + 1]; }
-  /// `TANK.level`, or `BOOM[2]` for an output of a value with several. O(values).
+  /// The value of an output. O(log values).
+  std::uint32_t value_of(std::uint32_t output) const;
+  /// `TANK.level`, or `BOOM[2]` for an output of a value with several. O(log values).
   std::string output(std::uint32_t output) const;
   /// As tables::MalfunctionNumbers numbers them: a written name, or that of an ordinary one, `EXLINE_MB_AGV stuck`.
   std::string malfunction(std::uint32_t number) const;

@@ -32,6 +32,7 @@ class TraceReader {
     for (std::uint32_t k = 0; k < tables.material.kinds.size(); ++k) kinds_.emplace(names.part_kind(k), k);
     locations_.emplace("out", tables::kOut);
     for (std::uint32_t m = 0; m < tables.malfunctions.size(); ++m) malfunctions_.emplace(names.malfunction(m), m);
+    for (std::uint32_t o = 0; o < tables.values.outputs; ++o) outputs_.emplace(names.output(o), o);
     for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.emplace(names.unit(u), u);
   }
 
@@ -57,6 +58,7 @@ class TraceReader {
     if (lines.is_set_back()) return set_back(json, at);
     if (json.contains("symbol")) return take_change(json, at);
     if (json.contains("malfunction")) return take_malfunction(json, at);
+    if (json.contains("value")) return take_output(json, at);
     return json.contains("part") ? take_part(json, at) : std::string();  // other lines say nothing about the state
   }
 
@@ -144,6 +146,19 @@ class TraceReader {
     return value == "-inf" ? std::optional(std::bit_cast<std::uint64_t>(-kInfinity)) : std::nullopt;
   }
 
+  std::string take_output(const Json& json, tables::Time at) {
+    const auto number = json.find("is");
+    if (!json["value"].is_string() || number == json.end() || !number->is_number()) {
+      return "a value has a name and a number `is`";
+    }
+    const auto name = json["value"].get<std::string>();
+    const auto found = outputs_.find(name);
+    if (found == outputs_.end()) return unknown(name);
+    const auto bits = std::bit_cast<std::uint64_t>(number->get<double>());
+    read_.records.push_back({at, bits, found->second, Record::Kind::value});
+    return "";
+  }
+
   std::string take_part(const Json& json, tables::Time at) {
     const auto kind = find(kinds_, json, "kind");
     if (!json["part"].is_number_unsigned() || !json.contains("kind")) return "a part has a number and a `kind`";
@@ -211,6 +226,7 @@ class TraceReader {
   Index kinds_;
   Index units_;
   std::unordered_map<std::string, std::uint32_t> malfunctions_;  ///< those of the description
+  std::unordered_map<std::string, std::uint32_t> outputs_;       ///< of values
   ReadTrace read_;
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "symplant/trace/value_traces.hpp"
+
 namespace symplant::trace {
 namespace {
 
@@ -26,28 +28,6 @@ std::size_t movers_in(const tables::MaterialTables& material) {
 /// Not the bits of an output, which is finite.
 constexpr std::uint64_t kNeverRecorded = ~std::uint64_t{0};
 
-/// How often a trace shows each output. Of several outputs those that a formula or a condition names, else the first.
-std::vector<tables::Time> traces_of(const tables::ValueTables& values) {
-  std::vector<tables::Time> traces(values.outputs, 0);
-  std::vector<bool> named(values.outputs, false);
-  for (const tables::FormulaInput& input : values.inputs) {
-    if (input.kind == tables::FormulaInputKind::output) named[input.of] = true;
-  }
-  for (const tables::ComparisonRow& row : values.comparisons) {
-    for (const tables::Operand& operand : {row.left, row.right}) {
-      if (operand.kind == tables::Operand::Kind::output) named[operand.of] = true;
-    }
-  }
-  for (const tables::ValueRow& row : values.rows) {
-    bool any = false;
-    for (std::uint32_t o = row.output; o < row.output + row.outputs; ++o) any = any || named[o];
-    for (std::uint32_t o = row.output; o < row.output + row.outputs; ++o) {
-      if (row.outputs == 1 || (any ? named[o] : o == row.output)) traces[o] = row.trace;
-    }
-  }
-  return traces;
-}
-
 }  // namespace
 
 std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables, Detail detail) {
@@ -69,6 +49,11 @@ std::size_t Recorder::enough_for_a_loop(const tables::PlantTables& tables, Detai
   // In a round each work changes each part at most.
   const std::size_t in_round = movers_in(material) + (material.work.empty() ? 0 : parts_in(material));
   const std::size_t enough = enough_for_an_instant(tables, detail);
+  // A malfunction that ends its own `while` starts and ends 10,000 times at one time.
+  const auto& malfunctions = tables.malfunctions.rows;
+  if (std::any_of(malfunctions.begin(), malfunctions.end(), [](const auto& row) { return row.during; })) {
+    return std::max(enough, kMost);
+  }
   return std::max(enough, std::min(kMost, enough + 2 * kRounds * in_round));
 }
 

@@ -27,8 +27,8 @@ class Recorder final : public engine::Observer {
 
   /// Allocates `capacity` records, rounded up to a power of two. Records that do not fit are counted as lost.
   Recorder(const tables::PlantTables& tables, std::size_t capacity, Detail detail = Detail::changes);
-  /// A capacity that loses nothing if the ring is drained after each instant, unless parts are in an instantaneous
-  /// loop.
+  /// A capacity that loses nothing if the ring is drained after each instant, unless parts or malfunctions are in an
+  /// instantaneous loop.
   static std::size_t enough_for_an_instant(const tables::PlantTables& tables, Detail detail = Detail::changes);
   /// The same, also with such a loop, up to 4 million records.
   static std::size_t enough_for_a_loop(const tables::PlantTables& tables, Detail detail = Detail::changes);

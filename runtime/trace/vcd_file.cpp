@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "symplant/trace/value_text.hpp"
+#include "symplant/trace/value_traces.hpp"
 #include "symplant/trace/vcd_header.hpp"
 
 namespace symplant::trace {
@@ -107,7 +108,10 @@ void VcdFile::begin(tables::Time time, const History& history) {
     if (one.number < active.size()) active[one.number] = true;
   }
   for (std::uint32_t m = 0; m < active.size(); ++m) put_malfunction(m, active[m]);
-  for (std::uint32_t output = 0; output < tables.values.outputs; ++output) put_output(output, history.output(output));
+  const std::vector<tables::Time> traces = traces_of(tables.values);
+  for (std::uint32_t output = 0; output < traces.size(); ++output) {
+    if (traces[output] != 0) put_output(output, history.output(output));
+  }
   file_.put("$end\n");
 }
 

@@ -7,6 +7,7 @@
 
 #include "symplant/tables/version.hpp"
 #include "symplant/trace/value_text.hpp"
+#include "symplant/trace/value_traces.hpp"
 
 namespace symplant::trace {
 namespace {
@@ -75,7 +76,9 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
     text += fmt::format("$var {} {} {} $end\n", material.is_track(location) ? "integer 32" : "string 1",
                         vcd_identifier(first + location), vcd_name(names.location(location)));
   }
-  for (std::uint32_t output = 0; is_root && output < names.tables().values.outputs; ++output) {
+  const std::vector<tables::Time> traces = is_root ? traces_of(names.tables().values) : std::vector<tables::Time>();
+  for (std::uint32_t output = 0; output < traces.size(); ++output) {
+    if (traces[output] == 0) continue;
     text += fmt::format("$var real 64 {} {} $end\n", vcd_identifier(first_output(names.tables()) + output),
                         vcd_name(names.output(output)));
   }

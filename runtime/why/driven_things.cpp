@@ -24,6 +24,8 @@ std::string reader_words(const SymbolReader& reader, const trace::PlantNames& na
       return named("source ", names.source(reader.index));
     case SymbolReader::Kind::malfunction:
       return named("malfunction ", names.malfunction(reader.index));
+    case SymbolReader::Kind::value:
+      return named("value ", names.value(reader.index));
     case SymbolReader::Kind::unit:
     case SymbolReader::Kind::behavior:
       break;

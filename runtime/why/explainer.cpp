@@ -1,6 +1,8 @@
 // Finds things by name, and explains them.
 #include "symplant/why/explainer.hpp"
 
+#include <deque>
+
 #include "symplant/condition/truth_table.hpp"
 #include "symplant/tables/ascii.hpp"
 #include "symplant/tables/nearest.hpp"
@@ -11,7 +13,7 @@
 namespace symplant::why {
 namespace {
 
-/// Calls `use(reference, name)` for everything that has a name.
+/// Calls `use(reference, name)` for everything that has a name. The name may be gone after the call.
 template <class Use>
 void for_each_thing(const trace::PlantNames& names, Use use) {
   const tables::PlantTables& tables = names.tables();
@@ -26,6 +28,7 @@ void for_each_thing(const trace::PlantNames& names, Use use) {
   all(Kind::transfer, tables.material.transfers.size(), [&](std::uint32_t i) { return names.transfer(i); });
   all(Kind::work, tables.material.work.size(), [&](std::uint32_t i) { return names.work(i); });
   all(Kind::source, tables.material.sources.size(), [&](std::uint32_t i) { return names.source(i); });
+  all(Kind::value, tables.values.outputs, [&](std::uint32_t i) { return names.output(i); });
 }
 
 }  // namespace
@@ -43,7 +46,8 @@ std::vector<Reference> things_named(std::string_view name, const trace::PlantNam
 
 std::string nearest_thing(std::string_view name, const trace::PlantNames& names) {
   tables::NearestName nearest(name);
-  for_each_thing(names, [&](const Reference&, std::string_view other) { nearest.offer(other); });
+  std::deque<std::string> kept;  // `nearest` refers to them
+  for_each_thing(names, [&](const Reference&, std::string_view other) { nearest.offer(kept.emplace_back(other)); });
   return std::string(nearest.name());
 }
 

@@ -32,7 +32,8 @@ std::vector<PartState> RecordedView::parts(std::uint32_t location) const {
 }
 
 std::optional<double> RecordedView::output(std::uint32_t output) const {
-  return plant_ != nullptr ? plant_->output(output) : history_.output(output);
+  if (plant_ != nullptr) return plant_->output(output);
+  return history_.shows(output) ? std::optional(history_.output(output)) : std::nullopt;
 }
 
 std::optional<double> RecordedView::weight(std::uint32_t location) const {

@@ -2,6 +2,7 @@
 #include "symplant/why/symbol_use.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 namespace symplant::why {
@@ -37,20 +38,75 @@ SymbolReader reader_in_material(const tables::MaterialTables& material, const ta
           })};
 }
 
+bool has(const tables::Rows& rows, std::uint32_t index) {
+  return index >= rows.first && index < rows.first + rows.count;
+}
+
+/// The value that has a row of its changes.
+SymbolReader value_with_change(const tables::ValueTables& values, std::uint32_t change) {
+  const auto has_it = [&](const tables::ValueRow& row) { return has(row.changes, change); };
+  const auto found = std::find_if(values.rows.begin(), values.rows.end(), has_it);
+  return {SymbolReader::Kind::value, static_cast<std::uint32_t>(found - values.rows.begin())};
+}
+
+/// The first unit with a transition whose time is a formula.
+std::optional<SymbolReader> unit_with_time(const PlantTables& tables, std::uint32_t formula) {
+  const auto is_it = [&](tables::Time time) {
+    if (time >= 0) return false;
+    const tables::RandomTime& row = tables.random_times[static_cast<std::size_t>(-1 - time)];
+    return row.kind == tables::RandomTime::Kind::seconds && row.a == formula;
+  };
+  for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
+    const tables::TypeRow& type = tables.types[tables.units[unit].type];
+    for (const tables::Transition& transition : type.transitions) {
+      const bool own = (transition.dt & tables::kOfDevice) != 0;
+      const auto index = static_cast<std::uint32_t>(transition.dt & ~tables::kOfDevice);
+      const tables::TransitionTimes& times = own ? tables.times[tables.units[unit].times + index] : type.times[index];
+      if (is_it(times.after) || is_it(times.takes)) return SymbolReader{SymbolReader::Kind::unit, unit};
+    }
+  }
+  return {};
+}
+
+/// What computes the formula that has an input.
+std::optional<SymbolReader> reader_by_formula(const PlantTables& tables, std::uint32_t input) {
+  const tables::ValueTables& values = tables.values;
+  const auto reads = [&](const tables::FormulaRow& row) { return has(row.inputs, input); };
+  const auto formula = static_cast<std::uint32_t>(std::find_if(values.formulas.begin(), values.formulas.end(), reads) -
+                                                  values.formulas.begin());
+  for (const tables::SignalRow& row : values.signals) {
+    if (row.formula == formula) return SymbolReader{SymbolReader::Kind::event, row.symbol};
+  }
+  for (std::uint32_t change = 0; change < values.changes.size(); ++change) {
+    if (values.changes[change].formula == formula) return value_with_change(values, change);
+  }
+  for (std::uint32_t value = 0; value < values.rows.size(); ++value) {
+    const tables::ValueRow& row = values.rows[value];
+    if (has({row.formula, row.formulas}, formula)) return SymbolReader{SymbolReader::Kind::value, value};
+  }
+  return unit_with_time(tables, formula);
+}
+
 /// What reads a condition, through the network of conditions that it is part of.
-SymbolReader reader_of(const PlantTables& tables, std::uint32_t condition) {
+std::optional<SymbolReader> reader_of(const PlantTables& tables, std::uint32_t condition) {
   const tables::ConditionRow* row = &tables.conditions[condition];
   while (row->reader_kind == tables::ReaderKind::condition) {
     condition = row->reader;
     row = &tables.conditions[condition];
   }
-  if (row->reader_kind == tables::ReaderKind::requirement) return {SymbolReader::Kind::requirement, row->reader};
-  if (row->reader_kind == tables::ReaderKind::follow) {
-    return {SymbolReader::Kind::event, tables.follows[row->reader].symbol};
+  if (row->reader_kind == tables::ReaderKind::requirement) {
+    return SymbolReader{SymbolReader::Kind::requirement, row->reader};
   }
-  if (row->reader_kind == tables::ReaderKind::malfunction) return {SymbolReader::Kind::malfunction, row->reader};
+  if (row->reader_kind == tables::ReaderKind::follow) {
+    return SymbolReader{SymbolReader::Kind::event, tables.follows[row->reader].symbol};
+  }
+  if (row->reader_kind == tables::ReaderKind::malfunction) {
+    return SymbolReader{SymbolReader::Kind::malfunction, row->reader};
+  }
+  if (row->reader_kind == tables::ReaderKind::change) return value_with_change(tables.values, row->reader);
+  if (row->reader_kind == tables::ReaderKind::formula_input) return reader_by_formula(tables, row->reader);
   if (row->reader_kind != tables::ReaderKind::unit) return reader_in_material(tables.material, *row);
-  return {SymbolReader::Kind::unit, row->reader};
+  return SymbolReader{SymbolReader::Kind::unit, row->reader};
 }
 
 /// Calls `use` with the readers of an operation's bit or slot.
@@ -58,7 +114,9 @@ template <typename Watch, typename Of, typename Use>
 void for_each_reader(const PlantTables& tables, std::span<const Watch> watches, Of of, std::uint32_t index, Use use) {
   auto at = std::lower_bound(watches.begin(), watches.end(), index,
                              [&](const Watch& watch, std::uint32_t value) { return of(watch) < value; });
-  for (; at != watches.end() && of(*at) == index; ++at) use(reader_of(tables, at->condition));
+  for (; at != watches.end() && of(*at) == index; ++at) {
+    if (const auto reader = reader_of(tables, at->condition)) use(*reader);
+  }
 }
 
 }  // namespace
@@ -111,6 +169,28 @@ void SymbolUse::find_drivers(const PlantTables& tables) {
   }
 }
 
+/// Formulas, and comparisons of two operands, of numeric operations.
+void SymbolUse::find_readers_of_numbers(const PlantTables& tables) {
+  std::vector<std::uint32_t> leader_of_slot(tables.operation_slots);
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
+    const tables::SymbolRow& symbol = tables.symbols[i];
+    const bool is_number = symbol.type() != tables::DataType::boolean;
+    if (is_number && symbol.direction() == tables::Direction::operation) leader_of_slot[symbol.index] = leader_[i];
+  }
+  const auto add = [&](std::uint32_t slot, const std::optional<SymbolReader>& reader) {
+    if (reader) readings_.push_back({leader_of_slot[slot], *reader});
+  };
+  for (std::uint32_t n = 0; n < tables.values.inputs.size(); ++n) {
+    const tables::FormulaInput& input = tables.values.inputs[n];
+    if (input.kind == tables::FormulaInputKind::operation_value) add(input.of, reader_by_formula(tables, n));
+  }
+  for (const tables::ComparisonRow& row : tables.values.comparisons) {
+    for (const tables::Operand* operand : {&row.left, &row.right}) {
+      if (operand->kind == tables::Operand::Kind::operation_value) add(operand->of, reader_of(tables, row.condition));
+    }
+  }
+}
+
 void SymbolUse::find_readers(const PlantTables& tables) {
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const tables::SymbolRow& symbol = tables.symbols[i];
@@ -125,6 +205,7 @@ void SymbolUse::find_readers(const PlantTables& tables) {
           symbol.index, add);
     }
   }
+  find_readers_of_numbers(tables);
   for (std::uint32_t d = 0; d < tables.material.drives.size(); ++d) {
     const std::uint32_t symbol = tables.material.drives[d].symbol;
     if (symbol == tables::kNone || tables.symbols[symbol].direction() != tables::Direction::operation) continue;

@@ -21,9 +21,11 @@ struct SymbolReader {
     work,         ///< on parts
     source,       ///< of parts
     malfunction,  ///< its `when` or `unless`
+    value,        ///< its formula, or the condition of a jump
   };
   Kind kind;
-  std::uint32_t index;  ///< of a unit, a requirement, a symbol, a malfunction, or a row of tables::MaterialTables
+  std::uint32_t
+      index;  ///< of a unit, a requirement, a symbol, a malfunction, a value, or a row of tables::MaterialTables
 
   friend bool operator==(const SymbolReader&, const SymbolReader&) = default;
 };
@@ -65,6 +67,7 @@ class SymbolUse {
   void find_leaders(const tables::PlantTables& tables);
   void find_drivers(const tables::PlantTables& tables);
   void find_readers(const tables::PlantTables& tables);
+  void find_readers_of_numbers(const tables::PlantTables& tables);
 
   std::vector<std::uint32_t> leader_;  ///< of each symbol; itself if its address has no other
   std::vector<SymbolDriver> drivers_;  ///< of leaders

@@ -29,7 +29,7 @@ Explanation Walk::thing(const Reference& thing) {
     case Reference::Kind::source:
       return source(thing.index);
     case Reference::Kind::value:
-      return value(thing.index);
+      return asked_value(thing.index);
     case Reference::Kind::part:
       break;
   }

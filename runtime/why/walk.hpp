@@ -131,7 +131,9 @@ class Walk {
   Explanation moved_unit(std::uint32_t operation, std::uint32_t unit);
   void add_event_of_unit(std::uint32_t symbol, std::uint32_t unit, Explanation& result);
   void add_sensor(std::uint32_t symbol, Explanation& result);
+  bool add_switch(const tables::FollowRow& row, const Network& on, Explanation& result);
   void add_follow(std::uint32_t symbol, Explanation& result);
+  void add_signal(std::uint32_t symbol, Explanation& result);
   Explanation reader(const SymbolReader& reader) const;
   Explanation requirement(std::uint32_t requirement);
 
@@ -148,6 +150,10 @@ class Walk {
   Explanation transfer(std::uint32_t transfer);
   Explanation work(std::uint32_t work);
   Explanation source(std::uint32_t source);
+
+  // Values (walk_value.cpp).
+  Explanation asked_value(std::uint32_t output);
+  std::string formula_of(const tables::ValueRow& row) const;
 
   const PlantIndex& index_;
   const tables::PlantTables& tables_;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "symplant/trace/finding_words.hpp"
+#include "symplant/trace/influences.hpp"
 #include "symplant/trace/value_text.hpp"
 #include "symplant/why/walk.hpp"
 
@@ -31,16 +32,15 @@ int Walk::direction_of_drive(std::uint32_t drive) const {
   const auto on = [&](std::uint32_t condition) {
     return condition != tables::kNone && holds(index_.conditions.network(condition), view_);
   };
-  const bool forward = on(row.forward);
-  const bool always = row.varies() && row.forward == tables::kNone && row.backward == tables::kNone;
-  if (!always && forward == on(row.backward)) return 0;
+  const bool forward = row.always_forward() || on(row.forward);
+  if (forward == on(row.backward)) return 0;
   double speed = 1;
   if (row.symbol != tables::kNone) {
     speed = speed_of(tables_.symbols[row.symbol].type(), view_.value(row.symbol), row.speed);
   }
   if (row.output != tables::kNone) speed = view_.output(row.output).value_or(0);
   const int direction = speed > 0 ? 1 : speed < 0 ? -1 : 0;
-  return forward || always ? direction : -direction;
+  return forward ? direction : -direction;
 }
 
 Explanation Walk::part(const Place& place) {
@@ -58,6 +58,8 @@ Explanation Walk::part(const Place& place) {
   if (part.speed != 0) {
     result.sentence +=
         fmt::format("moves {}at {}/s", part.speed < 0 ? "backward " : "", millimeters(std::abs(part.speed)));
+    const std::string slowed = trace::braking_malfunctions(place.track, names_, view_.malfunctions());
+    if (!slowed.empty()) result.sentence += ", slowed by " + slowed;
     return result;
   }
   result.sentence += "does not move";
@@ -76,6 +78,10 @@ void Walk::add_halt(const Place& place, Explanation& result) {
   const std::int64_t length = material.kinds[part.kind].length;
   if (view_.is_frozen_track(place.track).value_or(false)) {
     result.sentence += ": the track is in an instantaneous loop, and stays frozen until the run ends";
+    return;
+  }
+  if (const std::string by = trace::stopping_malfunctions(place.track, names_, view_.malfunctions()); !by.empty()) {
+    result.sentence += ": " + by + " stops its drives";
     return;
   }
   const std::uint32_t drive = track.drives.first + part.drive;
@@ -107,7 +113,11 @@ void Walk::add_halt(const Place& place, Explanation& result) {
     return;
   }
   const std::size_t other = direction > 0 ? place.index - 1 : place.index + 1;
-  if (other >= place.parts.size()) return;  // none is there
+  if (other >= place.parts.size()) {  // none is there: whole micrometers per second may be too many
+    const std::string by = trace::braking_malfunctions(place.track, names_, view_.malfunctions());
+    if (!by.empty()) result.sentence += ": " + by + " slows its drive to 0";
+    return;
+  }
   result.sentence += fmt::format(": part {} is in front of it", place.parts[other].number);
   append(result.because, causes(std::vector{other}, [&](std::size_t i) {
            return this->part({place.track, i, place.parts});

@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "symplant/tables/level.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/value_text.hpp"
+#include "symplant/why/formula_words.hpp"
 #include "symplant/why/walk.hpp"
 
 namespace symplant::why {
@@ -130,7 +132,9 @@ Explanation Walk::reader(const SymbolReader& reader) const {
     case SymbolReader::Kind::requirement:
       return of("requirement", fmt::format("`{}`", names_.requirement(reader.index)), Reference::Kind::requirement);
     case SymbolReader::Kind::event:
-      return of("the condition of", names_.symbol(reader.index), Reference::Kind::symbol);
+      return of(
+          tables_.symbols[reader.index].type() == tables::DataType::boolean ? "the condition of" : "the formula of",
+          names_.symbol(reader.index), Reference::Kind::symbol);
     case SymbolReader::Kind::track:
       return of("track", names_.location(reader.index), Reference::Kind::location);
     case SymbolReader::Kind::transfer:
@@ -139,6 +143,10 @@ Explanation Walk::reader(const SymbolReader& reader) const {
       return of("work", fmt::format("`{}`", names_.work(reader.index)), Reference::Kind::work);
     case SymbolReader::Kind::malfunction:
       return {fmt::format("malfunction `{}` reads it", names_.malfunction(reader.index)), {}, {}};
+    case SymbolReader::Kind::value:
+      return {fmt::format("value {} reads it", names_.value(reader.index)),
+              {{Reference::Kind::value, tables_.values.rows[reader.index].output}},
+              {}};
     case SymbolReader::Kind::source:
       break;
   }
@@ -179,12 +187,38 @@ void Walk::add_follow(std::uint32_t symbol, Explanation& result) {
   const auto row =
       std::lower_bound(tables_.follows.begin(), tables_.follows.end(), symbol,
                        [](const tables::FollowRow& follow, std::uint32_t of) { return follow.symbol < of; });
-  if (row == tables_.follows.end() || row->symbol != symbol) return;
+  if (row == tables_.follows.end() || row->symbol != symbol) return add_signal(symbol, result);
   const Network network = index_.conditions.network(row->condition);
+  if (row->off != tables::kNone && add_switch(*row, network, result)) return;
   if (add_need(result, ": it follows a condition that", network)) return;
   const condition::Tree changes = changes_of(network, view_);
   result.sentence += ": it follows a condition that holds";
   append(result.because, causes_of(changes));
+}
+
+/// A numeric event that shows a formula.
+void Walk::add_signal(std::uint32_t symbol, Explanation& result) {
+  const auto& signals = tables_.values.signals;
+  const auto row =
+      std::lower_bound(signals.begin(), signals.end(), symbol,
+                       [](const tables::SignalRow& signal, std::uint32_t of) { return signal.symbol < of; });
+  if (row == signals.end() || row->symbol != symbol) return;
+  const auto texts = tables::split_names(tables_.values.formula_texts);
+  result.sentence += ": it shows " + formula_words(row->formula, texts[row->formula], index_, view_);
+}
+
+/// A switch with hysteresis that does not show the condition that switches it on; false if it does.
+bool Walk::add_switch(const tables::FollowRow& row, const Network& on, Explanation& result) {
+  const Network off = index_.conditions.network(row.off);
+  if (holds(off, view_)) {
+    result.sentence += ": it is switched off by a condition that holds";
+    append(result.because, causes_of(changes_of(off, view_)));
+    return true;
+  }
+  const bool level = (view_.value(row.symbol) != 0) != tables_.symbols[row.symbol].inverted();
+  if (!level || holds(on, view_)) return false;
+  result.sentence += ": it was switched on";
+  return add_need(result, ", and switching it off", off);
 }
 
 /// Its state, and what it waits for.

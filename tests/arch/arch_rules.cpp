@@ -21,10 +21,10 @@ constexpr std::size_t kMostLines = 500;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 23> kGenerator = {
-    "base",    "text",  "diag",  "address", "read",    "name",  "description", "naming",
-    "pairing", "infer", "model", "score",   "convert", "lower", "check",       "findings",
-    "emit",    "view",  "diff",  "map",     "compare", "suite", "app"};
+constexpr std::array<std::string_view, 25> kGenerator = {
+    "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing",
+    "infer", "model", "score",   "convert", "lower", "check",    "findings",    "emit",   "view",
+    "diff",  "map",   "compare", "batch",   "suite", "campaign", "app"};
 constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "plant", "condition", "json",
                                                        "share",    "exec",    "link",  "trace",     "why",
                                                        "scenario", "program", "panel", "host"};
@@ -37,9 +37,9 @@ struct ElementFile {
 };
 constexpr std::array kElementFiles = {
     ElementFile{"given", "description"}, ElementFile{"modules", "description"}, ElementFile{"entry", "description"},
-    ElementFile{"lower", "lower"},       ElementFile{"rows", "emit"},           ElementFile{"skeleton", "emit"},
-    ElementFile{"json", "view"},         ElementFile{"words", "view"},          ElementFile{"html", "view"},
-    ElementFile{"drawing", "view"},
+    ElementFile{"file", "description"},  ElementFile{"lower", "lower"},         ElementFile{"rows", "emit"},
+    ElementFile{"skeleton", "emit"},     ElementFile{"functions", "emit"},      ElementFile{"json", "view"},
+    ElementFile{"words", "view"},        ElementFile{"html", "view"},           ElementFile{"drawing", "view"},
 };
 
 /// In the root of the runtime, as C programs include it; of the layer `program`.
@@ -67,7 +67,9 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"diff", " tables "},
     RuntimeUse{"map", " tables link trace why "},
     RuntimeUse{"compare", " tables trace "},
-    RuntimeUse{"suite", " tables json trace why program host "},
+    RuntimeUse{"batch", " program "},
+    RuntimeUse{"suite", " tables json trace why host "},
+    RuntimeUse{"campaign", " tables trace plant program host "},
     RuntimeUse{"app", " tables json link trace why scenario program panel host "},
 };
 

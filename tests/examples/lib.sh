@@ -21,6 +21,21 @@ fail() { # WHAT
   exit 1
 }
 
+# The command ends with the exit code and prints the text, which is also in $work/out and $work/err.
+says() { # CODE TEXT COMMAND...
+  local wanted=$1 text=$2 code=0
+  shift 2
+  "$@" >"$work/out" 2>"$work/err" || code=$?
+  ((code == wanted)) || fail "exit code $code, not $wanted: $*"
+  grep -qF -- "$text" "$work/out" "$work/err" || fail "no \`$text\` from: $*"
+}
+
+# Sets port to one on which nothing listens, from FIRST on.
+free_port() { # FIRST
+  port=$(($1 + RANDOM % 10000))
+  while (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; do port=$((port + 1)); done
+}
+
 # Tries a command until it succeeds, for a minute at most: the test does not depend on the speed of the machine.
 wait_until() { # WHAT COMMAND...
   local what=$1 try

@@ -6,14 +6,6 @@ set -euo pipefail
 examples=$1 symplant=$2 cell_plant=$3 cell=$4 press=$5 robot=$6 cc=$7 include=$8 repeats=$9
 list=$examples/excell/excell.csv
 
-# says CODE TEXT COMMAND...: the command ends with the exit code and prints the text, which may be empty.
-says() {
-  local wanted=$1 text=$2 code=0
-  shift 2
-  "$@" >"$work/out" 2>"$work/err" || code=$?
-  ((code == wanted)) || fail "exit code $code, not $wanted: $*"
-  grep -qF -- "$text" "$work/out" "$work/err" || fail "no \`$text\` from: $*"
-}
 run_cell() { # PROGRAM OPTION...
   local program=$1
   shift

@@ -5,8 +5,7 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 symplant=$1 program=$2 list=$3
 
-port=$((20000 + RANDOM % 10000))
-while (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; do port=$((port + 1)); done
+free_port 20000
 link=modbus-tcp-server://127.0.0.1:$port
 
 mkdir -p "$work/suite/setup"

@@ -5,13 +5,6 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 examples=$1 symplant=$2 cell=$3 cc=$4 include=$5
 
-says() { # CODE TEXT COMMAND...: the command ends with the exit code and prints the text
-  local wanted=$1 text=$2 code=0
-  shift 2
-  "$@" >"$work/out" 2>"$work/err" || code=$?
-  ((code == wanted)) || fail "exit code $code, not $wanted: $*"
-  grep -qF -- "$text" "$work/out" "$work/err" || fail "no \`$text\` from: $*"
-}
 changed() { # NAME SED_SCRIPT: the cell's program, changed
   sed "$2" "$examples/excell/program/cell.c" >"$work/$1.c"
   cmp -s "$examples/excell/program/cell.c" "$work/$1.c" && fail "$1: the script changes nothing"

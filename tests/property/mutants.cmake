@@ -91,6 +91,7 @@ symplant_planted_bug(engine bucket_with_several_due_times_handed_over
   "    if (!is_mixed(bucket)) {"
   "    if (BUG || !is_mixed(bucket)) {")
 
+set(SYMPLANT_FIRST_PLANT_OF_spring_returns_by_any_transition 2890)
 symplant_planted_bug(engine spring_returns_by_any_transition
   "returns ? transition.to == row.rest :"
   "returns ? BUG || transition.to == row.rest :")
@@ -113,8 +114,8 @@ symplant_planted_bug(engine overrun_counts_on_in_another_state
   "  const std::uint64_t kept = BUG || overrun.state == state.state ? overrun.commands & commands : 0;")
 
 symplant_planted_bug(engine frozen_symbol_still_follows
-  "    if (state.frozen != 0 || on == ((events_.made(bit / 64) & mask) != 0)) return;"
-  "    if ((!BUG && state.frozen != 0) || on == ((events_.made(bit / 64) & mask) != 0)) return;")
+  "    if (state.frozen != 0 || on == was) return;"
+  "    if ((!BUG && state.frozen != 0) || on == was) return;")
 
 symplant_planted_bug(engine touch_computed_once_too_few
   "  if (closing > 0 && distance > 0) p.speed_due"
@@ -183,13 +184,14 @@ symplant_planted_bug(engine tail_of_a_part_that_was_taken_is_seen
   "  if (!BUG) sensors_under_tail(track);
   tracks_[track].tail_on = 0;")
 
+set(SYMPLANT_FIRST_PLANT_OF_tails_read_in_the_order_of_the_ends 880)
 symplant_planted_bug(engine tails_read_in_the_order_of_the_ends
   "    if (seen == nullptr || is_further(p, *seen, time)) seen = &p;"
   "    if (seen == nullptr || (!BUG && is_further(p, *seen, time))) seen = &p;")
 
 symplant_planted_bug(engine drive_without_direction_stands
-  "  const bool always = row.varies()"
-  "  const bool always = !BUG && row.varies()")
+  "  const bool forward = row.always_forward() || (row"
+  "  const bool forward = (!BUG && row.always_forward()) || (row")
 
 # Of malfunctions.
 symplant_planted_bug(engine slower_changes_a_move_in_progress
@@ -197,15 +199,8 @@ symplant_planted_bug(engine slower_changes_a_move_in_progress
   "void Malfunctions::slow(std::uint32_t unit) noexcept { UnitState& state = engine_.units_[unit]; state.flags |= kSlowed | kGeneral; if (BUG && (state.flags & (kMoving | kTimed)) == (kMoving | kTimed)) engine_.set_wheel(unit, later(state.due, state.due - now())); }")
 
 symplant_planted_bug(engine slowed_unit_stays_on_the_fast_path
-  "  for_values(number, [this](std::uint32_t symbol, std::uint64_t) { override_again(symbol); });
-}
-
-void Malfunctions::release("
-  "  for_values(number, [this](std::uint32_t symbol, std::uint64_t) { override_again(symbol); });
-  if (BUG && kind == MalfunctionKind::slower) for_units(number, [this](std::uint32_t unit, std::uint8_t) { if (tables_.units[unit].general == 0 && engine_.index_.types[tables_.units[unit].type].plain) engine_.units_[unit].flags &= static_cast<std::uint16_t>(~kGeneral); });
-}
-
-void Malfunctions::release(")
+  "    effect.kind == MalfunctionKind::stuck ? stick(of.unit, of.state) : slow(of.unit);"
+  "    effect.kind == MalfunctionKind::stuck ? stick(of.unit, of.state) : slow(of.unit); if (BUG && effect.kind == MalfunctionKind::slower && tables_.units[of.unit].general == 0 && engine_.index_.types[tables_.units[of.unit].type].plain) engine_.units_[of.unit].flags &= static_cast<std::uint16_t>(~kGeneral);")
 
 symplant_planted_bug(engine slower_rounds_too_early
   "  const Wide product = static_cast<Wide>(time) * factor / 1000;"
@@ -225,35 +220,35 @@ symplant_planted_bug(engine remedied_by_what_held_before_the_start
   active_[head_->active++]")
 
 symplant_planted_bug(engine time_of_a_flicker_drawn_twice
-  "  override_again(row(number).subject);
-}"
-  "  override_again(row(number).subject);
-  if (BUG && state.shows == 0) state.flickers = after(number, row(number).every, MalfunctionStream::every);
-}")
+  "    override_again(effect.subject);
+  }"
+  "    override_again(effect.subject);
+    if (BUG && state.shows == 0) state.due = next_flicker(number, e);
+  }")
 
 symplant_planted_bug(engine malfunction_hides_a_force
   "  if (!engine_.is_forced(symbol)) engine_.override_symbol(symbol, override_of(symbol));"
   "  if (BUG || !engine_.is_forced(symbol)) engine_.override_symbol(symbol, override_of(symbol));")
 
 symplant_planted_bug(engine malfunction_that_started_first_wins
-  "      if (address_of(other) == address) to = {Override::Kind::value, true, value};"
-  "      if (address_of(other) == address && (!BUG || to.kind == Override::Kind::none)) to = {Override::Kind::value, true, value};")
+  "    if (address_of(other) == address) to = {Override::Kind::value, true, value};"
+  "    if (address_of(other) == address && (!BUG || to.kind == Override::Kind::none)) to = {Override::Kind::value, true, value};")
 
 symplant_planted_bug(engine flicker_shows_the_opposite_of_the_model
   "      to.value ^= 1;"
   "      if (BUG) to.kind = Override::Kind::opposite; else to.value ^= 1;")
 
 symplant_planted_bug(engine started_on_enabling_after_a_malfunction
-  "  if (!disabled) engine_.enable(unit, 0);"
-  "  if (!disabled) { engine_.enable(unit, BUG ? kEnabledNow : 0); if (BUG) engine_.suspects_ |= suspect(tables::FindingKind::started_on_enabling); }")
+  "  if (!disabled && (engine_.units_[unit].flags & kDisabled) != 0) engine_.enable(unit, 0);"
+  "  if (!disabled && (engine_.units_[unit].flags & kDisabled) != 0) { engine_.enable(unit, BUG ? kEnabledNow : 0); if (BUG) engine_.suspects_ |= suspect(tables::FindingKind::started_on_enabling); }")
 
 symplant_planted_bug(engine one_of_two_stuck_malfunctions_ends_both
   "--engine_.general_state(unit).disabled_by != 0 : is_stuck(unit);"
   "--engine_.general_state(unit).disabled_by != 0 : !BUG && is_stuck(unit);")
 
 symplant_planted_bug(engine malfunction_starts_while_its_condition_holds
-  "    if (begins && may_start) state.wishes |= kStarts;"
-  "    if ((BUG ? holds : begins) && may_start) state.wishes |= kStarts;")
+  "  if (begins && may_start) state.wishes |= kStarts;"
+  "  if ((BUG ? holds : begins) && may_start) state.wishes |= kStarts;")
 
 symplant_planted_bug(engine malfunction_that_has_lasted_becomes_another
   "    } else if (state.due <= now()) {
@@ -266,10 +261,26 @@ symplant_planted_bug(engine malfunction_that_has_lasted_becomes_another
       become(number);")
 
 symplant_planted_bug(engine chance_not_drawn_after_an_end
-  "    state.due = after(number, row(number).chance, MalfunctionStream::chance);
+  "    state.due = after(number, row(number).chance, kChanceStream);
   } else {"
-  "    state.due = BUG && by != By::end ? tables::kNever : after(number, row(number).chance, MalfunctionStream::chance);
+  "    state.due = BUG && by != By::end ? tables::kNever : after(number, row(number).chance, kChanceStream);
   } else {")
+
+symplant_planted_bug(engine event_holds_what_the_model_made
+  "  return (bits & bit_in_word(row.index)) != 0 ? 1 : 0;"
+  "  return ((BUG ? engine_.events_.made(word) ^ engine_.index_.inverted_events[word] : bits) & bit_in_word(row.index)) != 0 ? 1 : 0;")
+
+symplant_planted_bug(engine all_effects_begin_at_once
+  "    states_[number].begun = e + 1;"
+  "    states_[number].begun = BUG ? static_cast<std::uint32_t>(effects.size()) : e + 1;")
+
+symplant_planted_bug(engine stopped_while_starts_again_at_once
+  "  if (numbers_.is_written(number)) states_[number].waits = row(number).during ? 1 : 0;"
+  "  if (numbers_.is_written(number)) states_[number].waits = !BUG && row(number).during ? 1 : 0;")
+
+symplant_planted_bug(engine worn_belt_keeps_its_speed_until_a_command
+  "  for (const std::uint32_t track : tables_.malfunctions.tracks_of(effect)) engine_.flow_.drives_changed(track);"
+  "  if (!BUG) { for (const std::uint32_t track : tables_.malfunctions.tracks_of(effect)) engine_.flow_.drives_changed(track); }")
 
 # Of malfunctions that start and end without end.
 symplant_planted_bug(engine starts_of_an_earlier_millisecond_counted
@@ -292,47 +303,46 @@ symplant_planted_bug(engine loop_without_its_inactive_members
 get_property(names DIRECTORY PROPERTY symplant_planted_bugs)
 list(LENGTH names SYMPLANT_BUGS_WITHOUT_VALUES)
 symplant_planted_bug(engine stored_input_of_the_wrong_step
-  "  const double u = stored_[row.formula];"
-  "  const double u = BUG && row.kind == ValueKind::integral ? evaluate(row.formula) : stored_[row.formula];")
+  "  const double u = stored_[step.formula];"
+  "  const double u = BUG && step.kind == ValueKind::integral ? evaluate(step.formula) : stored_[step.formula];")
+
+symplant_planted_bug(engine parameter_forgets_what_was_set_while_it_was_held
+  "  if (states_[value].held != 0) *memory(value) = limited(number, row.min, row.max);"
+  "  if (!BUG && states_[value].held != 0) *memory(value) = limited(number, row.min, row.max);")
+
+symplant_planted_bug(engine drift_stops_with_its_input
+  "    if (row.noise == 0 && index_.timed_signals[signal] == 0 && drifts_[signal] == 0) sleep(rank);"
+  "    if (row.noise == 0 && index_.timed_signals[signal] == 0 && (BUG || drifts_[signal] == 0)) sleep(rank);")
+
+symplant_planted_bug(engine switch_is_on_while_both_conditions_hold
+  "    const bool on = (truth(row.condition) || stays) && (row.off == tables::kNone || !truth(row.off));"
+  "    const bool on = BUG ? truth(row.condition) || (stays && !truth(row.off)) : (truth(row.condition) || stays) && (row.off == tables::kNone || !truth(row.off));")
+
+symplant_planted_bug(engine time_by_a_formula_is_rounded
+  "  return static_cast<tables::Time>(std::floor(std::min(result, 1e9) * 1e9));"
+  "  return static_cast<tables::Time>((BUG ? std::nearbyint(std::min(result, 1e9) * 1e9) : std::floor(std::min(result, 1e9) * 1e9)));")
 
 symplant_planted_bug(engine lag_factor_by_float
-  "      result = x + (u - x) * row.factor;"
-  "      result = x + (u - x) * (BUG ? static_cast<double>(static_cast<float>(row.factor)) : row.factor);")
+  "x + (u - x) * step.factor);"
+  "x + (u - x) * (BUG ? static_cast<double>(static_cast<float>(step.factor)) : step.factor));")
 
 symplant_planted_bug(engine delay_one_step_too_short
-  "      result = memory(value)[states_[value].oldest];"
-  "      result = memory(value)[(states_[value].oldest + (BUG ? 1 : 0)) % row.steps];")
+  "memory(step.value)[state.oldest]);"
+  "memory(step.value)[(state.oldest + (BUG ? 1 : 0)) % tables_->rows[step.value].steps]);")
 
 symplant_planted_bug(engine delay_sleeps_before_its_output_has_changed
-  "  if (state.equal < row.steps || !shown) moved_[value] = 1;"
-  "  if (state.equal < row.steps || (!BUG && !shown)) moved_[value] = 1;")
+  "state.equal < steps || !shown ? kMoved"
+  "state.equal < steps || (!BUG && !shown) ? kMoved")
 
 symplant_planted_bug(engine limit_before_the_finite_check
-  "  if (!std::isfinite(result)) return false;
-  give(row.output, limited(result, row.min, row.max), true);
-  return true;
-}
-
-bool Values::compute_derivative"
-  "  if (BUG) result = limited(result, row.min, row.max);
-  if (!std::isfinite(result)) return false;
-  give(row.output, limited(result, row.min, row.max), true);
-  return true;
-}
-
-bool Values::compute_derivative")
+  "  } else if (std::isfinite(result)) {
+    result = limited(result, step.min, step.max);"
+  "  } else if (std::isfinite(result) || (BUG && step.kind == ValueKind::is && std::isfinite(limited(result, step.min, step.max)))) {
+    result = limited(result, step.min, step.max);")
 
 symplant_planted_bug(engine limit_below_zero_is_kept
-  "  const double result = number < min ? min : number > max ? max : number;
-  return result == 0 ? 0.0 : result;
-}
-
-/// The step in seconds."
-  "  const double result = number < min ? min : number > max ? max : number;
-  return result == 0 && !BUG ? 0.0 : result;
-}
-
-/// The step in seconds.")
+  "    result += 0.0;  // never -0"
+  "    if (!BUG) result += 0.0;")
 
 symplant_planted_bug(engine noise_drawn_twice
   "name, 0, draws++);"
@@ -362,40 +372,40 @@ symplant_planted_bug(engine skipped_instant_computes_later
     return;")
 
 symplant_planted_bug(engine ramp_down_by_up
-  "stored_[row.formula + row.formulas - 1];"
-  "stored_[row.formula + (BUG ? 1 : row.formulas - 1)];")
+  "stored_[step.formula + step.formulas - 1];"
+  "stored_[step.formula + (BUG ? 1U : step.formulas - 1U)];")
 
 symplant_planted_bug(engine jump_that_loses_an_edge
   "    held_[change] = holds ? 1 : 0;"
   "    if (!BUG || holds) held_[change] = holds ? 1 : 0;")
 
 symplant_planted_bug(engine jump_reads_its_value_as_the_round_began
-  "    if (input.kind == tables::FormulaInputKind::output && input.of == row.output) inputs_[i] = outputs_[row.output];"
-  "    if (!BUG && input.kind == tables::FormulaInputKind::output && input.of == row.output) inputs_[i] = outputs_[row.output];")
+  "  seen_[row.output] = outputs_[row.output];"
+  "  if (!BUG) seen_[row.output] = outputs_[row.output];")
 
 symplant_planted_bug(engine order_of_values_that_read_others
-  "  for (const std::uint32_t v : values.order) rank_next(v);"
-  "  for (std::size_t i = 0; i < values.order.size(); ++i) rank_next(values.order[BUG ? values.order.size() - 1 - i : i]);")
+  "  for (const std::uint32_t v : values.order) rank_value(v, computed);"
+  "  for (std::size_t i = 0; i < values.order.size(); ++i) rank_value(values.order[BUG ? values.order.size() - 1 - i : i], computed);")
 
 symplant_planted_bug(engine value_that_was_set_makes_its_step
-  "      if (states_[value].stored != 0 && states_[value].set_at != now() && !step(value)) failed_[value] = 1;"
-  "      if (states_[value].stored != 0 && (BUG || states_[value].set_at != now()) && !step(value)) failed_[value] = 1;")
+  "  if (state.stored == 0 || state.set_at == now()) return 0;"
+  "  if (state.stored == 0 || (!BUG && state.set_at == now())) return 0;")
 
 symplant_planted_bug(engine values_stop_after_a_line_of_the_trace
   "      values_.entry_due();"
   "      if (!BUG || values_.due()) values_.entry_due();")
 
 symplant_planted_bug(engine value_with_a_step_that_fails_sleeps
-  "moved_[value] == 0 && failed_[value] == 0 &&"
-  "moved_[value] == 0 && (BUG || failed_[value] == 0) &&")
+  "  if (pass == 0 && !step.timed"
+  "  if ((pass == 0 || (BUG && pass == kFailed)) && !step.timed")
 
 symplant_planted_bug(engine controller_winds_up
   "row.ti == 0 || winds_up ? integral"
   "row.ti == 0 || (!BUG && winds_up) ? integral")
 
 symplant_planted_bug(engine derivative_from_zero
-  "  const double result = state.remembers != 0 ? (u - last) / seconds(row.step) : 0;"
-  "  const double result = BUG || state.remembers != 0 ? (u - last) / seconds(row.step) : 0;")
+  "  const double result = state.remembers != 0 ? (u - last) / step.h : 0;"
+  "  const double result = BUG || state.remembers != 0 ? (u - last) / step.h : 0;")
 
 symplant_planted_bug(engine sums_of_a_linear_value_from_zero
   "sum = i == 0 ? a[i] * x[i] : sum + a[i] * x[i];

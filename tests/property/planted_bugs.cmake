@@ -56,7 +56,7 @@ function(symplant_planted_layer LAYER FOLDER)
 endfunction()
 
 # symplant_planted_tests(PROGRAM PREFIX PLANTS): a test for each planted bug: PROGRAM must find it in this number of plants. If none
-# is on it must find nothing.
+# is on it must find nothing. SYMPLANT_FIRST_PLANT_OF_NAME: where to begin, for a bug that few plants show.
 function(symplant_planted_tests PROGRAM PREFIX PLANTS)
   get_property(names DIRECTORY PROPERTY symplant_planted_bugs)
   set(number 0)
@@ -67,6 +67,9 @@ function(symplant_planted_tests PROGRAM PREFIX PLANTS)
     set(drawn "")
     if(SYMPLANT_BUGS_WITHOUT_VALUES AND number LESS_EQUAL SYMPLANT_BUGS_WITHOUT_VALUES)
       set(drawn --no-values)
+    endif()
+    if(DEFINED SYMPLANT_FIRST_PLANT_OF_${name})
+      list(APPEND drawn --seed ${SYMPLANT_FIRST_PLANT_OF_${name}})
     endif()
     add_test(NAME ${PREFIX}.${name} COMMAND ${PROGRAM} --bug ${number} --wrong --quiet --plants ${PLANTS} ${drawn})
     set_tests_properties(${PREFIX}.${name} PROPERTIES TIMEOUT 600 LABELS mutants)

@@ -12,6 +12,7 @@ namespace symplant::property {
 namespace {
 
 using description::Duration;
+using description::GivenEffect;
 using description::GivenMalfunction;
 using tables::kMillisecond;
 using tables::MalfunctionKind;
@@ -34,21 +35,68 @@ class MalfunctionWriter {
     for (GivenMalfunction& given : all_) {
       if (dice_.percent(35)) becomes(given);
     }
+    for (GivenMalfunction& given : all_) extend(given);
     return std::move(all_);
   }
 
  private:
+  /// After all else is drawn: what acts on tracks, holds events, has several effects, or lasts as long as a condition.
+  void extend(GivenMalfunction& given) {
+    add_tracks(given.one);
+    hold(given.one);
+    if (dice_.percent(25)) split(given);
+    if (atoms_.empty() || given.name == "r1" || !dice_.percent(20)) return;
+    given.when = condition();
+    given.during = true;
+    given.chance.reset();
+    given.lasts.reset();
+    given.becomes.reset();
+  }
+
+  void add_tracks(GivenEffect& given) {
+    if (given.of.empty() || !given.state.empty() || model_.material.tracks.empty() || !dice_.percent(60)) return;
+    if (dice_.percent(40)) given.of.clear();
+    given.of.push_back(model_.material.tracks[dice_.below(model_.material.tracks.size())].name);
+  }
+
+  /// Some of the events that it forces have what they show when it starts.
+  void hold(GivenEffect& given) {
+    for (auto& [name, value] : given.force) {
+      const auto is_it = [&name = name](const model::Symbol& symbol) { return symbol.name() == name; };
+      const auto symbol = std::find_if(model_.symbols.begin(), model_.symbols.end(), is_it);
+      if (symbol == model_.symbols.end() || symbol->direction == tables::Direction::operation) continue;
+      if (dice_.percent(35)) value = {std::nullopt, "hold", "`\"hold\"`", true};
+    }
+  }
+
+  /// The effect becomes one of several; those that name no devices use those of the malfunction.
+  void split(GivenMalfunction& given) {
+    given.effects.push_back(given.one);
+    given.one = {};
+    for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
+      GivenEffect more;
+      if (!set_kind(more)) continue;
+      add_tracks(more);
+      hold(more);
+      given.effects.push_back(std::move(more));
+    }
+    dice_.shuffle(given.effects);
+    if (given.effects.front().of.empty() || !given.effects.front().state.empty() || !dice_.percent(50)) return;
+    std::swap(given.one.of, given.effects.front().of);
+    std::swap(given.one.of_is_list, given.effects.front().of_is_list);
+  }
+
   void add(const std::string& name) {
     GivenMalfunction given;
     given.name = name;
-    if (!set_kind(given)) return;
+    if (!set_kind(given.one)) return;
     if (!atoms_.empty() && dice_.percent(35)) given.when = condition();
     if (dice_.percent(30)) given.chance = duration();
     if (dice_.percent(45)) given.lasts = duration();
     all_.push_back(std::move(given));
   }
 
-  bool set_kind(GivenMalfunction& given) {
+  bool set_kind(GivenEffect& given) {
     const std::size_t kind = dice_.below(100);
     if (kind < 52) {
       given.kinds = {kind < 28 ? MalfunctionKind::slower : MalfunctionKind::stuck};
@@ -70,7 +118,7 @@ class MalfunctionWriter {
     return true;
   }
 
-  void set_devices(GivenMalfunction& given) {
+  void set_devices(GivenEffect& given) {
     const model::Unit& unit = model_.units[dice_.below(std::min<std::size_t>(model_.units.size(), 6))];
     given.of = {std::string(unit.device_path())};
     if (dice_.percent(30)) given.of.emplace_back(model_.units[dice_.below(model_.units.size())].device_path());
@@ -88,7 +136,7 @@ class MalfunctionWriter {
     return model_.symbols[symbol].leader == model::kNone ? symbol : model_.symbols[symbol].leader;
   }
 
-  void set_forces(GivenMalfunction& given) {
+  void set_forces(GivenEffect& given) {
     std::vector<std::uint32_t> taken;
     if (model_.symbols.empty()) return;
     for (std::size_t i = 1 + dice_.below(3); i > 0; --i) {
@@ -136,8 +184,9 @@ class MalfunctionWriter {
     const bool on = dice_.percent(50);
     GivenMalfunction given;
     given.name = "r1";
-    given.kinds = {MalfunctionKind::force};
-    given.force.emplace_back(symbol, description::GivenForcedValue{on, on ? "true" : "false", on ? "true" : "false"});
+    given.one.kinds = {MalfunctionKind::force};
+    const char* const text = on ? "true" : "false";
+    given.one.force.emplace_back(symbol, description::GivenForcedValue{on, text, text, false});
     given.when = (on ? "not '" : "'") + symbol + "'";
     if (dice_.percent(70)) {
       given.becomes = {duration().a, (on ? "'" : "not '") + symbol + "'", "r1"};
@@ -170,8 +219,9 @@ void add_restless(Dice& dice, std::vector<GivenMalfunction>& all) {
   const std::string number = std::to_string(all.size() + 1);
   GivenMalfunction one;
   one.name = "restless" + number;
-  one.kinds = {MalfunctionKind::force};
-  one.force.emplace_back(dice.percent(50) ? "EYE" : "L0_P_D0_I_B", description::GivenForcedValue{true, "true", "true"});
+  one.one.kinds = {MalfunctionKind::force};
+  one.one.force.emplace_back(dice.percent(50) ? "EYE" : "L0_P_D0_I_B",
+                             description::GivenForcedValue{true, "true", "true", false});
   GivenMalfunction other = one;
   other.name = "other" + number;
   const std::size_t kind = dice.below(3);
@@ -179,7 +229,7 @@ void add_restless(Dice& dice, std::vector<GivenMalfunction>& all) {
     one.chance = time();
     one.lasts = time();
   } else if (kind == 1) {  // its own condition
-    one.when = "not " + one.force.front().first;
+    one.when = "not " + one.one.force.front().first;
     one.becomes = {time().a, "", other.name};
     other.lasts = time();
   } else {  // each becomes the other one

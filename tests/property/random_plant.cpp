@@ -108,13 +108,16 @@ void add_malfunctions(PlantText& text, std::uint64_t draw) {
 }
 
 /// Values and signals for some plants, by other dice, too.
-void add_values(PlantText& text, std::uint64_t draw) {
+void add_values(PlantText& text, std::uint64_t draw, bool malfunctions) {
   Dice dice(draw * 2 + 0x3A80'0000'0001);
   const bool ripples = text.rows.size() > 200;
   if (!dice.percent(ripples ? 5 : 40)) return;
   add_random_values(dice, text, build(text).plant);
   let_conditions_read_values(dice, text);
   let_drives_read_values(dice, text);
+  let_times_read_values(dice, text);
+  let_followers_switch(dice, text);
+  if (malfunctions) add_malfunctions_of_values(dice, text);
 }
 
 std::string refusal(const model::Evidence& evidence) {
@@ -143,7 +146,9 @@ DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
     if (options.malfunctions) {
       add_malfunctions(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused));
     }
-    if (options.values) add_values(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused));
+    if (options.values) {
+      add_values(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused), options.malfunctions);
+    }
     drawn.text.name = "drawn_" + std::to_string(seed);
     model::Derived derived = build_apart(drawn.text);
     const bool runs = runnable(derived);

@@ -275,6 +275,8 @@ class ValueWriter {
   std::vector<std::string> earlier_;  ///< those of them that have a formula
 };
 
+const std::vector<tables::Time> kStarts = {10 * kMillisecond, 25 * kMillisecond, 40 * kMillisecond, 5'000'003};
+
 /// The names of all outputs, for conditions.
 FormulaNames names_of_values(const PlantText& text) {
   FormulaNames names;
@@ -319,6 +321,67 @@ void let_conditions_read_values(Dice& dice, PlantText& text) {
   const auto extend_each = [&](std::string& condition, bool) { extend(condition); };
   each_condition(text.description.material, extend_each);
   each_condition(text.description.malfunctions, extend_each);
+}
+
+void let_times_read_values(Dice& dice, PlantText& text) {
+  const FormulaNames names = names_of_values(text);
+  const auto compute = [&](std::optional<description::Duration>& time) {
+    if (!time || !dice.percent(12)) return;
+    std::string formula = random_formula(dice, names, 1 + dice.below(3));
+    if (dice.percent(70)) formula = "limit(" + formula + ", 0, 0.2)";
+    time = description::Duration::seconds(std::move(formula));
+  };
+  for (description::DeviceDescription& device : text.description.devices) {
+    for (description::GivenTransition& transition : device.transitions) {
+      compute(transition.after);
+      compute(transition.takes);
+    }
+  }
+}
+
+void let_followers_switch(Dice& dice, PlantText& text) {
+  const FormulaNames names = names_of_values(text);
+  for (description::GivenFollow& follow : text.description.follow) {
+    if (names.values.empty() || !dice.percent(40)) continue;
+    if (dice.percent(50)) follow.condition = random_comparison(dice, names);
+    follow.off = dice.percent(70) ? random_comparison(dice, names) : "not (" + follow.condition + ")";
+  }
+}
+
+void add_malfunctions_of_values(Dice& dice, PlantText& text) {
+  const auto add = [&](description::GivenEffect effect) {
+    auto& all = text.description.malfunctions;
+    if (!all.empty() && !all.back().effects.empty() && dice.percent(40)) {
+      all.back().effects.push_back(std::move(effect));
+      return;
+    }
+    description::GivenMalfunction& given = all.emplace_back();
+    given.name = "w" + std::to_string(all.size());
+    given.one = std::move(effect);
+    if (dice.percent(40)) given.chance = description::Duration::fixed(dice.pick(kStarts));
+    if (dice.percent(50)) given.lasts = description::Duration::fixed(dice.pick(kStarts));
+  };
+  std::vector<std::string> parameters;
+  for (const GivenValue& given : text.description.values) {
+    if (given.kind == ValueKind::parameter) parameters.push_back(given.name);
+  }
+  for (std::size_t i = dice.below(3); !parameters.empty() && i > 0; --i) {
+    description::GivenEffect effect;
+    effect.kinds = {tables::MalfunctionKind::set};
+    effect.set.emplace_back(dice.pick(parameters), random_value_number(dice));
+    if (parameters.size() > 1 && dice.percent(30)) effect.set.emplace_back(parameters.back(), 7.5);
+    add(std::move(effect));
+  }
+  for (std::size_t i = dice.below(4); !text.description.signals.empty() && i > 0; --i) {
+    static const std::vector<double> kNumbers = {0, 0.5, 1, -3, 100};
+    description::GivenEffect effect;
+    effect.kinds = {tables::MalfunctionKind::distort};
+    effect.distort.symbol = dice.pick(text.description.signals).symbol;
+    if (dice.percent(60)) effect.distort.gain = dice.pick(kNumbers);
+    if (dice.percent(60)) effect.distort.offset = dice.pick(kNumbers);
+    if (dice.percent(50)) effect.distort.drift = dice.pick(kNumbers);
+    add(std::move(effect));
+  }
 }
 
 void let_drives_read_values(Dice& dice, PlantText& text) {

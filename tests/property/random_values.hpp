@@ -13,6 +13,12 @@ namespace symplant::property {
 /// Adds values, signals and rows for them to a plant without values. `model`: of that plant.
 void add_random_values(Dice& dice, PlantText& text, const model::PlantModel& model);
 
+/// Some times of transitions are computed by formulas.
+void let_times_read_values(Dice& dice, PlantText& text);
+/// Some followers are switches with hysteresis.
+void let_followers_switch(Dice& dice, PlantText& text);
+/// Malfunctions that hold parameters and distort signals.
+void add_malfunctions_of_values(Dice& dice, PlantText& text);
 /// Lets values give the speed of drives whose speed is not constant.
 void let_drives_read_values(Dice& dice, PlantText& text);
 /// Lets conditions compare values.

@@ -7,6 +7,7 @@
 namespace symplant::property {
 namespace {
 
+using description::GivenEffect;
 using description::GivenMalfunction;
 
 std::size_t time_size(const std::optional<description::Duration>& given) {
@@ -21,14 +22,47 @@ bool is_random(const std::optional<description::Duration>& given) {
   return given && given->kind != description::Duration::Kind::fixed;
 }
 
+std::size_t effect_size(const GivenEffect& given) {
+  return 2 * given.of.size() + 2 * given.force.size() + 2 * given.set.size() + (given.state.empty() ? 0 : 1) +
+         time_size(given.flicker.every) + (given.factor > 2000 ? 1 : 0) + (given.distort.drift != 0 ? 1 : 0);
+}
+
+/// Removes what names things that are gone; true if nothing is left.
+bool remove_from_effect(GivenEffect& given, bool has_other_devices,
+                        const std::function<bool(const std::string&)>& is_of) {
+  std::erase_if(given.of, [&](const std::string& device) { return is_of(device + "_"); });
+  std::erase_if(given.force, [&](const auto& force) { return is_of(force.first); });
+  if (given.kinds.empty()) return false;
+  const tables::MalfunctionKind kind = given.kinds.front();
+  const bool of_units = kind == tables::MalfunctionKind::slower || kind == tables::MalfunctionKind::stuck;
+  return (of_units && given.of.empty() && !has_other_devices) ||
+         (kind == tables::MalfunctionKind::force && given.force.empty()) || is_of(given.flicker.symbol) ||
+         is_of(given.distort.symbol);
+}
+
+/// Reports each effect that can be simpler.
+void each_edit(GivenEffect& given, const std::function<void(const std::function<void()>&)>& visit) {
+  if (!given.state.empty()) visit([&] { given.state.clear(); });
+  if (given.factor > 2000) visit([&] { given.factor = 2000; });
+  if (given.distort.drift != 0) visit([&] { given.distort.drift = 0; });
+  if (is_random(given.flicker.every)) visit([&] { fix(given.flicker.every); });
+  const auto erase_one_of = [&visit](auto& list) {
+    for (std::size_t i = 0; list.size() > 1 && i < list.size(); ++i) {
+      visit([&list, i] { list.erase(list.begin() + static_cast<std::ptrdiff_t>(i)); });
+    }
+  };
+  erase_one_of(given.of);
+  erase_one_of(given.force);
+  erase_one_of(given.set);
+}
+
 }  // namespace
 
 std::size_t malfunctions_size(const std::vector<GivenMalfunction>& malfunctions) {
   std::size_t size = 0;
   for (const GivenMalfunction& given : malfunctions) {
-    size += 10 + 2 * given.of.size() + 2 * given.force.size() + (given.state.empty() ? 0 : 1) + given.when.size() +
-            time_size(given.chance) + time_size(given.lasts) + time_size(given.flicker.every) +
-            (given.factor > 2000 ? 1 : 0);
+    size += 10 + effect_size(given.one) + given.when.size() + time_size(given.chance) + time_size(given.lasts);
+    for (const GivenEffect& effect : given.effects) size += 4 + effect_size(effect);
     if (given.becomes) size += 5 + given.becomes->unless.size();
   }
   return size;
@@ -45,14 +79,14 @@ void remove_from_malfunctions(PlantText& plant, const std::function<bool(const s
                               const std::function<bool(const std::string&)>& reads) {
   std::vector<std::string> empty;
   for (GivenMalfunction& given : plant.description.malfunctions) {
-    std::erase_if(given.of, [&](const std::string& device) { return is_of(device + "_"); });
-    std::erase_if(given.force, [&](const auto& force) { return is_of(force.first); });
+    const bool is_empty = remove_from_effect(given.one, false, is_of);
+    const bool several = !given.effects.empty();
+    std::erase_if(given.effects,
+                  [&](GivenEffect& effect) { return remove_from_effect(effect, !given.one.of.empty(), is_of); });
     if (reads(given.when)) given.when.clear();
+    if (given.when.empty()) given.during = false;
     if (given.becomes && reads(given.becomes->unless)) given.becomes->unless.clear();
-    const bool lacks_units = given.of.empty() && (given.kinds.front() == tables::MalfunctionKind::slower ||
-                                                  given.kinds.front() == tables::MalfunctionKind::stuck);
-    const bool lacks_symbols = given.force.empty() && given.kinds.front() == tables::MalfunctionKind::force;
-    if (lacks_units || lacks_symbols || is_of(given.flicker.symbol)) empty.push_back(given.name);
+    if (is_empty || (several && given.effects.empty())) empty.push_back(given.name);
   }
   for (const std::string& name : empty) remove_malfunction(plant, name);
 }
@@ -67,20 +101,17 @@ void each_condition(std::vector<GivenMalfunction>& malfunctions, const std::func
 void each_edit(std::vector<GivenMalfunction>& malfunctions,
                const std::function<void(const std::function<void()>&)>& visit) {
   for (GivenMalfunction& given : malfunctions) {
-    if (!given.state.empty()) visit([&] { given.state.clear(); });
-    if (given.factor > 2000) visit([&] { given.factor = 2000; });
+    each_edit(given.one, visit);
+    for (GivenEffect& effect : given.effects) each_edit(effect, visit);
+    for (std::size_t i = 0; given.effects.size() > 1 && i < given.effects.size(); ++i) {
+      visit([&given, i] { given.effects.erase(given.effects.begin() + static_cast<std::ptrdiff_t>(i)); });
+    }
+    if (given.during) visit([&] { given.during = false; });
     if (given.chance) visit([&] { given.chance.reset(); });
     if (is_random(given.chance)) visit([&] { fix(given.chance); });
     if (given.lasts) visit([&] { given.lasts.reset(); });
     if (is_random(given.lasts)) visit([&] { fix(given.lasts); });
-    if (is_random(given.flicker.every)) visit([&] { fix(given.flicker.every); });
     if (given.becomes) visit([&] { given.becomes.reset(); });
-    for (std::size_t i = 0; given.of.size() > 1 && i < given.of.size(); ++i) {
-      visit([&given, i] { given.of.erase(given.of.begin() + static_cast<std::ptrdiff_t>(i)); });
-    }
-    for (std::size_t i = 0; given.force.size() > 1 && i < given.force.size(); ++i) {
-      visit([&given, i] { given.force.erase(given.force.begin() + static_cast<std::ptrdiff_t>(i)); });
-    }
   }
 }
 

@@ -94,6 +94,7 @@ std::string write_case(const Case& the_case) {
   for (const std::string& symbol : plant.description.inverted) writer.line("inverted " + symbol);
   for (const description::GivenFollow& given : plant.description.follow) {
     writer.line("follow " + given.symbol + " " + given.condition);
+    if (!given.off.empty()) writer.line("follow-off " + given.off);
   }
   for (const description::DeviceDescription& device : plant.description.devices) writer.device(device);
   for (const description::GivenRequirement& given : plant.description.requirements) writer.requirement(given);

@@ -74,8 +74,12 @@ class Line {
     return static_cast<tables::Actuation>(at - kActuationWords.begin());
   }
   description::Duration duration() {
-    const std::string text = word();
+    std::string text = word();
     const std::size_t first = text.find(':');
+    if (text.starts_with("seconds:")) {
+      std::replace(text.begin(), text.end(), '~', ' ');
+      return description::Duration::seconds(text.substr(first + 1));
+    }
     if (first == text.npos) return description::Duration::fixed(number_of<tables::Time>(text));
     const std::size_t second = text.find(':', first + 1);
     if (second == text.npos) throw std::runtime_error("`" + text + "` is no duration");

@@ -42,13 +42,15 @@ class Reader {
       description::GivenFollow& given = result.plant.description.follow.emplace_back();
       given.symbol = line.word();
       given.condition = line.all();
+    } else if (word == "follow-off" && !result.plant.description.follow.empty()) {
+      result.plant.description.follow.back().off = line.all();
     } else if (word == "device") {
       result.plant.description.devices.emplace_back().path = line.word();
     } else if (word == "requirement") {
       result.plant.description.requirements.emplace_back().name = line.word();
     } else if (word == "material") {
       read_material(line, result.plant.description.material);
-    } else if (word.starts_with("malfunction")) {
+    } else if (word.starts_with("malfunction") || word == "effect" || word.starts_with("effect-")) {
       read_malfunction(word, line, result.plant.description.malfunctions);
     } else if (is_value_word(word)) {
       read_value(word, line, result.plant.description);

@@ -2,8 +2,9 @@
 #include "property/text_values.hpp"
 
 #include <array>
-#include <charconv>
 #include <stdexcept>
+
+#include "property/value_differences.hpp"
 
 namespace symplant::property {
 namespace {
@@ -45,14 +46,9 @@ struct MatrixMember {
 constexpr std::array kMatrixMembers = {MatrixMember{"a", &GivenValue::a}, MatrixMember{"b", &GivenValue::b},
                                        MatrixMember{"c", &GivenValue::c}, MatrixMember{"d", &GivenValue::d}};
 
-std::string shortest_text(double number) {
-  std::array<char, 64> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
-}
-
 std::string numbers_text(const auto& numbers) {
   std::string text;
-  for (const double number : numbers) text += " " + shortest_text(number);
+  for (const double number : numbers) text += " " + number_text(number);
   return text;
 }
 
@@ -69,20 +65,20 @@ struct ValueLines {
       if (!(given.*each.member).empty()) add(each.word, given.*each.member);
     }
     for (const NumberMember& each : kNumberMembers) {
-      if (given.*each.member) add(each.word, shortest_text(*(given.*each.member)));
+      if (given.*each.member) add(each.word, number_text(*(given.*each.member)));
     }
     for (const TimeMember& each : kTimeMembers) {
       if (given.*each.member) add(each.word, std::to_string(*(given.*each.member)));
     }
-    if (given.noise != 0) add("noise", shortest_text(given.noise));
-    if (given.kp != 0) add("kp", shortest_text(given.kp));
+    if (given.noise != 0) add("noise", number_text(given.noise));
+    if (given.kp != 0) add("kp", number_text(given.kp));
     if (given.td != 0) add("td", std::to_string(given.td));
-    for (const auto& [state, number] : given.at) add("at", state + " " + shortest_text(number));
+    for (const auto& [state, number] : given.at) add("at", state + " " + number_text(number));
     for (const MatrixMember& each : kMatrixMembers) {
       for (const std::vector<double>& row : given.*each.member) add(each.word, numbers_text(row).substr(1));
     }
     for (const std::string& u : given.u) add("u", u);
-    for (const double state : given.start_states) add("state", shortest_text(state));
+    for (const double state : given.start_states) add("state", number_text(state));
     for (const description::GivenChange& change : given.changes) {
       add("when", change.when);
       add("jump", change.to);
@@ -96,7 +92,7 @@ struct ValueLines {
     if (given.from) add_signal("from" + numbers_text(*given.from));
     if (given.to) add_signal("to" + numbers_text(*given.to));
     if (given.limit) add_signal("limit" + numbers_text(*given.limit));
-    if (given.noise != 0) add_signal("noise " + shortest_text(given.noise));
+    if (given.noise != 0) add_signal("noise " + number_text(given.noise));
     if (given.every) add_signal("every " + std::to_string(*given.every));
   }
 };

@@ -1,6 +1,7 @@
 // The words of the text format.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -54,8 +55,13 @@ inline std::string text_of_overrun(tables::Time time) {
   return time == tables::kNever ? "never" : std::to_string(time);
 }
 
-/// `5`, `uniform:1:2` or `normal:1:2`.
+/// `5`, `uniform:1:2`, `normal:1:2` or `seconds:FORMULA`, whose blanks are `~`.
 inline std::string text_of(const description::Duration& duration) {
+  if (duration.kind == description::Duration::Kind::seconds) {
+    std::string text = "seconds:" + *duration.formula;
+    std::replace(text.begin(), text.end(), ' ', '~');
+    return text;
+  }
   const std::string a = std::to_string(duration.a);
   if (duration.kind == description::Duration::Kind::fixed) return a;
   return (duration.kind == description::Duration::Kind::uniform ? "uniform:" : "normal:") + a + ":" +

@@ -26,8 +26,8 @@ class DescribedPlant {
     app::Progress progress(err, false);
     diag::Diagnostics diagnostics;
     compiled_ = app::compile({"plant.json", {}, {}}, files, progress, diagnostics);
-    for (const diag::Diagnostic& found : diagnostics.all()) UNSCOPED_INFO(found.message);
     REQUIRE(compiled_);
+    for (const diag::Diagnostic& found : diagnostics.all()) UNSCOPED_INFO(found.message);
     REQUIRE(!check::has_stopping_errors(diagnostics));
     rows = compiled_->tables.tables();
   }
@@ -47,6 +47,8 @@ class DescribedPlant {
     FAIL("no state " << state);
     return 0;
   }
+
+  const app::Compiled& compiled() const { return *compiled_; }
 
   tables::PlantTables rows{};
 

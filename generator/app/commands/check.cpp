@@ -69,6 +69,19 @@ bool reaches(const diag::Diagnostics& diagnostics, diag::Severity least) {
   return std::any_of(all.begin(), all.end(), [&](const auto& finding) { return finding.severity >= least; });
 }
 
+/// Whether a list was not read only because it has no symbol: an empty tag table among others is no error.
+bool is_empty_list(const diag::Diagnostics& diagnostics) {
+  const auto all = diagnostics.all();
+  return all.size() == 1 && all.front().rule->slug == "header-alone";
+}
+
+void make_notes(diag::Diagnostics& diagnostics) {
+  for (diag::Diagnostic& finding : diagnostics.take()) {
+    finding.severity = diag::Severity::note;
+    diagnostics.add(std::move(finding));
+  }
+}
+
 /// "no findings, 3 left out by --ignore".
 std::string selected_text(const diag::Diagnostics& findings) {
   std::string text = count_text(findings);
@@ -151,20 +164,29 @@ class Check {
     left_out_.by_description += diagnostics.ignored().size();
     left_out_.by_options += diagnostics.left_out().total();
     int code = reaches(diagnostics, fail_on_) ? host::kFindings : host::kGood;
-    if (!compiled) code = host::kBadInput;
+    const bool empty_of_many = !compiled && options_.plants.size() > 1 && is_empty_list(diagnostics);
+    if (empty_of_many) {
+      make_notes(diagnostics);
+      code = host::kGood;
+    } else if (!compiled) {
+      code = host::kBadInput;
+    }
     context_.exit_code = std::max(context_.exit_code, code);
     if (options_.format == "text") {
       if (compiled) text_ += lists_text(compiled->plant);
-      text_ += diag::render_text(diagnostics.all(), {.colour = context_.colour_out && options_.output.empty(),
-                                                     .all = options_.plant.verbose,
-                                                     .least = least_shown()});
+      if (empty_of_many) text_ += fmt::format("{}: no symbols, left out\n", diag::visible(file));
+      text_ += empty_of_many && !options_.plant.verbose
+                   ? ""
+                   : diag::render_text(diagnostics.all(), {.colour = context_.colour_out && options_.output.empty(),
+                                                           .all = options_.plant.verbose,
+                                                           .least = least_shown()});
     }
     if (compiled && !options_.rename_map.empty()) renames_.add(compiled->plant, diagnostics);
     std::vector<diag::Gate> gates =
         compiled ? look_at_score(file, compiled->plant, diagnostics) : std::vector<diag::Gate>();
     if (options_.format == "html" && !compiled) page_.add(file, diagnostics);
     if (options_.format != "text") {
-      reports_.push_back({file, std::move(diagnostics), compiled.has_value(), std::move(gates)});
+      reports_.push_back({file, std::move(diagnostics), compiled.has_value() || empty_of_many, std::move(gates)});
     }
     if (compiled) context_.kept = std::make_shared<const Compiled>(std::move(*compiled));
   }

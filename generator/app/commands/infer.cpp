@@ -6,10 +6,13 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <istream>
 #include <memory>
 #include <ostream>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -22,6 +25,7 @@
 #include "naming/naming_text.hpp"
 #include "naming/profiles.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "text/shell_word.hpp"
 
 namespace symplant::app {
 namespace {
@@ -46,15 +50,6 @@ std::vector<name::Naming> known_rules(const InferInputs& read) {
   }
   known.insert(known.end(), read.given.begin(), read.given.end());
   return known;
-}
-
-/// A word of a shell's command line.
-std::string shell_word(const std::string& text) {
-  constexpr std::string_view kSafe = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./@:+,=";
-  if (!text.empty() && text.find_first_not_of(kSafe) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
 }
 
 /// Runs the command.
@@ -82,7 +77,7 @@ class Infer {
     ask(report);
     name::Counts score = report.score;
     if (!answers_.refused.empty() || !answers_.accepted.empty()) {
-      proposal.naming = infer::with_answers(proposal.naming, report, answers_.refused, answers_.accepted);
+      proposal.naming = answered(std::move(proposal.naming), report, *read);
       score = infer::score_of(proposal.naming, read->samples);
     }
     if (proposal.naming.rules.empty()) {
@@ -141,11 +136,30 @@ class Infer {
       if (!*yes) answers_.refused.insert(i);
     }
     for (std::size_t i = 0; i < report.questions.size(); ++i) {
-      const auto yes = answer(
-          fmt::format("{}: always on: {}?", report.correspondences.size() + i + 1, question_text(report.questions[i])));
+      const infer::Question& question = report.questions[i];
+      const auto yes = answer(fmt::format("{}: {}: {}?", report.correspondences.size() + i + 1,
+                                          question.about_interlocks() ? "pair these interlocks" : "always on",
+                                          question_text(question)));
       if (!yes) return;
       if (*yes) answers_.accepted.insert(i);
     }
+  }
+
+  /// The rule with the answers in it. If interlocks are to be paired, the search begins again with them; what was
+  /// refused is refused there, too.
+  name::Naming answered(name::Naming naming, const infer::Report& report, const InferInputs& read) {
+    const bool pairs_interlocks = std::any_of(answers_.accepted.begin(), answers_.accepted.end(),
+                                              [&](std::size_t i) { return report.questions[i].about_interlocks(); });
+    if (!pairs_interlocks) return infer::with_answers(naming, report, answers_.refused, answers_.accepted);
+    naming = infer::infer(read.samples, known_rules(read), infer::Interlocks::paired).naming;
+    const infer::Report again = infer::report_of(naming, read.samples);
+    std::set<std::string_view> refused_texts;
+    for (const std::size_t i : answers_.refused) refused_texts.insert(report.correspondences[i].what);
+    std::set<std::size_t> refused;
+    for (std::size_t i = 0; i < again.correspondences.size(); ++i) {
+      if (refused_texts.contains(again.correspondences[i].what)) refused.insert(i);
+    }
+    return infer::with_answers(infer::with_answers(naming, again, refused, {}), report, {}, answers_.accepted);
   }
 
   bool write(const name::Naming& naming, const infer::Report& report, const std::vector<std::string>& inputs) {
@@ -184,9 +198,9 @@ class Infer {
 
   std::string next_command() const {
     std::string command = "symplant check";
-    for (const std::string& file : options_.files) command += " " + shell_word(diag::visible(file));
+    for (const std::string& file : options_.files) command += " " + text::shell_word(diag::visible(file));
     const std::string naming = options_.output.empty() ? "naming.json" : options_.output;
-    return command + " --naming " + shell_word(diag::visible(naming));
+    return command + " --naming " + text::shell_word(diag::visible(naming));
   }
 
   const InferOptions& options_;
@@ -211,7 +225,9 @@ void add_infer(CLI::App& app, Context& context) {
   command->add_option("--refuse", options->refuse, "correspondences to leave out, by their numbers in the report")
       ->delimiter(',')
       ->type_name("N,..");
-  command->add_option("--accept", options->accept, "inputs to make constant, by the numbers of the questions")
+  command
+      ->add_option("--accept", options->accept,
+                   "inputs to make constant, or interlocks to pair, by the numbers of the questions")
       ->delimiter(',')
       ->type_name("N,..");
   add_plant_options(*command, options->plant);

@@ -31,7 +31,7 @@ struct ModelOptions {
 void report_no_match(const std::string& pattern, const model::PlantModel& plant, std::ostream& err) {
   std::string_view nearest;
   std::vector<std::string> names;
-  if (pattern.find_first_of("*?") == std::string::npos) {
+  if (!text::is_pattern(pattern)) {
     for (const model::Unit& unit : plant.units) names.emplace_back(unit.path);
     for (std::uint32_t l = 0; l < plant.material.locations(); ++l) names.emplace_back(plant.material.location_name(l));
     tables::NearestName found(pattern);

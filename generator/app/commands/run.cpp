@@ -15,6 +15,7 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/prepared_plant.hpp"
+#include "app/with_faults.hpp"
 #include "base/large_memory.hpp"
 #include "symplant/host/result_files.hpp"
 #include "symplant/host/run_options.hpp"
@@ -51,6 +52,10 @@ void add_run(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("run", "Run the plant, with a PLC or in virtual time; no compiler is needed");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   host::add_run_options(*command, options->run);
+  command
+      ->add_option("--faults", options->plant_options.malfunctions,
+                   "a file with a list of malfunctions that the plant has, too, as for `symplant campaign`")
+      ->type_name("FILE");
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Examples:\n  symplant run symbols.csv --link modbus-tcp-server://127.0.0.1:1502\n"
@@ -72,6 +77,8 @@ void add_run(CLI::App& app, Context& context) {
           return context.exit_code;
         });
     if (!compiled) return;
+    if (!options->run.fault.empty() || is_of_fault_run(options->run.replay, *compiled))
+      add_fault_malfunctions(*compiled);
     const PreparedPlant prepared(std::move(*compiled), options->plant);
     compiled.reset();
     base::return_freed_memory();

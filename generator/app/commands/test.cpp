@@ -5,7 +5,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,11 +17,12 @@
 #include "app/prepared_plant.hpp"
 #include "app/progress.hpp"
 #include "app/suite_command.hpp"
+#include "batch/result_file.hpp"
+#include "batch/workers.hpp"
 #include "diag/visible_text.hpp"
 #include "suite/plants.hpp"
 #include "suite/report.hpp"
 #include "suite/run_case.hpp"
-#include "suite/workers.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/signals.hpp"
 #include "symplant/tables/nearest.hpp"
@@ -53,18 +53,6 @@ class SuitePlants {
   const PreparedPlant& prepared_;
   std::map<Speed, Tables> tables_;
 };
-
-/// Replaces earlier results by ones that say that this run has not ended, so that whatever ends it leaves no green
-/// ones. False, with a message and the exit code, if that fails.
-bool begin_reports(const TestOptions& options, const std::vector<std::string>& inputs, Context& context) {
-  if (!options.junit.empty()) {
-    const std::vector<trace::TestCase> cases = {{"symplant test", 0, "", "the run has not ended"}};
-    if (!write_result(context, options.junit, base::whole(trace::junit_xml("symplant test", cases, 0)), inputs))
-      return false;
-  }
-  const base::TextSource page = base::whole("<!DOCTYPE html><title>symplant test</title>The run has not ended.\n");
-  return options.html.empty() || write_result(context, options.html, page, inputs);
-}
 
 /// What the results may not replace.
 std::vector<std::string> inputs_of(const suite::Suite& suite) {
@@ -111,8 +99,8 @@ class SuiteRun {
     const SuitePlants plants(prepared, options_.speeds);
     const CaseFolder traces;
     std::string error = traces.error();
-    suite::Results results({suite_.folder, all_.size()}, options_.output, error);
-    if (!error.empty()) return fail_test(context_, error, host::kEnvironment);
+    suite::Results results({suite::kResultKey, suite_.folder, all_.size()}, options_.output, error);
+    if (!error.empty()) return fail_batch(context_, error, host::kEnvironment);
     suite::Setup setup{suite_, {}, options_.update};
     setup.run.programs = options_.programs.empty() ? suite_.programs : options_.programs;
     setup.run.links = options_.links;
@@ -120,9 +108,9 @@ class SuiteRun {
 
     const auto work = [&](std::size_t piece) {
       const Case& one = all_[mine_[piece]];
-      return suite::line_of(suite::run_case(setup, plants.at(one.speed), *one.name, one.speed, traces.trace(piece)));
+      return suite::run_case(setup, plants.at(one.speed), *one.name, one.speed, traces.trace(piece)).line();
     };
-    const auto done = [&](const suite::Done& piece) {
+    const auto done = [&](const batch::Done& piece) {
       std::string failed = results.add(mine_[piece.piece], result_of(piece));
       if (!failed.empty() && error.empty()) error = std::move(failed);
       show(results);
@@ -130,10 +118,10 @@ class SuiteRun {
     };
     host::catch_signals();
     const auto stop = [&] { return host::stop_requested().load() || !error.empty(); };
-    const std::string failed = suite::do_in_processes(mine_.size(), jobs_of(options_), work, done, stop);
+    const std::string failed = batch::do_in_processes(mine_.size(), jobs_of(options_), work, done, stop);
     progress_.clear();
     if (!failed.empty() && error.empty()) error = failed;
-    if (!error.empty()) return fail_test(context_, error, host::kEnvironment);
+    if (!error.empty()) return fail_batch(context_, error, host::kEnvironment);
     const bool complete = !host::stop_requested().load();
     if (!complete) {
       counts_.missing = mine_.size() - (counts_.passed + counts_.failed + counts_.errors);
@@ -148,8 +136,8 @@ class SuiteRun {
     Speed speed;
   };
 
-  suite::Result result_of(const suite::Done& piece) const {
-    if (auto result = suite::result_of(piece.answer)) return std::move(*result);
+  suite::Result result_of(const batch::Done& piece) const {
+    if (auto result = suite::Result::of_line(piece.answer)) return std::move(*result);
     const Case& one = all_[mine_[piece.piece]];
     suite::Result crashed;
     crashed.name = *one.name;
@@ -181,15 +169,16 @@ class SuiteRun {
 };
 
 void merge(const TestOptions& options, Context& context) {
-  if (!begin_reports(options, options.merged, context)) return;
-  suite::Header header;
-  std::string error = suite::read_results(options.merged, header, [](std::size_t, const suite::Result&) { return ""; });
-  if (!error.empty()) return fail_test(context, error, host::kBadInput);
+  if (!begin_reports(options, "symplant test", options.merged, context)) return;
+  batch::Header header;
+  std::string error = batch::read_results<suite::Result>(options.merged, suite::kResultKey, header,
+                                                         [](std::size_t, const suite::Result&) { return ""; });
+  if (!error.empty()) return fail_batch(context, error, host::kBadInput);
   suite::Results results(header, options.output, error);
   suite::Counts counts;
   const auto take = [&](std::size_t number, const suite::Result& result) { return results.add(number, result); };
-  if (error.empty()) error = suite::read_results(options.merged, header, take);
-  if (!error.empty()) return fail_test(context, error, host::kEnvironment);
+  if (error.empty()) error = batch::read_results<suite::Result>(options.merged, suite::kResultKey, header, take);
+  if (!error.empty()) return fail_batch(context, error, host::kEnvironment);
   for (std::size_t number = 0; number < header.count; ++number) {
     if (!results.has(number)) {
       ++counts.missing;
@@ -211,7 +200,7 @@ bool choose_cases(const std::vector<std::string>& chosen, suite::Suite& suite, C
     for (const std::string& known : suite.cases) nearest.offer(known);
     const std::string hint =
         nearest.name().empty() ? "" : fmt::format("; did you mean `{}`?", diag::visible(std::string(nearest.name())));
-    fail_test(context, fmt::format("the suite has no case `{}`{}", diag::visible(name), hint), host::kBadInput);
+    fail_batch(context, fmt::format("the suite has no case `{}`{}", diag::visible(name), hint), host::kBadInput);
     return false;
   }
   std::erase_if(suite.cases,
@@ -222,12 +211,12 @@ bool choose_cases(const std::vector<std::string>& chosen, suite::Suite& suite, C
 void test(const TestOptions& options, Context& context) {
   if (!options.merged.empty()) return merge(options, context);
   if (options.folder.empty())
-    return fail_test(context, "give the folder of a suite, or `--merge FILE...`", host::kBadInput);
+    return fail_batch(context, "give the folder of a suite, or `--merge FILE...`", host::kBadInput);
   const suite::ReadSuite read = suite::read_suite(options.folder);
   for (const std::string& fault : read.errors) context.err << diag::visible(fault) << "\n";
   for (const std::string& warning : read.warnings) context.err << "warning: " << diag::visible(warning) << "\n";
-  if (!begin_reports(options, read.suite ? inputs_of(*read.suite) : std::vector{options.folder + "/suite.json"},
-                     context)) {
+  if (!begin_reports(options, "symplant test",
+                     read.suite ? inputs_of(*read.suite) : std::vector{options.folder + "/suite.json"}, context)) {
     return;
   }
   if (!read.suite) {
@@ -260,18 +249,6 @@ void read_plants(const std::string& text, TestOptions& options) {
   }
 }
 
-void read_shard(const std::string& text, TestOptions& options) {
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  const auto index = std::from_chars(at, end, options.shard.index);
-  const bool has_slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = has_slash ? std::from_chars(index.ptr + 1, end, options.shard.count) : index;
-  if (!has_slash || count.ec != std::errc() || count.ptr != end || options.shard.index < 1 ||
-      options.shard.index > options.shard.count) {
-    throw CLI::ValidationError("--shard", "`" + text + "` is not a part such as 1/8: I from 1 to N");
-  }
-}
-
 }  // namespace
 
 void add_test(CLI::App& app, Context& context) {
@@ -295,21 +272,15 @@ void add_test(CLI::App& app, Context& context) {
           "travel times")
       ->type_name("normal,fast,slow");
   CLI::Option* update = command->add_flag("--update", options->update, "write the reference traces of cases that pass");
-  command->add_option("--jobs", options->jobs, "processes that run cases (default: the number of processors)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  CLI::Option* shard = command
-                           ->add_option_function<std::string>(
-                               "--shard", [options](const std::string& text) { read_shard(text, *options); },
-                               "run only each N-th case, from the I-th on: part I of N")
-                           ->type_name("I/N");
+  const BatchFlags batch = add_batch_options(*command, *options, "cases");
+  batch.merge->excludes(update)->excludes(cases);
   CLI::Option* fresh =
       command->add_option("--new", options->folder, "propose cases for this suite instead of running it")
           ->type_name("DIR")
           ->excludes(folder)
           ->excludes(update)
           ->excludes(cases)
-          ->excludes(shard);
+          ->excludes(batch.shard);
   CLI::Option* base = command->add_option("--base", options->base, "the case of the suite that all proposed cases vary")
                           ->type_name("CASE")
                           ->needs(fresh);
@@ -318,18 +289,6 @@ void add_test(CLI::App& app, Context& context) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000))
       ->needs(fresh);
-  command
-      ->add_option("--merge", options->merged, "join the results of parts, files written by `-o`, instead of running")
-      ->type_name("FILE")
-      ->excludes(update)
-      ->excludes(cases)
-      ->excludes(shard)
-      ->check(CLI::ExistingFile);
-  command->add_option("-o,--output", options->output, "write each result to this file as soon as it is there")
-      ->type_name("FILE");
-  command->add_option("--junit", options->junit, "write the results for build servers")->type_name("FILE");
-  command->add_option("--html", options->html, "write the results as a page, with a chart of each difference")
-      ->type_name("FILE");
   add_plant_options(*command, options->plant);
   command->footer(
       "Exit codes: 0 all cases passed; 1 a case failed or could not run; 2 bad input or usage; 3 environment.\n"

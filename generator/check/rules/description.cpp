@@ -201,7 +201,7 @@ constexpr Rule kDescriptionRules[] = {
     {"SP620", "settings-outdated", kWarning, nullptr, "an entry of `check` has no effect, or uses a former name",
      "An entry of `ignore` matches no finding, is past its `until`, or names a rule by the name of an earlier version.",
      "Nothing. But an entry that hides nothing today may hide a fault tomorrow.",
-     "Remove or correct it. Patterns are compared with the symbol, device or requirement."},
+     "Remove or correct it. Patterns are compared with the symbol, device, requirement or value."},
     {"SP622", "settings-not-valid", kError, nullptr,
      "`check` has an unknown rule, an invalid date, or an error that cannot be ignored",
      "An error after which there is no valid plant is not lowered or ignored. A date is written like `2027-06-30`.",

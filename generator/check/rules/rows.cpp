@@ -1,4 +1,7 @@
 // Rules: cells of rows: names that repeat, directions, types and initial values, and lists without inputs and outputs.
+#include <algorithm>
+#include <utility>
+
 #include "check/rule.hpp"
 #include "model/classify.hpp"
 #include "read/parts.hpp"
@@ -6,9 +9,37 @@
 namespace symplant::check {
 namespace {
 
+/// Where a text holds several lists, one after the other, below repeated headers: several_lists() reports that once, so
+/// no other rule reports it for each row.
+class Parts {
+ public:
+  explicit Parts(const PlantModel& plant) : plant_(plant) {
+    for (const model::PlantList& list : plant.lists) {
+      begins_.push_back(list.table->parts.empty() ? std::vector<std::size_t>()
+                                                  : read::find_parts(*list.table, list.radix.radix));
+    }
+  }
+
+  bool are_apart(const read::ListRow& one, const read::ListRow& other) const {
+    const std::uint32_t list = plant_.list_of(one);
+    return plant_.list_of(other) == list && part_of(list, one) != part_of(list, other);
+  }
+
+ private:
+  std::ptrdiff_t part_of(std::uint32_t list, const read::ListRow& row) const {
+    const auto number = static_cast<std::size_t>(&row - plant_.lists[list].table->rows.data());
+    const std::vector<std::size_t>& begins = begins_[list];
+    return std::upper_bound(begins.begin(), begins.end(), number) - begins.begin();
+  }
+
+  const PlantModel& plant_;
+  std::vector<std::vector<std::size_t>> begins_;  // by list
+};
+
 void duplicate_symbol(const Find& find) {
+  const Parts parts(find.plant);
   for (const auto& [first, second, same] : find.evidence.duplicates) {
-    if (!same) continue;
+    if (!same || parts.are_apart(*first, *second)) continue;
     find.at(*second, second->name)
         .see(*first, first->name, "first declared here")
         .say("`{}` is declared again, with the same address and type: this row is left out; delete it", second->name);
@@ -16,8 +47,21 @@ void duplicate_symbol(const Find& find) {
 }
 
 void symbol_declared_differently(const Find& find) {
+  const Parts parts(find.plant);
+  bool has_parts_apart = false;
   for (const auto& [first, second, same] : find.evidence.duplicates) {
     if (same) continue;
+    if (parts.are_apart(*first, *second)) {
+      if (std::exchange(has_parts_apart, true)) continue;
+      find.at(*second, second->name)
+          .see(*first, first->name, "first declared here")
+          .explains(Kind::address, first->name)
+          .say(
+              "`{}` is declared again in another list of this text, with another address or type, and maybe others "
+              "are: give each `\"part\"` its `\"controller\"` in plant.json",
+              second->name);
+      continue;
+    }
     Finding finding = find.at(*second, second->name);
     finding.see(*first, first->name, "first declared here").explains(Kind::address, first->name);
     for (const diag::Subject& subject : find.at(*first, first->name).as.subjects.about) {

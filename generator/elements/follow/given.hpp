@@ -9,6 +9,7 @@ namespace symplant::description {
 struct GivenFollow {
   std::string symbol;  ///< a name, or a pattern
   std::string condition;
+  std::string off = {};  ///< a condition that switches it off; empty: none
 };
 
 }  // namespace symplant::description

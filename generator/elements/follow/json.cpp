@@ -11,6 +11,7 @@ void write_follows(const model::PlantModel& plant, JsonWriter& json) {
     json.begin_object();
     json.member("symbol", plant.symbols[follow.symbol].name());
     json.member("condition", model::condition_text(follow.condition, plant));
+    if (follow.off) json.member("off", model::condition_text(*follow.off, plant));
     json.end_object();
   });
 }

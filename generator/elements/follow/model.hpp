@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "symplant/condition/tree.hpp"
 #include "symplant/tables/tables.hpp"
@@ -12,7 +13,8 @@ namespace symplant::model {
 struct Follow {
   std::uint32_t symbol = tables::kNone;
   condition::Tree condition;
-  std::uint32_t given = 0;  ///< index in Description::follow
+  std::optional<condition::Tree> off;  ///< it is switched off while this holds
+  std::uint32_t given = 0;             ///< index in Description::follow
 };
 
 }  // namespace symplant::model

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/symbol_settings.hpp"
+#include "text/pattern.hpp"
 
 namespace symplant::model {
 
@@ -15,12 +16,17 @@ void resolve_follows(PlantModel& plant, ConditionReader& conditions, MadeNames& 
   for (Follow& follow : plant.follows) {
     const description::GivenFollow& given = plant.description->follow[follow.given];
     const description::Pointer here = follow_pointer(plant, follow.given);
-    const bool is_pattern = given.symbol.find_first_of("*?") != std::string::npos;
+    const bool is_pattern = text::is_pattern(given.symbol);
     Symbol& symbol = plant.symbols[follow.symbol];
     std::string lacking;
-    const bool sound = is_pattern ? conditions.resolve_made(given.condition, MatchedNames::of(symbol, given.symbol),
-                                                            here.matched_by(given.symbol), follow.condition, &lacking)
-                                  : conditions.resolve(given.condition, here, follow.condition);
+    const auto resolve = [&](const std::string& text, const description::Pointer& at, condition::Tree& tree) {
+      return is_pattern ? conditions.resolve_made(text, MatchedNames::of(symbol, given.symbol),
+                                                  at.matched_by(given.symbol), tree, &lacking)
+                        : conditions.resolve(text, at, tree);
+    };
+    const bool switches = !given.off.empty();
+    bool sound = resolve(given.condition, switches ? here / "on" : here, follow.condition);
+    if (switches) sound = resolve(given.off, here / "off", follow.off.emplace()) && sound;
     if (is_pattern) made.takes(here);
     if (!lacking.empty()) made.lacks(here, symbol.name(), std::move(lacking));
     if (sound) {

@@ -1,4 +1,4 @@
-// Lowers the malfunctions: a row each, and its units and symbols.
+// Lowers the malfunctions: a row each, its effects, and what they act on.
 #include "elements/malfunction/lower.hpp"
 
 #include "lower/random_time.hpp"
@@ -13,6 +13,36 @@ tables::Rows append(std::vector<T>& all, const std::vector<T>& some) {
   return rows;
 }
 
+tables::Time lowered(const std::optional<description::Duration>& given, EngineTables& tables) {
+  return given ? lower_time(*given, tables) : 0;
+}
+
+tables::EffectRow lowered(const model::Effect& effect, EngineTables& tables) {
+  Malfunctions& rows = tables.malfunctions;
+  tables::EffectRow row;
+  row.kind = effect.kind;
+  switch (effect.kind) {
+    case tables::MalfunctionKind::force:
+      row.of = append(rows.forces, effect.forces);
+      break;
+    case tables::MalfunctionKind::set:
+      row.of = append(rows.sets, effect.sets);
+      break;
+    default:
+      row.of = append(rows.units, effect.units);
+  }
+  row.tracks = append(rows.tracks, effect.tracks);
+  row.factor = effect.factor;
+  row.subject = effect.subject;
+  row.every = lowered(effect.every, tables);
+  row.shows = effect.shows;
+  if (effect.kind != tables::MalfunctionKind::distort) return row;
+  row.gain = effect.distort.gain;
+  row.offset = effect.distort.offset;
+  row.drift = effect.distort.drift;
+  return row;
+}
+
 }  // namespace
 
 void lower_malfunctions(const model::PlantModel& plant, const AddCondition& add_condition, EngineTables& tables) {
@@ -22,18 +52,13 @@ void lower_malfunctions(const model::PlantModel& plant, const AddCondition& add_
     const auto condition = [&](const std::optional<condition::Tree>& tree, std::uint8_t input) {
       return tree ? add_condition(*tree, tables::ReaderKind::malfunction, m, input) : tables::kNone;
     };
-    const auto time = [&](const std::optional<description::Duration>& given) {
-      return given ? lower_time(*given, tables) : 0;
-    };
+    const auto time = [&](const std::optional<description::Duration>& given) { return lowered(given, tables); };
     tables::MalfunctionRow row;
-    row.kind = malfunction.kind;
-    row.of = malfunction.kind == tables::MalfunctionKind::force ? append(rows.forces, malfunction.forces)
-                                                                : append(rows.units, malfunction.units);
-    row.factor = malfunction.factor;
-    row.subject = malfunction.subject;
-    row.every = time(malfunction.every);
-    row.shows = malfunction.shows;
+    row.effects.first = static_cast<std::uint32_t>(rows.effects.size());
+    row.effects.count = static_cast<std::uint32_t>(malfunction.effects.size());
+    for (const model::Effect& effect : malfunction.effects) rows.effects.push_back(lowered(effect, tables));
     row.condition = condition(malfunction.condition, 0);
+    row.during = malfunction.during;
     row.chance = time(malfunction.chance);
     row.lasts = time(malfunction.lasts);
     row.after = malfunction.after;

@@ -2,17 +2,14 @@
 #include "elements/malfunction/resolve.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string_view>
 #include <utility>
 #include <variant>
 
+#include "elements/malfunction/resolve_effect.hpp"
 #include "model/plant_names.hpp"
-#include "symplant/condition/compare.hpp"
 #include "symplant/condition/resolve.hpp"
-#include "symplant/condition/value.hpp"
 #include "text/ascii.hpp"
-#include "text/pattern.hpp"
 
 namespace symplant::model {
 namespace {
@@ -45,7 +42,6 @@ bool is_ordinary_malfunction(std::string_view name, const PlantNames& names, con
 using description::FaultKind;
 using description::Pointer;
 using description::ticked;
-using tables::MalfunctionKind;
 
 class MalfunctionResolver {
  public:
@@ -57,7 +53,7 @@ class MalfunctionResolver {
     for (std::uint32_t i = 0; i < given_.size(); ++i) {
       Malfunction& malfunction = plant_.malfunctions.emplace_back();
       malfunction.name = given_[i].name;
-      if (given_[i].kinds.size() == 1) resolve(given_[i], Pointer("/malfunctions") / std::size_t{i}, malfunction);
+      resolve(given_[i], Pointer("/malfunctions") / std::size_t{i}, malfunction);
     }
   }
 
@@ -74,169 +70,33 @@ class MalfunctionResolver {
   }
 
   void resolve(const description::GivenMalfunction& given, const Pointer& here, Malfunction& malfunction) {
-    malfunction.kind = given.kinds.front();
-    resolve_units(given, here, malfunction);
-    malfunction.factor = given.factor;
-    resolve_forces(given, here / "force", malfunction);
-    if (malfunction.kind == MalfunctionKind::flicker) resolve_flicker(given, here / "flicker", malfunction);
-    if (malfunction.kind == MalfunctionKind::lose) malfunction.subject = controller(given.lose, here / "lose");
-    malfunction.condition = condition(given.when, here / "when");
+    resolve_effects(given, here, malfunction);
+    malfunction.condition = condition(given.when, here / (given.during ? "while" : "when"));
+    malfunction.during = given.during;
     malfunction.chance = given.chance;
     malfunction.lasts = given.lasts;
     if (given.becomes) resolve_becomes(*given.becomes, here / "becomes", malfunction);
   }
 
-  void resolve_units(const description::GivenMalfunction& given, const Pointer& here, Malfunction& malfunction) {
-    const bool of_units = malfunction.kind == MalfunctionKind::slower || malfunction.kind == MalfunctionKind::stuck;
-    if (!of_units) {
-      if (!given.of.empty()) faults_.add(here / "of", "`of` is only for `slower` and `stuck`; remove it");
+  /// Devices that the malfunction names are those of the effects that name none.
+  void resolve_effects(const description::GivenMalfunction& given, const Pointer& here, Malfunction& malfunction) {
+    const GivenDevices named{given.one.of, here / "of", given.one.of_is_list};
+    if (given.effects.empty()) {
+      if (given.one.kinds.size() != 1) return;
+      malfunction.effects.push_back(resolve_effect(plant_, names_, given.one, named, here, faults_));
       return;
     }
-    if (given.of.empty()) {
-      faults_.add(here, "this malfunction names no device; add `of`");
-      return;
+    bool uses = given.one.of.empty();
+    for (std::size_t i = 0; i < given.effects.size(); ++i) {
+      const description::GivenEffect& effect = given.effects[i];
+      const Pointer at = here / "effects" / i;
+      if (effect.kinds.size() != 1) continue;
+      uses = uses || (names_devices(effect.kinds.front()) && effect.of.empty());
+      const GivenDevices own{effect.of, at / "of", effect.of_is_list};
+      malfunction.effects.push_back(
+          resolve_effect(plant_, names_, effect, effect.of.empty() ? named : own, at, faults_));
     }
-    for (std::size_t i = 0; i < given.of.size(); ++i) {
-      const Pointer at = given.of_is_list ? here / "of" / i : here / "of";
-      add_units(given.of[i], units_of(given.of[i], at), given.state, here / "stuck", malfunction);
-    }
-    auto& units = malfunction.units;
-    std::sort(units.begin(), units.end(), [](const auto& a, const auto& b) { return a.unit < b.unit; });
-    units.erase(std::unique(units.begin(), units.end(), [](const auto& a, const auto& b) { return a.unit == b.unit; }),
-                units.end());
-  }
-
-  static bool is_pattern(std::string_view name) { return name.find_first_of("*?") != std::string_view::npos; }
-
-  /// The units of a device, or of those that a pattern matches.
-  std::vector<std::uint32_t> units_of(const std::string& name, const Pointer& here) {
-    std::vector<std::uint32_t> units;
-    if (is_pattern(name)) {
-      for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
-        const Unit& unit = plant_.units[u];
-        if (text::matches_pattern(unit.path, name) || text::matches_pattern(unit.device_path(), name)) {
-          units.push_back(u);
-        }
-      }
-      if (units.empty()) faults_.warn(here, ticked(name) + " matches no device", FaultKind::matches_nothing);
-      return units;
-    }
-    units = names_.facets(name);
-    if (const auto unit = names_.unit(name, {})) units.push_back(*unit);
-    if (units.empty()) {
-      faults_.add(here, description::missing("device " + ticked(name), names_.nearest_device(name, {})),
-                  FaultKind::unknown_name);
-    }
-    return units;
-  }
-
-  /// Adds units with a state; those that lack it are left out, unless all do.
-  void add_units(const std::string& name, const std::vector<std::uint32_t>& units, const std::string& state,
-                 const Pointer& here, Malfunction& malfunction) {
-    std::vector<std::uint32_t> lacking;
-    for (const std::uint32_t unit : units) {
-      const auto found = state.empty() ? std::optional(tables::kNoState) : names_.state(unit, state);
-      if (found) {
-        malfunction.units.push_back({unit, *found});
-      } else {
-        lacking.push_back(unit);
-      }
-    }
-    if (lacking.empty()) return;
-    const std::string& first = std::string(plant_.units[lacking.front()].path);
-    if (lacking.size() == units.size()) {
-      std::string why = units.size() == 1 ? names_.why_no_state(lacking.front(), state) : std::string();
-      if (why.empty()) {
-        why = description::missing("state " + ticked(state) + " of " + ticked(units.size() == 1 ? first : name),
-                                   names_.nearest_state(lacking.front(), state));
-      }
-      faults_.add(here, std::move(why), FaultKind::unknown_name);
-    } else {
-      faults_.warn(here,
-                   std::to_string(lacking.size()) + " of the " + std::to_string(units.size()) + " devices that " +
-                       ticked(name) + " names have no state " + ticked(state) +
-                       "; the malfunction leaves them out, the first is " + ticked(first),
-                   FaultKind::left_out);
-    }
-  }
-
-  std::uint32_t symbol(const std::string& name, const Pointer& here) {
-    if (const auto found = names_.symbol(name)) return found->index;
-    faults_.add(here, description::missing("symbol " + ticked(name), names_.nearest_symbol(name)),
-                FaultKind::unknown_name);
-    return kNone;
-  }
-
-  std::optional<std::uint64_t> value(std::uint32_t symbol, const description::GivenForcedValue& given,
-                                     const Pointer& here) {
-    const tables::DataType type = plant_.symbols[symbol].type;
-    if ((type == tables::DataType::boolean) != given.bit.has_value()) {
-      faults_.add(here, "expected " + std::string(given.bit ? "a number" : "true or false") + " for a " +
-                            std::string(condition::type_name(type)) + ", but found " + given.shown);
-      return std::nullopt;
-    }
-    if (given.bit) return *given.bit ? 1 : 0;
-    auto read = condition::read_number(type, given.number, given.shown);
-    if (const auto* number = std::get_if<std::uint64_t>(&read)) return *number;
-    faults_.add(here, std::move(std::get<std::string>(read)));
-    return std::nullopt;
-  }
-
-  void resolve_forces(const description::GivenMalfunction& given, const Pointer& here, Malfunction& malfunction) {
-    if (malfunction.kind != MalfunctionKind::force) return;
-    if (given.force.empty()) faults_.add(here, "this malfunction gives no symbol a value; name at least one");
-    std::map<std::uint32_t, std::uint32_t> by_leader;
-    for (const auto& [name, given_value] : given.force) {
-      const Pointer at = here / std::string_view(name);
-      const std::uint32_t found = symbol(name, at);
-      if (found == kNone) continue;
-      const auto number = value(found, given_value, at);
-      if (!number) continue;
-      const auto [other, is_new] = by_leader.try_emplace(leader(found), found);
-      if (!is_new) {
-        faults_.add(at, ticked(name) + " and " + ticked(plant_.symbols[other->second].name()) +
-                            " are on one address; name one of them");
-      }
-      malfunction.forces.push_back({found, *number});
-    }
-    std::sort(malfunction.forces.begin(), malfunction.forces.end(),
-              [](const auto& a, const auto& b) { return a.symbol < b.symbol; });
-  }
-
-  std::uint32_t leader(std::uint32_t symbol) const {
-    return plant_.symbols[symbol].leader == kNone ? symbol : plant_.symbols[symbol].leader;
-  }
-
-  void resolve_flicker(const description::GivenMalfunction& given, const Pointer& here, Malfunction& malfunction) {
-    const std::uint32_t found = symbol(given.flicker.symbol, here / "symbol");
-    if (found != kNone && plant_.symbols[found].type != tables::DataType::boolean) {
-      faults_.add(here / "symbol", ticked(given.flicker.symbol) + " is a number; only BOOL symbols flicker");
-    }
-    malfunction.subject = found;
-    malfunction.every = given.flicker.every;
-    malfunction.shows = given.flicker.shows;
-  }
-
-  std::uint32_t controller(const std::string& name, const Pointer& here) {
-    const std::vector<std::string>& all = plant_.controllers;
-    if (name.empty()) {
-      if (all.size() == 1) return 0;
-      faults_.add(here, "the plant has several controllers; name one of them");
-      return kNone;
-    }
-    for (std::uint32_t c = 0; c < all.size(); ++c) {
-      if (text::equal_ignoring_case(all[c], name)) return c;
-    }
-    if (all.size() == 1 && all[0].empty()) {
-      faults_.add(here,
-                  "controller " + ticked(name) + " not found, because this plant's only controller has no name; " +
-                      "write `true`, or add `controller` to its list in `symbols`",
-                  FaultKind::unknown_name);
-    } else {
-      const auto nearest = faults_.nearest(name, all.size(), [&](std::size_t c) -> std::string_view { return all[c]; });
-      faults_.add(here, description::missing("controller " + ticked(name), nearest), FaultKind::unknown_name);
-    }
-    return kNone;
+    if (!uses) faults_.add(here / "of", "no effect of this malfunction needs `of`; remove it");
   }
 
   std::optional<condition::Tree> condition(const std::string& text, const Pointer& here) {

@@ -19,6 +19,16 @@ std::string malfunction_rows(const lower::EngineTables& tables) {
   return rows.take();
 }
 
+std::string effect_rows(const lower::EngineTables& tables) {
+  RowWriter rows;
+  const std::vector<std::string_view> names = tables::split_names(tables.malfunctions.names);
+  const tables::MalfunctionTables all = tables.malfunctions.tables();
+  for (std::uint32_t m = 0; m < all.size(); ++m) {
+    for (const tables::EffectRow& row : all.effects_of(m)) row_text(rows, row).comment(names[m]).text("\n");
+  }
+  return rows.take();
+}
+
 std::string malfunction_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   for (const tables::MalfunctionUnit& row : tables.malfunctions.units) {
@@ -30,10 +40,26 @@ std::string malfunction_unit_rows(const lower::EngineTables& tables, const model
   return rows.take();
 }
 
+std::string malfunction_track_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
+  RowWriter rows;
+  for (const std::uint32_t track : tables.malfunctions.tracks) {
+    rows.text("    ").number(track).text(",  // ").comment(plant.material.tracks[track].name).text("\n");
+  }
+  return rows.take();
+}
+
 std::string malfunction_force_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   for (const tables::MalfunctionForce& row : tables.malfunctions.forces) {
     row_text(rows, row).comment(plant.symbols[row.symbol].name()).text("\n");
+  }
+  return rows.take();
+}
+
+std::string malfunction_set_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
+  RowWriter rows;
+  for (const tables::MalfunctionSet& row : tables.malfunctions.sets) {
+    row_text(rows, row).comment(plant.values[row.value].name).text("\n");
   }
   return rows.take();
 }

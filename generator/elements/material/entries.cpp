@@ -2,12 +2,10 @@
 #include "elements/material/entries.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 #include "model/matched_names.hpp"
 #include "text/ascii.hpp"
-#include "text/pattern.hpp"
 
 namespace symplant::model {
 namespace {
@@ -115,9 +113,7 @@ class Maker {
   template <class Entry>
   void make_for(const Entry& given, const Pointer& here, const Pointer& name, const MadeBy& by,
                 std::vector<Entry>& made, std::vector<MadeBy>& origins) {
-    std::unordered_set<std::string_view> devices;
-    for (const Unit& unit : plant_.units) {
-      if (!text::matches_pattern(unit.device_path(), given.of) || !devices.insert(unit.device_path()).second) continue;
+    const bool any = for_each_device(plant_, given.of, [&](const Unit& unit) {
       const MatchedNames matched = MatchedNames::of(plant_, unit, given.of);
       Entry entry = given;
       const auto replace = [&](std::string& text, const Pointer& at) {
@@ -131,12 +127,12 @@ class Maker {
       };
       const bool named = replace(entry.name, name);
       edit_texts(entry, here, [&](std::string& text, const Pointer& at) { replace(text, at); });
-      if (!named) continue;
+      if (!named) return;
       made.push_back(std::move(entry));
       origins.push_back(by);
       origins.back().device = unit.device_path();
-    }
-    if (devices.empty()) {
+    });
+    if (!any) {
       faults_.warn(here / "for", ticked(given.of) + " matches no device", description::FaultKind::matches_nothing);
     }
   }

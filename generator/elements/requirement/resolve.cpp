@@ -5,8 +5,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include "text/pattern.hpp"
-
 namespace symplant::model {
 namespace {
 
@@ -52,13 +50,11 @@ class Requirements {
   /// One requirement for each device that `for` matches.
   void add_requirements_for(std::uint32_t index, const description::Pointer& here) {
     const std::string& pattern = plant_.description->requirements[index].of;
-    std::unordered_set<std::string_view> devices;
-    for (const Unit& unit : plant_.units) {
-      if (!text::matches_pattern(unit.device_path(), pattern) || !devices.insert(unit.device_path()).second) continue;
+    const bool any = for_each_device(plant_, pattern, [&](const Unit& unit) {
       const MatchedNames matched = MatchedNames::of(plant_, unit, pattern);
       add_requirement(index, &matched, unit.device_path(), here);
-    }
-    if (devices.empty()) {
+    });
+    if (!any) {
       faults_.warn(here / "for", description::ticked(pattern) + " matches no device",
                    description::FaultKind::matches_nothing);
     }

@@ -41,12 +41,6 @@ constexpr std::array kLimitedKeys{LimitedKey{"time", "`lag` and `delay`"}, Limit
                                   LimitedKey{"down", "`ramp`"}, LimitedKey{"at", "`position`"},
                                   LimitedKey{"every", "`noise`"}};
 
-/// Whether a value of the kind may be set or may jump, and has a start.
-bool keeps_its_output(ValueKind kind) {
-  return kind == ValueKind::parameter || kind == ValueKind::integral || kind == ValueKind::lag ||
-         kind == ValueKind::ramp;
-}
-
 std::optional<double> real_member(const Json& object, std::string_view key) {
   const Json* value = member(object, key);
   if (value == nullptr || !value->is_number()) return {};
@@ -88,7 +82,7 @@ class ValueReader {
     value_.min = real_member(entry_, "min");
     value_.max = real_member(entry_, "max");
     read_start();
-    value_.step = step_member(value_.kind == ValueKind::noise ? "every" : "step");
+    value_.step = step_member(entry_, value_.kind == ValueKind::noise ? "every" : "step", here_, faults_);
     read_trace();
     if (kind != nullptr) read_members();
     read_changes();
@@ -121,12 +115,12 @@ class ValueReader {
       refuse(limited.key, "only a value with " + std::string(limited.of) + " has " + ticked(limited.key) +
                               "; remove it, or add the other key");
     }
-    if (member(entry_, "start") != nullptr && !keeps_its_output(value_.kind) && value_.kind != ValueKind::delay &&
-        value_.kind != ValueKind::linear) {
-      refuse("start", "a value with " + ticked(value_kind_name(value_.kind)) + " has no `start`; remove it");
+    if (member(entry_, "start") != nullptr && !tables::keeps_its_output(value_.kind) &&
+        value_.kind != ValueKind::delay && value_.kind != ValueKind::linear) {
+      refuse("start", "a value with " + ticked(tables::value_kind_name(value_.kind)) + " has no `start`; remove it");
     }
-    if (member(entry_, "changes") != nullptr && !keeps_its_output(value_.kind)) {
-      refuse("changes", "a value with " + ticked(value_kind_name(value_.kind)) +
+    if (member(entry_, "changes") != nullptr && !tables::keeps_its_output(value_.kind)) {
+      refuse("changes", "a value with " + ticked(tables::value_kind_name(value_.kind)) +
                             " follows its formula at each step and cannot jump; remove `changes`");
     }
     if (member(entry_, "step") != nullptr && value_.kind == ValueKind::parameter) {
@@ -149,14 +143,6 @@ class ValueReader {
     if (start->is_array() == (value_.kind == ValueKind::linear)) return;
     refuse("start", value_.kind == ValueKind::linear ? "`start` of `linear` is a list of states, as in [0, 0]"
                                                      : "`start` is a number; only `linear` has a list of states");
-  }
-
-  std::optional<tables::Time> step_member(std::string_view key) {
-    const auto step = time_member(entry_, key, here_, faults_);
-    if (!step) return step;
-    if (*step >= 100 * tables::kMicrosecond && *step <= 3600 * tables::kSecond) return step;
-    refuse(key, ticked(key) + " is from 100 us to 1 h");
-    return {};
   }
 
   void read_trace() {
@@ -183,7 +169,7 @@ class ValueReader {
       default:
         break;
     }
-    value_.formula = formula_member(entry_, value_kind_name(value_.kind));
+    value_.formula = formula_member(entry_, tables::value_kind_name(value_.kind));
     value_.up = formula_member(entry_, "up");
     value_.down = formula_member(entry_, "down");
     if (value_.kind == ValueKind::ramp && value_.up.empty()) {
@@ -197,7 +183,7 @@ class ValueReader {
     if (value_.kind != ValueKind::lag && value_.kind != ValueKind::delay) return;
     value_.time = time_member(entry_, "time", here_, faults_);
     if (member(entry_, "time") == nullptr) {
-      faults_.add(here_, ticked(value_kind_name(value_.kind)) + " needs `time`", FaultKind::shape);
+      faults_.add(here_, ticked(tables::value_kind_name(value_.kind)) + " needs `time`", FaultKind::shape);
     } else if (value_.time == tables::Time{0}) {
       refuse("time", "`time` is above 0");
     }
@@ -257,13 +243,6 @@ class ValueReader {
 };
 
 }  // namespace
-
-std::string_view value_kind_name(ValueKind kind) {
-  for (const ValueKey& known : kValueKeys) {
-    if (known.kind == kind) return known.key;
-  }
-  return {};
-}
 
 std::vector<GivenValue> value_entries(const Json& object, ShapeFaults& faults) {
   std::vector<GivenValue> values;

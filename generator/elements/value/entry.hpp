@@ -10,9 +10,6 @@
 
 namespace symplant::description {
 
-/// The word of a kind in plant.json, such as `integral`; empty for a parameter.
-std::string_view value_kind_name(tables::ValueKind kind);
-
 /// The object `values`. Faults of shape are reported; formulas and names are not resolved.
 std::vector<GivenValue> value_entries(const nlohmann::json& object, ShapeFaults& faults);
 

@@ -20,8 +20,8 @@ class ValueJson {
     json_.begin_object();
     json_.member("name", value.name);
     if (!value.unit.empty()) json_.member("unit", value.unit);
-    json_.member("kind", row.kind == ValueKind::parameter ? std::string_view("parameter")
-                                                          : description::value_kind_name(row.kind));
+    json_.member("kind",
+                 row.kind == ValueKind::parameter ? std::string_view("parameter") : tables::value_kind_name(row.kind));
     if (row.kind == ValueKind::position) {
       write_positions(value);
     } else if (!value.formulas.empty()) {

@@ -21,6 +21,10 @@ class ValueLowering {
       values_.signals.push_back(signal.row);
       values_.signals.back().formula = add(signal.formula);
     }
+    for (tables::RandomTime& time : tables_.random_times) {
+      if (time.kind != tables::RandomTime::Kind::seconds) continue;
+      time.a = add(plant_.time_formulas[static_cast<std::size_t>(time.a)]);
+    }
   }
 
  private:
@@ -55,6 +59,7 @@ class ValueLowering {
     }
     for (const condition::FormulaInput& input : formula.inputs) add(input);
     values_.formulas.push_back(row);
+    values_.sources.push_back(&formula);
     values_.formula_texts.append(formula.text).push_back('\0');
     return size_of(values_.formulas) - 1;
   }

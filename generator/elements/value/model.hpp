@@ -25,8 +25,8 @@ struct Value {
   std::vector<condition::Formula> formulas;  ///< as ValueRow::formula says
   std::vector<double> numbers;               ///< as ValueRow::numbers says
   std::vector<Change> changes;
-  std::uint32_t given = 0;  ///< index in Description::values
-  std::string device;       ///< that `for` matched; empty: none
+  std::uint32_t given = 0;                ///< index in Description::values
+  std::uint32_t matched = tables::kNone;  ///< a unit of the device that `for` matched; kNone: none
 };
 
 }  // namespace symplant::model

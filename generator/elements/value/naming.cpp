@@ -3,14 +3,12 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <unordered_set>
 #include <utility>
 
 #include "elements/value/entry.hpp"
 #include "elements/value/resolve.hpp"
 #include "text/ascii.hpp"
 #include "text/braces.hpp"
-#include "text/pattern.hpp"
 
 namespace symplant::model {
 namespace {
@@ -22,10 +20,6 @@ using tables::ValueKind;
 
 constexpr std::uint32_t kMostDelaySteps = 100'000;
 constexpr std::uint64_t kMostDelayStepsOfPlant = 10'000'000;
-
-constexpr std::string_view kReserved[] = {
-    "time", "pi",  "not",  "and",  "or",   "abs", "sign", "floor", "ceil", "round", "sqrt", "exp",   "ln", "sin",
-    "cos",  "tan", "asin", "acos", "atan", "pow", "mod",  "atan2", "wrap", "min",   "max",  "limit", "if", "curve"};
 
 /// A name is identifiers joined by dots: letters, digits and `_` of any script.
 bool is_name(std::string_view name) {
@@ -59,41 +53,37 @@ class Namer {
         if (text::has_braces(given[i].name)) {
           faults_.add(here, "names in braces are replaced only with `for`; add `for`, or write the name");
         } else {
-          add(i, given[i].name, {}, here);
+          add(i, given[i].name, kNone, here);
         }
         continue;
       }
-      add_for_each(i, here);
+      add_for_each(i, here.matched_by(given[i].for_each));
     }
   }
 
  private:
   void add_for_each(std::uint32_t index, const Pointer& here) {
     const description::GivenValue& given = plant_.description->values[index];
-    std::unordered_set<std::string_view> devices;
-    for (const Unit& unit : plant_.units) {
-      if (!text::matches_pattern(unit.device_path(), given.for_each)) continue;
-      if (!devices.insert(unit.device_path()).second) continue;
+    const bool any = for_each_device(plant_, given.for_each, [&](const Unit& unit) {
       const MatchedNames matched = MatchedNames::of(plant_, unit, given.for_each);
       text::Replaced name = matched.replace(given.name);
       if (name.unknown.empty()) {
-        add(index, std::move(name.text), std::string(unit.device_path()), here);
+        add(index, std::move(name.text), static_cast<std::uint32_t>(&unit - plant_.units.data()), here);
       } else {
         faults_.add(here, ticked(name.unknown) + " is unknown here; use one of " + matched.choices(),
                     FaultKind::unknown_name);
-        return;
       }
-    }
-    if (devices.empty()) {
+    });
+    if (!any) {
       faults_.warn(here / "for", ticked(given.for_each) + " matches no device", FaultKind::matches_nothing);
     }
   }
 
-  void add(std::uint32_t index, std::string name, std::string device, const Pointer& here) {
+  void add(std::uint32_t index, std::string name, std::uint32_t matched, const Pointer& here) {
     if (!check(name, here)) return;
     Value value;
     value.given = index;
-    value.device = std::move(device);
+    value.matched = matched;
     value.unit = plant_.description->values[index].unit;
     set_numbers(plant_.description->values[index], value, here);
     value.name = std::move(name);
@@ -107,8 +97,7 @@ class Namer {
       faults_.add(here, ticked(name) + " is not a name of a value; write letters, digits and `_`, joined by dots");
       return false;
     }
-    const auto equal = [&](std::string_view word) { return text::equal_ignoring_case(word, name); };
-    if (std::any_of(std::begin(kReserved), std::end(kReserved), equal)) {
+    if (condition::is_formula_word(name)) {
       faults_.add(here, ticked(name) + " is a word of formulas; choose another name");
       return false;
     }
@@ -160,7 +149,8 @@ class Namer {
     row.kind = given.kind;
     row.min = given.min.value_or(-kInfinity);
     row.max = given.max.value_or(kInfinity);
-    row.start = std::min(std::max(given.start.value_or(0), row.min), row.max) + 0.0;
+    row.start = given.start.value_or(0);
+    row.start = row.start_output();
     if (row.min > row.max) {
       faults_.add(here / "min", "`min` is above `max`; exchange them");
     } else if (given.start && *given.start != row.start) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "elements/value/entry.hpp"
+#include "elements/value/readers.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::model {
@@ -27,11 +28,7 @@ class ValueResolver {
         made_(made),
         faults_(faults),
         here_(pointer()) {
-    if (!value.device.empty()) {
-      const auto unit = std::find_if(plant.units.begin(), plant.units.end(),
-                                     [&](const Unit& each) { return each.device_path() == value.device; });
-      matched_ = MatchedNames::of(plant, *unit, given_.for_each);
-    }
+    if (value.matched != kNone) matched_ = MatchedNames::of(plant, plant.units[value.matched], given_.for_each);
   }
 
   void run() {
@@ -50,14 +47,14 @@ class ValueResolver {
         for (std::size_t i = 0; i < given_.u.size(); ++i) formula(given_.u[i], here_ / "linear" / "u" / i);
         break;
       default:
-        formula(given_.formula, here_ / description::value_kind_name(value_.row.kind));
+        formula(given_.formula, here_ / tables::value_kind_name(value_.row.kind));
         if (value_.row.kind != ValueKind::ramp) break;
         formula(given_.up, here_ / "up");
         if (!given_.down.empty()) formula(given_.down, here_ / "down");
     }
     for (std::size_t i = 0; i < given_.changes.size(); ++i) change(given_.changes[i], here_ / "changes" / i);
     if (matched_) made_.takes(here_);
-    if (!lacking_.empty()) made_.lacks(here_, value_.device, std::move(lacking_));
+    if (!lacking_.empty()) made_.lacks(here_, plant_.units[value_.matched].device_path(), std::move(lacking_));
     if (!sound_) leave_out();
   }
 
@@ -212,11 +209,6 @@ bool is_direct(const Value& value) {
   }
 }
 
-bool is_computed(ValueKind kind) {
-  return kind == ValueKind::is || kind == ValueKind::derivative || kind == ValueKind::position ||
-         kind == ValueKind::noise || kind == ValueKind::pid || kind == ValueKind::linear;
-}
-
 }  // namespace
 
 void resolve_values(PlantModel& plant, ConditionReader& conditions, MadeNames& made, description::Faults& faults) {
@@ -225,9 +217,7 @@ void resolve_values(PlantModel& plant, ConditionReader& conditions, MadeNames& m
 }
 
 std::vector<std::uint32_t> value_order(const PlantModel& plant, description::Faults* faults) {
-  std::vector<std::uint32_t> value_of;  // output -> value
-  for (std::uint32_t v = 0; v < plant.values.size(); ++v)
-    value_of.resize(value_of.size() + plant.values[v].row.outputs, v);
+  const std::vector<std::uint32_t> value_of = values_of_outputs(plant);
   enum class Mark : std::uint8_t { fresh, open, done };
   std::vector<Mark> marks(plant.values.size(), Mark::fresh);
   std::vector<std::uint32_t> order;
@@ -248,7 +238,7 @@ std::vector<std::uint32_t> value_order(const PlantModel& plant, description::Fau
     return made;
   };
   for (std::uint32_t first = 0; first < plant.values.size(); ++first) {
-    if (marks[first] != Mark::fresh || !is_computed(plant.values[first].row.kind)) continue;
+    if (marks[first] != Mark::fresh || !tables::is_computed(plant.values[first].row.kind)) continue;
     std::vector<Level> open{level(first)};
     marks[first] = Mark::open;
     while (!open.empty()) {
@@ -260,7 +250,7 @@ std::vector<std::uint32_t> value_order(const PlantModel& plant, description::Fau
         continue;
       }
       const std::uint32_t read = top.reads[top.next++];
-      if (marks[read] == Mark::fresh && is_computed(plant.values[read].row.kind)) {
+      if (marks[read] == Mark::fresh && tables::is_computed(plant.values[read].row.kind)) {
         marks[read] = Mark::open;
         open.push_back(level(read));
       } else if (marks[read] == Mark::open && faults != nullptr) {

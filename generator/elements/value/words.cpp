@@ -31,23 +31,38 @@ std::string positions_of(const model::Value& value, const model::Unit& unit) {
   return text;
 }
 
+std::string controller_of(const tables::ValueRow& row, const description::GivenValue& given) {
+  std::string text = fmt::format(", kp {}", row.factor);
+  if (given.ti) text += ", ti " + time_text(*given.ti);
+  if (given.td != 0) text += ", td " + time_text(given.td);
+  return text;
+}
+
 std::string range_of(const tables::ValueRow& row) {
   if (std::isfinite(row.min) && std::isfinite(row.max)) return fmt::format(", from {} to {}", row.min, row.max);
   if (std::isfinite(row.min)) return fmt::format(", at least {}", row.min);
   return std::isfinite(row.max) ? fmt::format(", at most {}", row.max) : "";
 }
 
-bool has_start(ValueKind kind) {
-  return kind == ValueKind::parameter || kind == ValueKind::integral || kind == ValueKind::lag ||
-         kind == ValueKind::ramp || kind == ValueKind::delay;
+/// "integral, from 0 to 120", "lag, time 90 s".
+std::string kind_line(const model::Value& value, const description::GivenValue& given) {
+  const tables::ValueRow& row = value.row;
+  std::string text(tables::value_kind_name(row.kind));
+  if (row.kind == ValueKind::parameter) text += fmt::format(", starts at {}", row.start);
+  if (row.kind == ValueKind::noise) text += fmt::format(" {}", row.factor);
+  if (given.time) text += ", time " + time_text(*given.time);
+  if (row.kind == ValueKind::pid) text += controller_of(row, given);
+  return text + range_of(row);
 }
+
+bool has_start(ValueKind kind) { return tables::keeps_its_output(kind) || kind == ValueKind::delay; }
 
 }  // namespace
 
 std::string value_line(const model::Value& value, const model::PlantModel& plant) {
   const tables::ValueRow& row = value.row;
   const description::GivenValue& given = plant.description->values[value.given];
-  std::string text(row.kind == ValueKind::parameter ? "parameter" : description::value_kind_name(row.kind));
+  std::string text(tables::value_kind_name(row.kind));
   if (row.kind == ValueKind::position) {
     text += " " + positions_of(value, plant.units[row.unit]);
   } else if (row.kind == ValueKind::noise) {
@@ -56,11 +71,7 @@ std::string value_line(const model::Value& value, const model::PlantModel& plant
     text += " " + formulas_of(value);
   }
   if (given.time) text += ", time " + time_text(*given.time);
-  if (row.kind == ValueKind::pid) {
-    text += fmt::format(", kp {}", row.factor);
-    if (given.ti) text += ", ti " + time_text(*given.ti);
-    if (given.td != 0) text += ", td " + time_text(given.td);
-  }
+  if (row.kind == ValueKind::pid) text += controller_of(row, given);
   text += range_of(row);
   if (!value.unit.empty()) text += " " + value.unit;
   if (has_start(row.kind)) text += fmt::format(", starts at {}", row.start);
@@ -69,6 +80,25 @@ std::string value_line(const model::Value& value, const model::PlantModel& plant
     text += fmt::format(", when {} to {}", model::condition_text(change.when, plant), change.to.text);
   }
   return text;
+}
+
+std::string value_title(const model::Value& value) {
+  return value.unit.empty() ? value.name : fmt::format("{} [{}]", value.name, value.unit);
+}
+
+std::vector<std::string> value_box(const model::Value& value, const model::PlantModel& plant) {
+  std::vector<std::string> lines{kind_line(value, plant.description->values[value.given])};
+  if (value.row.kind == ValueKind::position) {
+    lines.push_back(positions_of(value, plant.units[value.row.unit]));
+  } else if (value.row.kind == ValueKind::pid && value.formulas.size() == 2) {
+    lines.push_back(fmt::format("of {} to {}", value.formulas[0].text, value.formulas[1].text));
+  } else if (!value.formulas.empty()) {
+    lines.push_back(formulas_of(value));
+  }
+  for (const model::Change& change : value.changes) {
+    lines.push_back(fmt::format("when {} to {}", model::condition_text(change.when, plant), change.to.text));
+  }
+  return lines;
 }
 
 std::string signal_line(const model::Signal& signal, const model::PlantModel&) {

@@ -124,6 +124,7 @@ constexpr std::array kAliases{Alias{Field::klass, 2, "class"},
                               Alias{Field::initial, 1, "상수값"},
                               Alias{Field::initial, 1, "定数値"},
                               Alias{Field::comment, 3, "comment"},
+                              Alias{Field::comment, 3, "devicecomment"},
                               Alias{Field::comment, 3, "kommentar"},
                               Alias{Field::comment, 3, "코멘트"},
                               Alias{Field::comment, 3, "설명문"},
@@ -166,6 +167,9 @@ constexpr std::array<std::string_view, 40> kTypes{
     "UINT",  "UINT_BCD", "ULINT",   "USINT", "WCHAR",   "WORD",   "WSTRING", "ビット", "ワード", "비트"};
 
 bool is_letter(char c) { return text::upper(c) >= 'A' && text::upper(c) <= 'Z'; }
+
+/// `Address Comment`, `IO Description`: of rank 0.
+bool is_comment(std::string_view word) { return word.ends_with("comment") || word.ends_with("description"); }
 
 /// Of these fields a wrong column makes a wrong plant, so two candidates are reported.
 bool matters(Field field) {
@@ -235,6 +239,7 @@ NamedColumns named_columns(const CsvRow& row) {
   rivals.fill(kNoColumn);
   for (std::size_t column = 0; column < row.cells.size(); ++column) {
     const std::string word = header_word(row.cells[column]);
+    if (!named.columns.has(Field::comment) && is_comment(word)) named.columns.set(Field::comment, column);
     for (const Alias& alias : kAliases) {
       const auto field = static_cast<std::size_t>(alias.field);
       if (alias.word != word || alias.rank < ranks[field]) continue;

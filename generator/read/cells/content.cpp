@@ -2,6 +2,7 @@
 #include "read/cells/content.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <unordered_set>
 
@@ -65,9 +66,12 @@ struct Look {
   std::size_t types = 0;
   std::size_t texts = 0;
   std::size_t too_long = 0;
-  bool percent = false;  ///< its addresses begin with `%`
+  std::size_t digits = 0;  ///< cells with a digit
+  bool percent = false;    ///< its addresses begin with `%`
 
   bool holds_addresses() const { return io > 0 && addresses * 10 >= filled * 8; }
+  /// Words, as a column `Device` of the plant's devices has them: an address has a digit.
+  bool holds_no_address() const { return addresses == 0 && digits * 2 < filled; }
   bool holds_names() const {
     return filled > 0 && filled * 10 >= rows * 9 && distinct * 100 >= filled * 95 && too_long == 0 &&
            texts * 10 >= filled * 8 && !holds_addresses();
@@ -97,6 +101,7 @@ Look look_at(const std::vector<CsvRow>& rows, std::size_t column) {
     look.identifiers += is_identifier_like(cell) ? 1U : 0U;
     look.types += is_type(cell) ? 1U : 0U;
     look.texts += is_text(cell) ? 1U : 0U;
+    look.digits += std::any_of(cell.begin(), cell.end(), text::is_digit) ? 1U : 0U;
     look.too_long += cell.size() > kLongestCellOfNames ? 1U : 0U;
   }
   look.distinct = distinct.size();
@@ -153,13 +158,20 @@ void add_initial(const std::vector<CsvRow>& rows, Columns& columns) {
   if (any) columns.set(Field::initial, next);
 }
 
-/// The column with the most cells of text.
-void add_comment(const std::vector<CsvRow>& rows, Columns& columns) {
+/// The column with the most different texts: one that repeats few words is of another kind.
+void add_comment(const std::vector<CsvRow>& rows, const std::vector<Look>& looks, Columns& columns) {
   if (columns.has(Field::comment)) return;
-  const std::size_t most = vote(rows, columns, is_text);
-  if (most == kNoColumn) return;
-  const Look look = look_at(rows, most);
-  if (look.texts * 2 > look.filled) columns.set(Field::comment, most);
+  std::vector<std::set<std::string_view>> texts(looks.size());
+  for (const CsvRow& row : rows) {
+    for (std::size_t i = 0; i < std::min(texts.size(), row.cells.size()); ++i) {
+      if (!columns.holds(i) && is_text(row.cells[i])) texts[i].insert(row.cells[i]);
+    }
+  }
+  const auto most =
+      std::max_element(texts.begin(), texts.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (most == texts.end() || most->empty()) return;
+  const auto column = static_cast<std::size_t>(most - texts.begin());
+  if (looks[column].texts * 2 > looks[column].filled) columns.set(Field::comment, column);
 }
 
 /// Takes the column that serves best, if it is clearly better than the second.
@@ -199,12 +211,16 @@ Columns classed_columns(const std::vector<CsvRow>& rows) {
   if (!columns.has(Field::name)) columns.set(Field::name, vote(rows, columns, is_filled));
   columns.set(Field::vendor_address, vote(rows, columns, looks_like_vendor_address));
   add_initial(rows, columns);
-  add_comment(rows, columns);
+  add_comment(rows, look_at_all(rows), columns);
   return columns;
 }
 
 std::optional<Rivals> complete_by_content(const std::vector<CsvRow>& rows, Columns& columns) {
   const std::vector<Look> looks = look_at_all(rows);
+  for (const Field field : {Field::vendor_address, Field::iec_address}) {
+    if (columns.has(field) && columns[field] < looks.size() && looks[columns[field]].holds_no_address())
+      columns.set(field, kNoColumn);
+  }
   if (!columns.has_address()) {
     for (const bool percent : {true, false}) {
       const Field field = percent ? Field::iec_address : Field::vendor_address;
@@ -225,7 +241,7 @@ std::optional<Rivals> complete_by_content(const std::vector<CsvRow>& rows, Colum
       if (!columns.has(Field::type) && !columns.holds(i) && looks[i].holds_types()) columns.set(Field::type, i);
     }
   }
-  add_comment(rows, columns);
+  add_comment(rows, looks, columns);
   return std::nullopt;
 }
 

@@ -1,4 +1,10 @@
 // Reads device comments of GX Works2, GX Works3 and GX Developer: addresses and comments, no names.
+#include <algorithm>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "address/notation.hpp"
 #include "read/formats.hpp"
 #include "read/formats/table_formats.hpp"
 
@@ -7,17 +13,31 @@ namespace symplant::read {
 namespace {
 
 constexpr std::array kGxWorksCommentsHeaders{
-    HeaderWords{"devicename", "comment"},      HeaderWords{"デバイス名", "コメント"},
-    HeaderWords{"디바이스명", "코멘트"},       HeaderWords{"软元件名", "注释"},
-    HeaderWords{"device", "label", "comment"}, HeaderWords{"device", "comment"}};
+    HeaderWords{"device", "devicecomment"}, HeaderWords{"devicename", "comment"},
+    HeaderWords{"デバイス名", "コメント"},  HeaderWords{"디바이스명", "코멘트"},
+    HeaderWords{"软元件名", "注释"},        HeaderWords{"device", "label", "comment"},
+    HeaderWords{"device", "comment"}};
 
-/// With up to three columns: other lists have a device and a comment, too.
+/// Whether nearly all cells of the address column are addresses of MELSEC.
+bool holds_addresses(std::string_view text, const Layout& layout) {
+  std::deque<std::string> arena;
+  const std::vector<CsvRow> rows = sample_rows(text, layout, arena);
+  const auto cells = sample_cells(rows, layout.columns[Field::vendor_address]);
+  const auto addresses = std::count_if(cells.begin(), cells.end(), [](std::string_view cell) {
+    return address::address_strength(cell) > 0 && address::parse(cell, {address::Notation::melsec}).has_value();
+  });
+  return !cells.empty() && static_cast<std::size_t>(addresses) * 10 >= cells.size() * 9;
+}
+
+/// Other lists have a device and a comment, too: with more than three columns, none may be one of names, and the cells
+/// decide.
 std::optional<Layout> gx_works_comments_layout(std::string_view text) {
   auto layout = layout_in_any(text, kGxWorksCommentsHeaders);
   if (!layout) return std::nullopt;
   while (!layout->header.empty() && layout->header.back().empty()) layout->header.pop_back();
-  if (layout->header.size() > 3) return std::nullopt;
   if (!layout->columns.has(Field::vendor_address)) layout->columns.set(Field::vendor_address, 0);
+  const bool is_plain = layout->header.size() <= 3;
+  if (!is_plain && (layout->columns.has(Field::name) || !holds_addresses(text, *layout))) return std::nullopt;
   return layout;
 }
 

@@ -21,7 +21,8 @@ bool is_of_module(std::string_view name) { return name.find(':') != std::string_
 
 }  // namespace
 
-void RockwellTags::make_rows() {
+void RockwellTags::make_rows(std::string_view controller) {
+  controller_ = controller;
   const bool has_programs =
       std::any_of(tags_.begin(), tags_.end(), [](const RockwellTag& tag) { return !tag.scope.empty(); });
   resolve();
@@ -39,7 +40,13 @@ void RockwellTags::make_rows() {
     comments_.pop_front();
   }
   describe();
-  if (has_programs) qualify_repeated_names(builder_);
+  if (has_programs && controller.empty()) qualify_repeated_names(builder_);
+}
+
+/// The scope that qualifies a name: the controller of several, then the program.
+std::string_view RockwellTags::scope_of(std::string_view program) {
+  if (controller_.empty()) return program;
+  return program.empty() ? controller_ : builder_.keep(std::string(controller_) + "." + std::string(program));
 }
 
 void RockwellTags::resolve() {
@@ -118,7 +125,8 @@ void RockwellTags::make_row(const RockwellTag& tag, std::string_view resolved) {
   row.name = tag.name;
   row.type = tag.type;
   row.comment = decoded(tag.comment);
-  if (!tag.scope.empty()) builder_.extra(row).scope = tag.scope;
+  const std::string_view scope = scope_of(tag.scope);
+  if (!scope.empty()) builder_.extra(row).scope = scope;
   bool whole = is_of_module(tag.name) || (is_of_module(resolved) && split_operand(resolved).tail.empty());
   if (!tag.target.empty()) {
     const std::uint32_t number = operands_.number_of(resolved);
@@ -150,7 +158,8 @@ void RockwellTags::make_row(const RockwellComment& comment, std::uint32_t operan
   ListRow& row = builder_.add(comment.whole, comment.line);
   row.name = comment.operand;
   row.vendor_address = resolved.text;
-  if (!comment.scope.empty()) builder_.extra(row).scope = comment.scope;
+  const std::string_view scope = scope_of(comment.scope);
+  if (!scope.empty()) builder_.extra(row).scope = scope;
   if (!text::equal_ignoring_case(comment.operand, resolved.text)) builder_.extra(row).alias = comment.operand;
   row.comment = comment_of(operand);
   const std::string_view parent = comment_of_parent(operand);

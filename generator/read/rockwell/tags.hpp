@@ -49,8 +49,9 @@ class RockwellTags {
   void add(const RockwellTag& tag) { tags_.push_back(tag); }
   void add(const RockwellComment& comment) { comments_.push_back(comment); }
 
-  /// Makes the rows of all that was added, and the decisions about them. Once.
-  void make_rows();
+  /// Makes the rows of all that was added, and the decisions about them. Once. `controller`: of one of several in the
+  /// list, which is part of the scope of its tags; repeated names are then qualified by the caller.
+  void make_rows(std::string_view controller = {});
 
  private:
   using Outcome = AliasResolver::Outcome;
@@ -58,6 +59,7 @@ class RockwellTags {
   void resolve();
   void take_comments();
   void mark_operands();
+  std::string_view scope_of(std::string_view program);
   void make_row(const RockwellTag& tag, std::string_view resolved);
   void fill_alias(ListRow& row, const RockwellTag& tag, std::uint32_t operand);
   void make_row(const RockwellComment& comment, std::uint32_t operand);
@@ -71,6 +73,7 @@ class RockwellTags {
 
   TableBuilder& builder_;
   Texts texts_;
+  std::string_view controller_;
   std::deque<RockwellTag> tags_;
   std::deque<RockwellComment> comments_;
   std::vector<std::string_view> tag_operands_;   ///< for each tag, resolved

@@ -28,11 +28,13 @@ void DeclaredRows::read_copy(std::string_view text, text::Span origin, std::stri
 
 std::optional<SymbolTable> DeclaredRows::finish() {
   if (builder_.table().rows.empty()) {
+    const bool is_of_br = builder_.source().path().ends_with(".var");
     builder_.report(kHeaderAlone,
                     locals_ == 0 ? "the file declares no variable; export the list of global variables"
                                  : "the file has " + std::to_string(locals_) +
                                        " local variables, but none with an address (`AT %IX0.0`) and no `VAR_GLOBAL`; "
-                                       "export the list of global variables",
+                                       "export the list of global variables" +
+                                       (is_of_br ? "; of B&R Automation Studio give the I/O mapping (IoMap.iom)" : ""),
                     builder_.source().span_of(builder_.source().line_at(0)));
     return std::nullopt;
   }

@@ -10,6 +10,7 @@
   const mostFound = 200;
   const [NAME, ROW, LIST, DIRECTION, TYPE, ADDRESS, IEC, INITIAL, UNIT, WHY, LEADER] = Array(11).keys();
   const locations = data.material ? data.material.locations : [];
+  const values = data.values ? data.values.list : [];
   const unitOfPath = new Map(data.units.map((unit, index) => [unit.path, index]));
 
   // Elements: make("p", {class: "x"}, "text", otherElement)
@@ -97,6 +98,7 @@
     locations.forEach(({name, shapes}, index) => {
       if (fits(name) || shapes.some(([shape, , , , text]) => shape === "text" && fits(text))) rows.push(["#m" + index, name]);
     });
+    values.forEach(([name, , text], index) => { if (fits(name) || fits(text)) rows.push(["#v" + index, name]); });
     for (const symbol of data.symbols) {
       if (fits(symbol[NAME]) || fits(symbol[ADDRESS]) || fits(symbol[IEC])) {
         rows.push([symbol[UNIT] < 0 ? "#none" : "#d" + symbol[UNIT], symbol[NAME] + "  " + (symbol[ADDRESS] || symbol[IEC])]);
@@ -115,12 +117,12 @@
 
   // The chart of a device: the layout of its kind, and its initial state.
   const drawText = (x, y, text, name) => draw("text", {x, y, class: name || ""}, text);
+  const arrowHead = () => draw("defs", {}, draw("marker", {id: "head", viewBox: "0 0 8 8", refX: 8, refY: 4,
+    markerUnits: "userSpaceOnUse", markerWidth: 8, markerHeight: 8, orient: "auto"}, draw("path", {class: "head", d: "M0 0L8 4L0 8z"})));
   const drawChart = (unit, kind) => {
     const layout = data.layouts[kind.layout];
     const svg = draw("svg", {width: layout.width, height: layout.height, role: "img",
-      viewBox: "0 0 " + layout.width + " " + layout.height, "aria-label": "state chart of " + unit.path},
-      draw("defs", {}, draw("marker", {id: "head", viewBox: "0 0 8 8", refX: 8, refY: 4, markerWidth: 8, markerHeight: 8,
-        orient: "auto"}, draw("path", {class: "head", d: "M0 0L8 4L0 8z"}))));
+      viewBox: "0 0 " + layout.width + " " + layout.height, "aria-label": "state chart of " + unit.path}, arrowHead());
     kind.edges.forEach(([from, , automatic], i) => {
       const [x0, y0, x1, y1, x2, y2] = layout.arrows[i];
       svg.append(draw("path", {class: automatic ? "way automatic" : "way", "marker-end": "url(#head)",
@@ -257,12 +259,42 @@
     [["Kinds of parts", "kinds"], ["Transfers", "transfers"], ["Work", "work"], ["Sources", "sources"]].map(([title, key]) =>
       data.material[key].length ? section(title, materialList(key)) : null)];
 
+  // The signal flow: values, what they read, what reads them. The value chosen and its arrows are marked.
+  const drawFlow = (chosen) => {
+    const {width, height, boxes, arrows} = data.values;
+    const isChosen = (box) => chosen !== null && boxes[box][7] === chosen;
+    const svg = draw("svg", {width, height, role: "group", viewBox: "0 0 " + width + " " + height,
+      "aria-label": "signal flow of the values"}, arrowHead());
+    const drawArrow = ([, , inCondition, path], marked) => svg.append(draw("path", {class: "way"
+      + (inCondition ? " automatic" : "") + (marked ? " chosen" : ""), d: path, "marker-end": "url(#head)"}));
+    const marked = ([from, to]) => isChosen(from) || isChosen(to);
+    arrows.filter((arrow) => !marked(arrow)).forEach((arrow) => drawArrow(arrow, false));
+    arrows.filter(marked).forEach((arrow) => drawArrow(arrow, true));
+    boxes.forEach(([x, y, width, height, style, texts, whole, value, unit], index) => {
+      const href = value >= 0 ? "#v" + value : unit >= 0 ? "#d" + unit : "";
+      const attributes = isChosen(index) ? {class: "chosen", id: "chosen"} : {};
+      if (href) attributes.href = href;
+      svg.append(draw(href ? "a" : "g", attributes, whole.length ? draw("title", {}, whole.join("\n")) : null,
+        draw("rect", {class: style, x, y, width, height, rx: style === "flow-value" ? 2 : 12}),
+        texts.map((text, n) => drawText(x + 10, y + 16 + 14 * n, text, n ? "start" : "name start"))));
+    });
+    return make("div", {class: "wide"}, svg);
+  };
+  const showValues = (chosen) => [make("h1", {}, "Values"),
+    make("p", {class: "soft"}, "At the left is what formulas read, at the right what reads values. A dashed arrow: only conditions read it."),
+    drawFlow(chosen),
+    values.length ? section("Values", table(["name", "unit", "what it is"], values.map(([name, unit, text], index) =>
+      [make("a", {href: "#v" + index, class: "code"}, name), unit, code(text)]))) : null,
+    data.values.signals.length ? section("Signals", table(["symbol", "shows"],
+      data.values.signals.map(([symbol, text]) => [code(symbol), code(text)]))) : null];
+
   const showAbout = () => [make("h1", {}, data.plant),
     table(null, [
       ["devices", String(data.units.length)], ["I/O symbols", String(data.symbols.length)],
       ["in no device", make("a", {href: "#none"}, String(data.symbols.filter((symbol) => symbol[UNIT] < 0).length))],
       ["requirements", make("a", {href: "#requirements"}, String(data.requirements.length))],
       ...(data.material ? [["tracks and places", make("a", {href: "#material"}, String(locations.length))]] : []),
+      ...(data.values ? [["values", make("a", {href: "#values"}, String(values.length))]] : []),
       ...(data.malfunctions ? [["malfunctions", make("a", {href: "#malfunctions"}, String(data.malfunctions.length))]] : []),
       ["symbol lists", data.lists.join(", ")], ["model hash", code(data.hash)],
       ...data.internal.map(([reason, rows]) => ["rows: " + reason, String(rows)]),
@@ -284,10 +316,18 @@
     const match = /^#m(\d+)$/.exec(location.hash);
     return match && Number(match[1]) < locations.length ? Number(match[1]) : null;
   };
+  const currentValue = () => {
+    const match = /^#v(\d+)$/.exec(location.hash);
+    return match && Number(match[1]) < values.length ? Number(match[1]) : null;
+  };
   const pages = {"#requirements": showRequirements, "#none": showNone, "#about": showAbout};
   if (data.material) {
     pages["#material"] = showMaterial;
     document.getElementById("parts").hidden = false;
+  }
+  if (data.values) {
+    pages["#values"] = () => showValues(null);
+    document.getElementById("numbers").hidden = false;
   }
   if (data.malfunctions) {
     pages["#malfunctions"] = showMalfunctions;
@@ -297,11 +337,13 @@
     if (location.hash === "#main") return;
     const index = currentDevice();
     const shown = currentLocation();
+    const value = currentValue();
     const content = index !== null ? showDevice(index) : shown !== null ? showMaterial()
-      : (pages[location.hash] || showAbout)();
+      : value !== null ? showValues(value) : (pages[location.hash] || showAbout)();
     main.replaceChildren(...content.flat(Infinity).filter((child) => child !== null));
     main.scrollTop = 0;
     if (shown !== null) document.getElementById("drawing" + shown).scrollIntoView();
+    if (value !== null) document.getElementById("chosen").scrollIntoView({block: "center", inline: "center"});
     document.title = (index !== null ? data.units[index].path + " - " : "") + data.plant;
     markCurrent(true);
   };

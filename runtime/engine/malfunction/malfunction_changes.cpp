@@ -33,19 +33,28 @@ bool Malfunctions::is_active(std::uint32_t number) const noexcept {
 tables::Time Malfunctions::next_due(std::uint32_t number) const noexcept {
   if (!numbers_.is_written(number)) return tables::kNever;
   const MalfunctionState& state = states_[number];
-  return std::min({state.due, state.becomes, state.flickers});
+  tables::Time due = std::min(state.due, state.becomes);
+  for (std::uint32_t e = 0; e < state.begun; ++e) due = std::min(due, effect_state(number, e).due);
+  return due;
 }
 
-tables::Time Malfunctions::drawn(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept {
+tables::Time Malfunctions::drawn(std::uint32_t number, tables::Time time, std::uint16_t stream,
+                                 std::uint32_t& draws) noexcept {
   if (time >= 0) return time;
-  const auto n = static_cast<std::uint16_t>(stream);
-  const std::uint64_t start = draw_start(engine_.head_->seed, name_hashes_[number], n, states_[number].draws[n]++);
+  const std::uint64_t start = draw_start(engine_.head_->seed, name_hashes_[number], stream, draws++);
   return std::max<tables::Time>(1, random_time(tables_.random_times[static_cast<std::size_t>(-1 - time)], start));
 }
 
 /// The time that is `time` of the tables from now; kNever if it is not given.
-tables::Time Malfunctions::after(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept {
-  return time == 0 ? tables::kNever : later(now(), drawn(number, time, stream));
+tables::Time Malfunctions::after(std::uint32_t number, tables::Time time, std::uint16_t stream) noexcept {
+  return time == 0 ? tables::kNever : later(now(), drawn(number, time, stream, states_[number].draws[stream]));
+}
+
+/// When the symbol of a flicker shows the opposite next.
+tables::Time Malfunctions::next_flicker(std::uint32_t number, std::uint32_t effect) noexcept {
+  const auto stream = static_cast<std::uint16_t>(kEveryStream + effect);
+  const tables::Time every = tables_.malfunctions.effects_of(number)[effect].every;
+  return later(now(), drawn(number, every, stream, effect_state(number, effect).draws));
 }
 
 bool Malfunctions::start(std::uint32_t number, By by) noexcept {
@@ -60,9 +69,8 @@ bool Malfunctions::start(std::uint32_t number, By by) noexcept {
     state.active = 1;
     state.wishes = 0;
     state.since = now();
-    state.due = after(number, row(number).lasts, MalfunctionStream::lasts);
+    state.due = after(number, row(number).lasts, kLastsStream);
     state.becomes = row(number).after == 0 ? tables::kNever : later(now(), row(number).after);
-    state.flickers = after(number, row(number).every, MalfunctionStream::every);
     seen_.mark(number);
   }
   active_[head_->active++] = {now(), number, by, {}};
@@ -73,7 +81,9 @@ bool Malfunctions::start(std::uint32_t number, By by) noexcept {
 
 bool Malfunctions::stop(std::uint32_t number, By by) noexcept {
   if (!numbers_.exists(number)) return false;
-  if (is_active(number)) end(number, by);
+  if (!is_active(number)) return true;
+  if (numbers_.is_written(number)) states_[number].waits = row(number).during ? 1 : 0;
+  end(number, by);
   return true;
 }
 
@@ -84,10 +94,10 @@ void Malfunctions::end(std::uint32_t number, By by) noexcept {
   --head_->active;
   if (numbers_.is_written(number)) {
     MalfunctionState& state = states_[number];
-    state.active = state.shows = state.wishes = 0;
+    state.active = state.wishes = 0;
     state.since = 0;
-    state.becomes = state.flickers = tables::kNever;
-    state.due = after(number, row(number).chance, MalfunctionStream::chance);
+    state.becomes = tables::kNever;
+    state.due = after(number, row(number).chance, kChanceStream);
   } else {
     --head_->ordinary;
   }
@@ -165,7 +175,7 @@ void Malfunctions::begin_one(std::uint32_t number) noexcept {
       end(number, By::end);
     } else if (state.becomes <= now()) {
       become(number);
-    } else if (state.flickers <= now()) {
+    } else {
       flicker(number);
     }
   } else if (state.due <= now()) {
@@ -182,26 +192,39 @@ void Malfunctions::become(std::uint32_t number) noexcept {
 }
 
 void Malfunctions::flicker(std::uint32_t number) noexcept {
-  MalfunctionState& state = states_[number];
-  state.shows ^= 1;
-  state.flickers =
-      state.shows != 0 ? later(now(), row(number).shows) : after(number, row(number).every, MalfunctionStream::every);
-  override_again(row(number).subject);
+  for (std::uint32_t e = 0; e < states_[number].begun; ++e) {
+    EffectState& state = effect_state(number, e);
+    if (state.due > now()) continue;
+    const tables::EffectRow& effect = tables_.malfunctions.effects_of(number)[e];
+    state.shows ^= 1;
+    state.due = state.shows != 0 ? later(now(), effect.shows) : next_flicker(number, e);
+    override_again(effect.subject);
+  }
 }
 
-/// A malfunction starts by its condition once at a time, so that those of several cannot start each other for ever.
 void Malfunctions::close() noexcept {
-  seen_.take_all([&](std::uint32_t m) {
-    MalfunctionState& state = states_[m];
-    const tables::MalfunctionRow& row = this->row(m);
-    const bool holds = row.condition != tables::kNone && engine_.truth(row.condition);
-    const bool begins = holds && state.held == 0;
-    state.held = holds ? 1 : 0;
-    const bool may_start = state.active == 0 && state.frozen == 0 && state.by_itself != now();
-    if (begins && may_start) state.wishes |= kStarts;
-    if (state.active != 0 && row.unless != tables::kNone && engine_.truth(row.unless)) state.wishes |= kEnds;
-    if (state.wishes != 0) head_->pending = 1;
+  seen_.take_all([this](std::uint32_t m) {
+    close(m);
+    if (states_[m].wishes != 0) head_->pending = 1;
   });
+}
+
+/// A malfunction starts by its `when` once at a time, so that those of several cannot start each other for ever.
+void Malfunctions::close(std::uint32_t number) noexcept {
+  MalfunctionState& state = states_[number];
+  const tables::MalfunctionRow& row = this->row(number);
+  const bool holds = row.condition != tables::kNone && engine_.truth(row.condition);
+  const bool begins = holds && state.held == 0;
+  state.held = holds ? 1 : 0;
+  if (row.during) {
+    if (!holds) state.waits = 0;
+    if (state.active != 0 && !holds) state.wishes |= kEnds;
+    if (state.active == 0 && holds && state.waits == 0 && state.frozen == 0) state.wishes |= kStarts;
+    return;
+  }
+  const bool may_start = state.active == 0 && state.frozen == 0 && state.by_itself != now();
+  if (begins && may_start) state.wishes |= kStarts;
+  if (state.active != 0 && row.unless != tables::kNone && engine_.truth(row.unless)) state.wishes |= kEnds;
 }
 
 }  // namespace symplant::engine

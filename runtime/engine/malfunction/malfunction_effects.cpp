@@ -19,57 +19,112 @@ tables::Time times(tables::Time time, std::uint32_t factor) noexcept {
 
 }  // namespace
 
-/// Calls `function(unit, state)` for each unit that the malfunction slows or stops.
-template <class Function>
-void Malfunctions::for_units(std::uint32_t number, Function function) const noexcept {
-  if (numbers_.is_written(number)) {
-    for (const tables::MalfunctionUnit& of : numbers_.units_of(number)) function(of.unit, of.state);
-  } else if (numbers_.is_of_unit(number)) {
-    function(numbers_.unit(number), tables::kNoState);
-  }
-}
-
-/// Calls `function(symbol, value)` for each symbol to which the malfunction gives a value.
-template <class Function>
-void Malfunctions::for_values(std::uint32_t number, Function function) const noexcept {
-  if (numbers_.kind(number) != MalfunctionKind::force) return;
-  if (numbers_.is_written(number)) {
-    const tables::Rows rows = row(number).of;
-    for (const tables::MalfunctionForce& force : tables_.malfunctions.forces.subspan(rows.first, rows.count)) {
-      function(force.symbol, force.value);
-    }
-  } else {
-    function(numbers_.symbol(number), numbers_.is_on(number) ? 1 : 0);
-  }
-}
-
+/// The effects of a written one begin in their order.
 void Malfunctions::affect(std::uint32_t number) noexcept {
-  const MalfunctionKind kind = numbers_.kind(number);
-  for_units(number, [&](std::uint32_t unit, std::uint8_t state) {
-    kind == MalfunctionKind::stuck ? stick(unit, state) : slow(unit);
-  });
-  for_values(number, [this](std::uint32_t symbol, std::uint64_t) { override_again(symbol); });
+  if (!numbers_.is_written(number)) {
+    const MalfunctionKind kind = numbers_.ordinary_kind(number);
+    if (kind == MalfunctionKind::force) return override_again(numbers_.symbol(number));
+    return kind == MalfunctionKind::stuck ? stick(numbers_.unit(number), tables::kNoState)
+                                          : slow(numbers_.unit(number));
+  }
+  const std::span<const tables::EffectRow> effects = tables_.malfunctions.effects_of(number);
+  for (std::uint32_t e = 0; e < effects.size(); ++e) {
+    hold(effects[e]);
+    states_[number].begun = e + 1;
+    if (effects[e].kind == MalfunctionKind::flicker) effect_state(number, e).due = next_flicker(number, e);
+    affect(effects[e]);
+  }
+}
+
+void Malfunctions::affect(const tables::EffectRow& effect) noexcept {
+  for (const tables::MalfunctionUnit& of : tables_.malfunctions.units_of(effect)) {
+    effect.kind == MalfunctionKind::stuck ? stick(of.unit, of.state) : slow(of.unit);
+  }
+  for (const tables::MalfunctionForce& force : tables_.malfunctions.forces_of(effect)) override_again(force.symbol);
+  count_effect(effect, 1);
+  set_again(effect);
 }
 
 void Malfunctions::release(std::uint32_t number) noexcept {
-  const MalfunctionKind kind = numbers_.kind(number);
-  if (kind == MalfunctionKind::stuck) {
-    for_units(number, [this](std::uint32_t unit, std::uint8_t) { unstick(unit); });
+  if (!numbers_.is_written(number)) {
+    const MalfunctionKind kind = numbers_.ordinary_kind(number);
+    if (kind == MalfunctionKind::stuck) unstick(numbers_.unit(number));
+    if (kind == MalfunctionKind::force) override_again(numbers_.symbol(number));
+    return;
   }
-  for_values(number, [this](std::uint32_t symbol, std::uint64_t) { override_again(symbol); });
-  if (kind == MalfunctionKind::flicker) override_again(row(number).subject);
+  states_[number].begun = 0;
+  const std::span<const tables::EffectRow> effects = tables_.malfunctions.effects_of(number);
+  for (std::uint32_t e = 0; e < effects.size(); ++e) {
+    EffectState& state = effect_state(number, e);
+    state.shows = 0;
+    state.due = tables::kNever;
+    release(effects[e]);
+  }
+}
+
+void Malfunctions::release(const tables::EffectRow& effect) noexcept {
+  if (effect.kind == MalfunctionKind::stuck) {
+    for (const tables::MalfunctionUnit& of : tables_.malfunctions.units_of(effect)) unstick(of.unit);
+  }
+  for (const tables::MalfunctionForce& force : tables_.malfunctions.forces_of(effect)) override_again(force.symbol);
+  if (effect.kind == MalfunctionKind::flicker) override_again(effect.subject);
+  count_effect(effect, static_cast<std::uint32_t>(-1));
+  set_again(effect);
+}
+
+/// Remembers what the events of an effect that begins show.
+void Malfunctions::hold(const tables::EffectRow& effect) noexcept {
+  for (const tables::MalfunctionForce& force : tables_.malfunctions.forces_of(effect)) {
+    if (force.holds) holds_[&force - tables_.malfunctions.forces.data()] = shown(force.symbol);
+  }
+}
+
+/// Counts the active effects of kinds that are looked for often, and wakes what they act on.
+void Malfunctions::count_effect(const tables::EffectRow& effect, std::uint32_t change) noexcept {
+  if (effect.kind == MalfunctionKind::distort) {
+    head_->distorting += change;
+    engine_.values_.wake_signal(effect.subject);
+  }
+  if (effect.tracks.count == 0) return;
+  head_->on_tracks += change;
+  for (const std::uint32_t track : tables_.malfunctions.tracks_of(effect)) engine_.flow_.drives_changed(track);
+}
+
+/// Gives parameters the numbers that all active ones together set: that of the one that started last.
+void Malfunctions::set_again(const tables::EffectRow& effect) noexcept {
+  for (const tables::MalfunctionSet& set : tables_.malfunctions.sets_of(effect)) {
+    const double* number = nullptr;
+    for (const ActiveMalfunction& a : active()) {
+      if (!numbers_.is_written(a.number)) continue;
+      for (const tables::EffectRow& other : active_effects(a.number)) {
+        for (const tables::MalfunctionSet& one : tables_.malfunctions.sets_of(other)) {
+          if (one.value == set.value) number = &one.number;
+        }
+      }
+    }
+    engine_.values_.hold(set.value, number);
+  }
+}
+
+std::int64_t Malfunctions::slowed_drive(std::uint32_t track, std::int64_t speed) const noexcept {
+  if (head_->on_tracks == 0) return speed;
+  for (std::uint32_t m = 0; m < written_; ++m) {
+    for (const tables::EffectRow& effect : active_effects(m)) {
+      if (numbers_.names_track(effect, track)) speed = tables::slowed_drive(effect, speed);
+    }
+  }
+  return speed;
 }
 
 bool Malfunctions::is_stuck(std::uint32_t unit) const noexcept {
   return std::any_of(active().begin(), active().end(), [&](const ActiveMalfunction& a) {
-    return numbers_.kind(a.number) == MalfunctionKind::stuck && numbers_.names_unit(a.number, unit);
+    return numbers_.acts_on(a.number, MalfunctionKind::stuck, unit);
   });
 }
 
 bool Malfunctions::is_cut(std::uint32_t controller) const noexcept {
-  return std::any_of(active().begin(), active().end(), [&](const ActiveMalfunction& a) {
-    return numbers_.kind(a.number) == MalfunctionKind::lose && row(a.number).subject == controller;
-  });
+  return std::any_of(active().begin(), active().end(),
+                     [&](const ActiveMalfunction& a) { return numbers_.cuts(a.number, controller); });
 }
 
 void Malfunctions::stick(std::uint32_t unit, std::uint8_t state) noexcept {
@@ -83,7 +138,7 @@ void Malfunctions::stick(std::uint32_t unit, std::uint8_t state) noexcept {
 void Malfunctions::unstick(std::uint32_t unit) noexcept {
   const bool disabled =
       tables_.units[unit].general != 0 ? --engine_.general_state(unit).disabled_by != 0 : is_stuck(unit);
-  if (!disabled) engine_.enable(unit, 0);
+  if (!disabled && (engine_.units_[unit].flags & kDisabled) != 0) engine_.enable(unit, 0);
   engine_.touch(unit);
 }
 
@@ -97,8 +152,9 @@ tables::Time Malfunctions::slowed(std::uint32_t unit, const tables::UnitRow& uni
     any = true;
   };
   for (std::uint32_t m = 0; m < written_; ++m) {
-    if (states_[m].active == 0 || row(m).kind != MalfunctionKind::slower || !numbers_.names_unit(m, unit)) continue;
-    slow_by(row(m).factor);
+    for (const tables::EffectRow& effect : active_effects(m)) {
+      if (effect.kind == MalfunctionKind::slower && numbers_.names_unit(effect, unit)) slow_by(effect.factor);
+    }
   }
   if (find(numbers_.slow(unit)) != nullptr) slow_by(tables::kOrdinarySlower);
   const bool general = unit_row.general != 0;
@@ -143,32 +199,55 @@ std::uint32_t Malfunctions::of_symbol(std::uint32_t symbol) const noexcept {
   const std::uint64_t address = address_of(symbol);
   std::uint32_t found = tables::kNone;
   for (const ActiveMalfunction& a : active()) {
-    const auto look = [&](std::uint32_t other, std::uint64_t) {
+    numbers_.for_symbols(a.number, [&](std::uint32_t other) {
       if (address_of(other) == address) found = a.number;
-    };
-    for_values(a.number, look);
-    if (numbers_.kind(a.number) == MalfunctionKind::flicker) look(row(a.number).subject, 0);
+    });
   }
   return found;
+}
+
+std::uint64_t Malfunctions::value_of(const tables::MalfunctionForce& force) const noexcept {
+  return force.holds ? holds_[&force - tables_.malfunctions.forces.data()] : force.value;
 }
 
 /// What all active ones together do to a symbol: one after the other, as they started.
 Override Malfunctions::override_of(std::uint32_t symbol) const noexcept {
   const std::uint64_t address = address_of(symbol);
   Override to{Override::Kind::none, true, 0};
-  for (const ActiveMalfunction& a : active()) {
-    for_values(a.number, [&](std::uint32_t other, std::uint64_t value) {
-      if (address_of(other) == address) to = {Override::Kind::value, true, value};
-    });
-    const bool flickers = numbers_.kind(a.number) == MalfunctionKind::flicker && states_[a.number].shows != 0;
-    if (!flickers || address_of(row(a.number).subject) != address) continue;
+  const auto give = [&](std::uint32_t other, std::uint64_t value) {
+    if (address_of(other) == address) to = {Override::Kind::value, true, value};
+  };
+  const auto turn = [&](std::uint32_t other) {
+    if (address_of(other) != address) return;
     if (to.kind == Override::Kind::value) {
       to.value ^= 1;
     } else {
       to.kind = to.kind == Override::Kind::none ? Override::Kind::opposite : Override::Kind::none;
     }
+  };
+  for (const ActiveMalfunction& a : active()) {
+    if (!numbers_.is_written(a.number)) {
+      if (!numbers_.is_of_unit(a.number)) give(numbers_.symbol(a.number), numbers_.is_on(a.number) ? 1 : 0);
+      continue;
+    }
+    for (const tables::EffectRow& effect : active_effects(a.number)) {
+      for (const tables::MalfunctionForce& force : tables_.malfunctions.forces_of(effect)) {
+        give(force.symbol, value_of(force));
+      }
+      if (effect.kind != MalfunctionKind::flicker) continue;
+      if (effects_[&effect - tables_.malfunctions.effects.data()].shows != 0) turn(effect.subject);
+    }
   }
   return to;
+}
+
+/// What an event shows now, after the user's force and the malfunctions that have begun.
+std::uint64_t Malfunctions::shown(std::uint32_t symbol) const noexcept {
+  const tables::SymbolRow& row = tables_.symbols[symbol];
+  if (row.type() != tables::DataType::boolean) return engine_.event_values_.effective(row.index);
+  const std::uint32_t word = row.index / 64;
+  const std::uint64_t bits = engine_.events_.current(word) ^ engine_.index_.inverted_events[word];
+  return (bits & bit_in_word(row.index)) != 0 ? 1 : 0;
 }
 
 void Malfunctions::override_again(std::uint32_t symbol) noexcept {

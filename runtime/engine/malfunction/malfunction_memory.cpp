@@ -8,7 +8,8 @@
 namespace symplant::engine {
 namespace {
 
-constexpr MalfunctionState kInactive{0, tables::kNever, tables::kNever, tables::kNever, -1, {}, 0, 0, 0, 0, 0, 0, {}};
+constexpr MalfunctionState kInactive{0, tables::kNever, tables::kNever, -1, {}, 0, 0, 0, 0, 0, 0, 0, {}};
+constexpr EffectState kNotFlickering{tables::kNever, 0, 0, {}};
 
 }  // namespace
 
@@ -27,9 +28,9 @@ void Malfunctions::place(Arena& arena) noexcept {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   slow_units_.take(arena, tables_.malfunctions.units.size());
-  for (std::uint32_t m = 0; m < written_ && slow_units_.items != nullptr; ++m) {
-    if (row(m).kind != tables::MalfunctionKind::slower) continue;
-    for (const tables::MalfunctionUnit& of : numbers_.units_of(m)) slow_units_.add(of.unit);
+  for (const tables::EffectRow& effect : tables_.malfunctions.effects) {
+    if (slow_units_.items == nullptr || effect.kind != tables::MalfunctionKind::slower) continue;
+    for (const tables::MalfunctionUnit& of : tables_.malfunctions.units_of(effect)) slow_units_.add(of.unit);
   }
   if (slow_units_.items != nullptr) std::sort(slow_units_.items, slow_units_.items + slow_units_.size);
   seen_.take(arena, written_);
@@ -40,6 +41,8 @@ void Malfunctions::place(Arena& arena) noexcept {
 void Malfunctions::place_block(Arena& arena) noexcept {
   head_ = arena.take<Head>(1);
   states_ = arena.take<MalfunctionState>(written_);
+  effects_ = arena.take<EffectState>(tables_.malfunctions.effects.size());
+  holds_ = arena.take<std::uint64_t>(tables_.malfunctions.forces.size());
   active_ = arena.take<ActiveMalfunction>(written_ + tables::kMostOrdinaryMalfunctions);
   slowed_ = arena.take<std::uint64_t>((tables_.units.size() + 63) / 64);
   wholes_ = arena.take<tables::Time>(tables_.malfunctions.units.size());
@@ -52,8 +55,9 @@ void Malfunctions::reset() noexcept {
   head_->window_begin = -tables::kSecond;  // the first change begins one
   for (std::uint32_t m = 0; m < written_; ++m) {
     states_[m] = kInactive;
-    states_[m].due = after(m, row(m).chance, MalfunctionStream::chance);
+    states_[m].due = after(m, row(m).chance, kChanceStream);
   }
+  std::fill_n(effects_, tables_.malfunctions.effects.size(), kNotFlickering);
   set_next();
 }
 
@@ -65,14 +69,31 @@ void Malfunctions::hash(tables::Fnv1a64& hash) const noexcept {
   for (std::uint32_t m = 0; m < written_; ++m) {
     const MalfunctionState& state = states_[m];
     hash.byte(
-        static_cast<std::uint8_t>(state.active | state.shows << 1 | state.held << 2 | (state.frozen != 0 ? 8 : 0)));
+        static_cast<std::uint8_t>(state.active | state.held << 1 | (state.frozen != 0 ? 4 : 0) | state.waits << 3));
     hash.time(state.since);
     hash.time(next_due(m));
     for (const std::uint32_t draws : state.draws) hash.u32(draws);
+    hash_effects(m, hash);
   }
   for (const ActiveMalfunction& active : this->active()) {
     hash.u32(active.number);
     hash.time(active.since);
+  }
+}
+
+/// What the flickers and held events of one remember.
+void Malfunctions::hash_effects(std::uint32_t number, tables::Fnv1a64& hash) const noexcept {
+  const std::span<const tables::EffectRow> effects = tables_.malfunctions.effects_of(number);
+  for (std::uint32_t e = 0; e < effects.size(); ++e) {
+    const EffectState& state = effect_state(number, e);
+    if (effects[e].kind == tables::MalfunctionKind::flicker) {
+      hash.byte(state.shows);
+      hash.time(state.due);
+      hash.u32(state.draws);
+    }
+    for (const tables::MalfunctionForce& force : tables_.malfunctions.forces_of(effects[e])) {
+      if (force.holds) hash.u64(e < states_[number].begun ? value_of(force) : 0);
+    }
   }
 }
 

@@ -22,23 +22,33 @@ namespace symplant::engine {
 
 class Engine;
 
-/// The numbers of a malfunction's streams of random times.
-enum class MalfunctionStream : std::uint8_t { chance, lasts, every };
+/// The numbers of a malfunction's streams of random times; the flicker that is effect n has kEveryStream + n.
+inline constexpr std::uint16_t kChanceStream = 0;
+inline constexpr std::uint16_t kLastsStream = 1;
+inline constexpr std::uint16_t kEveryStream = 2;
 
 /// The changing state of a written malfunction. Times that are not given or not running are kNever.
 struct MalfunctionState {
   tables::Time since;      ///< when it started; 0 if it is not active
   tables::Time due;        ///< active: when it ends by itself; else: when it starts by chance
   tables::Time becomes;    ///< when it becomes another one
-  tables::Time flickers;   ///< when its symbol changes next
   tables::Time by_itself;  ///< when it last started by its condition
-  std::array<std::uint32_t, 3> draws;
+  std::array<std::uint32_t, 2> draws;
   std::uint32_t counted;  ///< its starts and ends, as Malfunctions::Head::counted
+  std::uint32_t begun;    ///< active: how many of its effects have begun
   std::uint8_t active;
-  std::uint8_t shows;   ///< its symbol shows the opposite
-  std::uint8_t held;    ///< `when` held at the end of the last instant
+  std::uint8_t held;    ///< its condition held at the end of the last instant
   std::uint8_t wishes;  ///< of the next instant: kStarts, kEnds
   std::uint8_t frozen;  ///< 0: it is not; kFrozenBefore, kFrozenInThisInstant: it was in an instantaneous loop
+  std::uint8_t waits;   ///< `while`: it was stopped from outside, and its condition has held since
+  std::uint8_t unused[3];
+};
+
+/// The changing state of an effect of kind `flicker`.
+struct EffectState {
+  tables::Time due;     ///< when its symbol changes next
+  std::uint32_t draws;  ///< of `every`
+  std::uint8_t shows;   ///< its symbol shows the opposite
   std::uint8_t unused[3];
 };
 
@@ -68,6 +78,19 @@ class Malfunctions {
   bool is_cut(std::uint32_t controller) const noexcept;
   /// The one that overrides a symbol, forced by the user or not; kNone: none.
   std::uint32_t of_symbol(std::uint32_t symbol) const noexcept;
+  /// The speed of a drive of a track that would be `speed` without malfunctions, in um/s.
+  std::int64_t slowed_drive(std::uint32_t track, std::int64_t speed) const noexcept;
+  /// Calls `function(effect, since)` for the active effects that distort a signal, in the order of the description.
+  template <class Function>
+  void for_distortions(std::uint32_t signal, Function function) const noexcept {
+    if (head_->distorting == 0) return;
+    for (std::uint32_t m = 0; m < written_; ++m) {
+      for (const tables::EffectRow& effect : active_effects(m)) {
+        if (effect.kind == tables::MalfunctionKind::distort && effect.subject == signal)
+          function(effect, states_[m].since);
+      }
+    }
+  }
 
   // Changes (malfunction_changes.cpp). Between instants.
   bool start(std::uint32_t number, By by) noexcept;
@@ -105,6 +128,8 @@ class Malfunctions {
     std::uint32_t active;       ///< the number of active ones
     std::uint32_t ordinary;     ///< the number of ordinary ones among them
     std::uint32_t counted;      ///< starts and ends of written ones in that millisecond
+    std::uint32_t distorting;   ///< active effects of kind `distort`
+    std::uint32_t on_tracks;    ///< active effects that name tracks
     std::uint8_t pending;       ///< 1: the `wishes` of some are not empty, or is_loop() after a change from outside
     std::uint8_t loop;          ///< the number in its instant of the loop that was frozen last
     std::uint16_t unused;
@@ -112,11 +137,13 @@ class Malfunctions {
 
   const tables::MalfunctionRow& row(std::uint32_t number) const noexcept { return tables_.malfunctions.rows[number]; }
   tables::Time now() const noexcept;
-  tables::Time drawn(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept;
-  tables::Time after(std::uint32_t number, tables::Time time, MalfunctionStream stream) noexcept;
+  tables::Time drawn(std::uint32_t number, tables::Time time, std::uint16_t stream, std::uint32_t& draws) noexcept;
+  tables::Time after(std::uint32_t number, tables::Time time, std::uint16_t stream) noexcept;
+  tables::Time next_flicker(std::uint32_t number, std::uint32_t effect) noexcept;
   void begin_one(std::uint32_t number) noexcept;
   void become(std::uint32_t number) noexcept;
   void flicker(std::uint32_t number) noexcept;
+  void close(std::uint32_t number) noexcept;
   void end(std::uint32_t number, By by) noexcept;
   void set_next() noexcept;
   void note(std::uint32_t number, bool active, By by) noexcept;
@@ -125,19 +152,30 @@ class Malfunctions {
   bool is_loop() const noexcept { return head_->counted > kMostInLoopWindow; }
   void freeze_loop() noexcept;
 
-  template <class Function>
-  void for_units(std::uint32_t number, Function function) const noexcept;
-  template <class Function>
-  void for_values(std::uint32_t number, Function function) const noexcept;
+  EffectState& effect_state(std::uint32_t number, std::uint32_t effect) const noexcept {
+    return effects_[row(number).effects.first + effect];
+  }
+  /// The effects of a written one that have begun; none if it is not active.
+  std::span<const tables::EffectRow> active_effects(std::uint32_t number) const noexcept {
+    return tables_.malfunctions.effects.subspan(row(number).effects.first, states_[number].begun);
+  }
+  void hash_effects(std::uint32_t number, tables::Fnv1a64& hash) const noexcept;
   bool is_active(std::uint32_t number) const noexcept;
   void affect(std::uint32_t number) noexcept;
+  void affect(const tables::EffectRow& effect) noexcept;
   void release(std::uint32_t number) noexcept;
+  void release(const tables::EffectRow& effect) noexcept;
+  void hold(const tables::EffectRow& effect) noexcept;
+  void set_again(const tables::EffectRow& effect) noexcept;
+  void count_effect(const tables::EffectRow& effect, std::uint32_t change) noexcept;
   void stick(std::uint32_t unit, std::uint8_t state) noexcept;
   void unstick(std::uint32_t unit) noexcept;
   void slow(std::uint32_t unit) noexcept;
   void set_whole(std::uint32_t unit, tables::Time time, bool slower) noexcept;
   tables::Time* place_of_whole(std::uint32_t unit) const noexcept;
   std::uint64_t address_of(std::uint32_t symbol) const noexcept;
+  std::uint64_t value_of(const tables::MalfunctionForce& force) const noexcept;
+  std::uint64_t shown(std::uint32_t symbol) const noexcept;
   Override override_of(std::uint32_t symbol) const noexcept;
 
   Engine& engine_;
@@ -148,6 +186,8 @@ class Malfunctions {
   // --- in the flat block
   Head* head_;
   MalfunctionState* states_;   ///< of the written ones
+  EffectState* effects_;       ///< of their effects
+  std::uint64_t* holds_;       ///< by force: what it holds
   ActiveMalfunction* active_;  ///< in the order in which they started
   std::uint64_t* slowed_;      ///< one bit per unit: `whole` is not the time of the tables
   tables::Time* wholes_;       ///< of those of slow_units_

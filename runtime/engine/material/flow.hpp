@@ -14,7 +14,7 @@
 #include "symplant/engine/instant.hpp"
 #include "symplant/engine/material/flow_index.hpp"
 #include "symplant/engine/material/part.hpp"
-#include "symplant/engine/material/round_marks.hpp"
+#include "symplant/engine/round_marks.hpp"
 #include "symplant/tables/digest.hpp"
 #include "symplant/tables/tables.hpp"
 
@@ -112,6 +112,8 @@ class Flow {
   void value_changed(tables::Direction direction, std::uint32_t slot) noexcept;
   /// Of a value; O(log drives) if none reads it.
   void output_changed(std::uint32_t output) noexcept;
+  /// The drives of a track have other speeds.
+  void drives_changed(std::uint32_t track) noexcept;
   void begin_rounds() noexcept;
   /// One round, after the units' steps. `counting`: counts the steps of transfers and work.
   void round(bool counting) noexcept;

@@ -274,8 +274,7 @@ double number_of(tables::DataType type, std::uint64_t value) noexcept {
 
 Position Flow::speed_of_drive(std::uint32_t drive) const noexcept {
   const tables::DriveRow& row = material_->drives[drive];
-  const bool always = row.varies() && row.forward == tables::kNone && row.backward == tables::kNone;
-  const bool forward = always || (row.forward != tables::kNone && truth(row.forward));
+  const bool forward = row.always_forward() || (row.forward != tables::kNone && truth(row.forward));
   const bool backward = row.backward != tables::kNone && truth(row.backward);
   if (forward == backward) return 0;
   Position speed = row.speed;
@@ -287,7 +286,7 @@ Position Flow::speed_of_drive(std::uint32_t drive) const noexcept {
     constexpr auto kMost = static_cast<double>(tables::kMaxSpeed);
     speed = std::isnan(given) ? 0 : static_cast<Position>(std::clamp(given, -kMost, kMost));
   }
-  return forward ? speed : -speed;
+  return engine_.malfunctions_.slowed_drive(index_.track_of_drive[drive], forward ? speed : -speed);
 }
 
 /// The speed of the drive that has the part's middle; 0 between two drives that face each other.

@@ -62,10 +62,14 @@ void Flow::speed_changed(std::uint32_t position) noexcept {
   auto reader = std::lower_bound(index_.speed_readers.begin(), index_.speed_readers.end(), position,
                                  [](const SpeedReader& a, std::uint32_t b) { return a.position < b; });
   for (; reader != index_.speed_readers.end() && reader->position == position; ++reader) {
-    all_speeds(reader->track);
-    due_ends_.mark(reader->track);
-    due_now();
+    drives_changed(reader->track);
   }
+}
+
+void Flow::drives_changed(std::uint32_t track) noexcept {
+  all_speeds(track);
+  due_ends_.mark(track);
+  due_now();
 }
 
 /// Ends, transfers, work and sources in this order; then speeds and sensors (docs/material.md, "One instant").

@@ -4,15 +4,18 @@
 // nothing while its inputs do not change and its step changes nothing.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 
 #include "symplant/engine/arena.hpp"
 #include "symplant/engine/block.hpp"
 #include "symplant/engine/dirty_set.hpp"
-#include "symplant/engine/material/round_marks.hpp"
+#include "symplant/engine/round_marks.hpp"
+#include "symplant/engine/value/output_range.hpp"
 #include "symplant/engine/value/value_index.hpp"
 #include "symplant/tables/digest.hpp"
+#include "symplant/tables/formula.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::engine {
@@ -31,7 +34,8 @@ struct ValueState {
   std::uint8_t frozen;      ///< as FollowState::frozen
   std::uint8_t steps;       ///< as FollowState::steps
   std::uint8_t found;       ///< `not_finite` at the end of the last instant
-  std::uint8_t unused[2];
+  std::uint8_t held;        ///< a malfunction holds the parameter; its memory is the number without it
+  std::uint8_t unused[1];
 };
 
 class Values {
@@ -95,46 +99,98 @@ class Values {
   }
 
   double output(std::uint32_t output) const noexcept { return outputs_[output]; }
+  /// The time that a formula gives in seconds, from 0 to 1e9 s; 0 if it is not a number.
+  tables::Time time_of(std::uint32_t formula) noexcept;
   bool reads_weight(std::uint32_t location) const noexcept {
     return !index_.of_weight.of(location).empty() || !tables_->comparisons.empty();
   }
-  bool is_frozen(std::uint32_t value) const noexcept { return states_[value].frozen != 0; }
   /// Sets the output of a parameter, integral, lag or ramp, limited. False if the value is of another kind.
   bool set(std::uint32_t value, double number) noexcept;
-  /// Whether a trace may show outputs that changed in earlier instants.
-  bool shows() const noexcept { return shows_; }
-  /// Outputs that changed in this instant, each once, in no order.
-  std::span<const std::uint32_t> changes() const noexcept { return shown_outputs_.list.view(); }
+  /// A malfunction holds a parameter at a number, limited; null: none does any more. What scenario, panel and jumps set
+  /// meanwhile is seen at the end.
+  void hold(std::uint32_t value, const double* number) noexcept;
+  /// A malfunction begins or ends to distort a signal.
+  void wake_signal(std::uint32_t signal) noexcept { activate(index_.value_count + signal); }
+  /// At the end of an instant, for an observer: the outputs that changed since a trace last showed them, and that it
+  /// shows at this time, in their order. Valid until forget_changes().
+  std::span<const std::uint32_t> take_shown() noexcept;
+  /// Whether an output changed in this instant, or a trace may show one that changed before.
+  bool has_changes() const noexcept { return active_ && (changed_ || shows_); }
   void forget_changes() noexcept {
-    shown_outputs_.clear();
+    changed_ = false;
     finite_changes_.take_all([this](std::uint32_t v) { states_[v].found = states_[v].not_finite; });
   }
+  /// After a restore: every output may differ from what an observer knows.
+  void show_all() noexcept;
+  /// A trace that begins now shows every output at its next multiple, also those that do not change.
+  void show_from_here() noexcept;
+  /// From now on the ranges of all outputs are noted. O(outputs).
+  void watch() noexcept;
+  /// Since watch().
+  OutputRange range(std::uint32_t output) const noexcept { return ranges_[output]; }
 
  private:
-  tables::Time now() const noexcept;
-  double evaluate(std::uint32_t formula) noexcept;
-  void give(std::uint32_t output, double number, bool passes_on) noexcept;
-  void pass_on(std::uint32_t output) noexcept;
-  void set_input(std::uint32_t input, double number) noexcept;
-  void activate(std::uint32_t owner) noexcept;
-  void sleep(std::uint32_t owner) noexcept;
-  void set_wheel() noexcept;
-  bool is_due(std::uint32_t group) const noexcept;
+  /// Bit by bit.
+  static bool same(double a, double b) noexcept {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  }
+  static double limited(double number, double min, double max) noexcept;
 
-  // Steps of a computation (values_compute.cpp).
+  tables::Time now() const noexcept;
+  double evaluate(std::uint32_t formula) noexcept {
+    const tables::FormulaRow& row = tables_->formulas[formula];
+    if (!tables_->compiled.empty()) return tables_->compiled[formula].call(seen_, index_.slots + row.inputs.first);
+    return tables::evaluate({index_.formula_steps + row.steps.first, row.steps.count}, tables_->numbers, seen_);
+  }
+  void give_later(std::uint32_t output, double number) noexcept;
+  void give_by_hand(std::uint32_t value, double number) noexcept;
+  void jump(std::uint32_t value, double number) noexcept;
+  void note_change(std::uint32_t output) noexcept;
+  void widen(std::uint32_t output) noexcept;
+  void pass_on(std::uint32_t output) noexcept;
+  void pass_on_further(std::uint32_t output) noexcept;
+  void pass_on_later() noexcept;
+  void set_input(std::uint32_t input, double number) noexcept;
+  bool is_awake(std::uint32_t rank) const noexcept { return (awake_[rank / 64] & bit_in_word(rank)) != 0; }
+  void wake(std::uint32_t rank) noexcept;
+  void sleep(std::uint32_t rank) noexcept;
+  void activate(std::uint32_t owner) noexcept {
+    if (!is_awake(index_.rank_of[owner])) wake(index_.rank_of[owner]);
+  }
+  void set_wheel() noexcept;
+
+  // Steps of a computation (values_compute.cpp). They return what happened, as Pass.
+  using Pass = std::uint8_t;
+  static constexpr Pass kMoved = 1;   ///< something changed
+  static constexpr Pass kFailed = 2;  ///< a result is not finite
+  /// Calls `function(rank)` for each rank of a set that is awake and due, in their order; also for those that a call
+  /// wakes.
   template <class Function>
-  void for_due(std::uint32_t begin, std::uint32_t end, Function function) noexcept;
-  bool step(std::uint32_t value) noexcept;
-  bool step_linear(const tables::ValueRow& row, std::uint32_t value) noexcept;
-  bool compute(std::uint32_t value) noexcept;
-  bool compute_derivative(const tables::ValueRow& row, std::uint32_t value) noexcept;
-  bool compute_pid(const tables::ValueRow& row, std::uint32_t value) noexcept;
-  bool compute_linear(const tables::ValueRow& row, std::uint32_t value) noexcept;
+  void for_due(const RankSet& ranks, Function function) noexcept {
+    for (std::uint32_t word = ranks.begin; word < ranks.end; ++word) {
+      std::uint64_t left = ranks.words[word];
+      while ((left & awake_[word]) != 0) {
+        const auto bit = static_cast<std::uint32_t>(std::countr_zero(left & awake_[word]));
+        left &= ~std::uint64_t{1} << bit;
+        const std::uint32_t rank = word * 64 + bit;
+        if (all_due_ || due_groups_[index_.group_at[rank]] != 0) function(rank);
+      }
+    }
+  }
+  Pass give(const ValueStep& step, double result) noexcept;
+  Pass step(const ValueStep& step) noexcept;
+  Pass step_linear(const ValueStep& step) noexcept;
+  void compute(std::uint32_t rank) noexcept;
+  Pass compute_derivative(const ValueStep& step) noexcept;
+  Pass compute_pid(const ValueStep& step) noexcept;
+  Pass compute_linear(const ValueStep& step) noexcept;
   double position(const tables::ValueRow& row) const noexcept;
-  bool store(std::uint32_t value) noexcept;
-  void store_delayed(const tables::ValueRow& row, std::uint32_t value, double u) noexcept;
+  Pass store(const ValueStep& step) noexcept;
+  Pass store_all(const ValueStep& step) noexcept;
+  Pass store_delayed(const ValueStep& step, double u) noexcept;
   void compute_signals() noexcept;
-  void close(std::uint32_t value) noexcept;
+  bool distort(std::uint32_t signal, double& number) const noexcept;
+  void close(std::uint32_t rank, Pass pass) noexcept;
   void set_finite(std::uint32_t value, bool finite) noexcept;
   double normal(std::uint64_t name, std::uint32_t& draws) const noexcept;
   std::uint64_t shown(const tables::SignalRow& row, double number) const noexcept;
@@ -156,7 +212,7 @@ class Values {
   };
   Head* head_ = nullptr;
   double* outputs_ = nullptr;
-  double* inputs_ = nullptr;  ///< of all formulas, as last published
+  double* seen_ = nullptr;    ///< what formulas see: outputs as last passed on, then ValueIndex::slots
   double* stored_ = nullptr;  ///< by formula: the stored input of a value
   double* memory_ = nullptr;
   ValueState* states_ = nullptr;
@@ -169,20 +225,26 @@ class Values {
   std::uint32_t entry_ = 0;               ///< in the wheel
 
   // Outside of it.
-  DirtySet changed_outputs_;  ///< not passed on yet
-  DirtySet shown_outputs_;    ///< changed in this instant
+  DirtySet changed_outputs_;           ///< not passed on yet
+  std::uint64_t* unshown_ = nullptr;   ///< one bit per output that changed since a trace last showed it
+  List<std::uint32_t> shown_{};        ///< of take_shown()
+  std::uint8_t* off_trace_ = nullptr;  ///< by trace: it shows nothing at this time
   RoundMarks due_changes_;
   DirtySet finite_changes_;               ///< values whose finding began or ended in this instant
   double* results_ = nullptr;             ///< of one linear value
   std::uint64_t* numbers_ = nullptr;      ///< of the signals, before they are written
+  std::uint8_t* drifts_ = nullptr;        ///< by signal: a malfunction makes it drift
   std::uint8_t* due_groups_ = nullptr;    ///< by group: it is due in the first instant of this time
-  std::uint8_t* failed_ = nullptr;        ///< by value: a result of this computation is not finite
-  std::uint8_t* moved_ = nullptr;         ///< by value: this computation changed something
+  Pass* passes_ = nullptr;                ///< by rank: what happened in this computation so far
   const std::uint64_t* names_ = nullptr;  ///< fnv1a64 of the names of values, then of signals, in upper case
   bool due_ = false;
-  bool shows_ = false;  ///< this is an instant at which a trace shows outputs that changed before
+  bool all_due_ = false;           ///< everything is due in the first instant of this time
+  OutputRange* ranges_ = nullptr;  ///< by output, if they are watched
+  bool watched_ = false;
+  bool shows_ = false;    ///< this is an instant at which a trace shows outputs that changed before
+  bool changed_ = false;  ///< an output changed in this instant
   bool computing_ = false;
-  bool compares_all_ = false;  ///< a symbol or a number of parts changed that comparisons may read
+  bool compares_others_ = false;  ///< a symbol or a number of parts changed that comparisons may read
 };
 
 }  // namespace symplant::engine

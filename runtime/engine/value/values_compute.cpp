@@ -2,7 +2,6 @@
 // each gives the same bits everywhere.
 #include <algorithm>
 #include <bit>
-#include <cfloat>
 #include <cmath>
 
 #include "symplant/engine/draw.hpp"
@@ -15,17 +14,6 @@ namespace {
 
 using tables::ValueKind;
 
-bool same(double a, double b) noexcept { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-
-/// Limited, and never -0.
-double limited(double number, double min, double max) noexcept {
-  const double result = number < min ? min : number > max ? max : number;
-  return result == 0 ? 0.0 : result;
-}
-
-/// The step in seconds.
-double seconds(tables::Time step) noexcept { return static_cast<double>(step) / 1e9; }
-
 /// The sum of two products of a row and a column, from the first product on.
 double product(const double* a, const double* x, std::uint32_t states, const double* b, const double* u,
                std::uint32_t inputs) noexcept {
@@ -35,300 +23,265 @@ double product(const double* a, const double* x, std::uint32_t states, const dou
   return sum;
 }
 
-/// The least and the greatest number of a type.
-struct Range {
-  double low;
-  double high;
-};
-
-Range range_of(tables::DataType type) noexcept {
-  using tables::DataType;
-  switch (type) {
-    case DataType::boolean:
-      return {0, 1};
-    case DataType::sint:
-      return {-128, 127};
-    case DataType::int_:
-      return {-32'768, 32'767};
-    case DataType::dint:
-      return {-2'147'483'648.0, 2'147'483'647.0};
-    case DataType::lint:
-      return {-9'223'372'036'854'775'808.0, 9'223'372'036'854'775'807.0};
-    case DataType::usint:
-    case DataType::byte:
-      return {0, 255};
-    case DataType::uint:
-    case DataType::word:
-      return {0, 65'535};
-    case DataType::udint:
-    case DataType::dword:
-      return {0, 4'294'967'295.0};
-    case DataType::ulint:
-    case DataType::lword:
-      return {0, 18'446'744'073'709'551'615.0};
-    case DataType::real:
-      return {-static_cast<double>(FLT_MAX), static_cast<double>(FLT_MAX)};
-    case DataType::lreal:
-      break;
-  }
-  return {-DBL_MAX, DBL_MAX};
-}
-
-/// A whole number as the 64 bits of a slot; the largest 64-bit numbers are not doubles.
-std::uint64_t whole_bits(double number, tables::DataType type) noexcept {
-  if (number >= 18'446'744'073'709'551'616.0) return ~std::uint64_t{0};
-  if (type == tables::DataType::lint && number >= 9'223'372'036'854'775'808.0) return ~std::uint64_t{0} >> 1;
-  if (number < 0) return static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
-  return static_cast<std::uint64_t>(number);
-}
-
 }  // namespace
 
-tables::Time Values::now() const noexcept { return engine_.head_->now; }
+/// Limited, and never -0.
+double Values::limited(double number, double min, double max) noexcept {
+  const double result = number < min ? min : number > max ? max : number;
+  return result == 0 ? 0.0 : result;
+}
 
-bool Values::is_due(std::uint32_t group) const noexcept { return group != tables::kNone && due_groups_[group] != 0; }
+tables::Time Values::now() const noexcept { return engine_.head_->now; }
 
 void Values::begin_instant() noexcept {
   const bool first = head_->instant != now();
   head_->instant = now();
   due_ = shows_ = false;
   for (std::uint32_t t = 0; t < index_.trace_count; ++t) {
-    if (traces_[t] == 0 || now() % index_.traces[t] != 0) continue;
+    off_trace_[t] = now() % index_.traces[t] != 0 ? 1 : 0;
+    if (traces_[t] == 0 || off_trace_[t] != 0) continue;
     traces_[t] = 0;
     shows_ = true;
   }
+  if (index_.reads_time) seen_[index_.time_slot] = static_cast<double>(now()) / 1e9;
   if (!first) return;
   if (head_->computed == 0) due_ = shows_ = true;
+  all_due_ = true;
   for (std::uint32_t g = 0; g < index_.group_count; ++g) {
     due_groups_[g] = now() % index_.steps[g] == 0 ? 1 : 0;
     due_ = due_ || due_groups_[g] != 0;
+    all_due_ = all_due_ && due_groups_[g] != 0;
   }
 }
 
-double Values::evaluate(std::uint32_t formula) noexcept {
-  const tables::FormulaRow& row = tables_->formulas[formula];
-  for (std::uint32_t i = row.inputs.first; i < row.inputs.first + row.inputs.count; ++i) {
-    if (tables_->inputs[i].kind == tables::FormulaInputKind::time) inputs_[i] = static_cast<double>(now()) / 1e9;
-  }
-  return tables::evaluate(tables_->steps.subspan(row.steps.first, row.steps.count), tables_->numbers,
-                          inputs_ + row.inputs.first);
+tables::Time Values::time_of(std::uint32_t formula) noexcept {
+  const double result = evaluate(formula);
+  if (!(result > 0)) return 0;
+  return static_cast<tables::Time>(std::floor(std::min(result, 1e9) * 1e9));
 }
 
-/// Gives an output a number that is limited already. `passes_on`: the readers see it at once.
-void Values::give(std::uint32_t output, double number, bool passes_on) noexcept {
+/// An output changed in this instant.
+SYMPLANT_ALWAYS_INLINE void Values::note_change(std::uint32_t output) noexcept {
+  changed_ = true;
+  unshown_[output / 64] |= bit_in_word(output);
+  if (watched_) widen(output);
+  const std::uint32_t trace = index_.uses[output].trace;
+  traces_[trace] |= off_trace_[trace];
+}
+
+void Values::widen(std::uint32_t output) noexcept {
+  ranges_[output].least = std::min(ranges_[output].least, outputs_[output]);
+  ranges_[output].greatest = std::max(ranges_[output].greatest, outputs_[output]);
+}
+
+std::span<const std::uint32_t> Values::take_shown() noexcept {
+  shown_.size = 0;
+  for (std::uint32_t word = 0; active_ && word < (tables_->outputs + 63) / 64; ++word) {
+    for (std::uint64_t bits = unshown_[word]; bits != 0; bits &= bits - 1) {
+      const std::uint32_t output = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
+      if (off_trace_[index_.uses[output].trace] != 0) continue;
+      unshown_[word] &= ~bit_in_word(output);
+      if (index_.uses[output].trace != index_.trace_count) shown_.add(output);
+    }
+  }
+  return shown_.view();
+}
+
+/// Gives an output a number that is limited already; its readers see it at the end of the round.
+void Values::give_later(std::uint32_t output, double number) noexcept {
   if (same(outputs_[output], number)) return;
   outputs_[output] = number;
-  const std::uint32_t value = index_.value_of_output[output];
-  moved_[value] = 1;
-  shown_outputs_.mark(output);
-  const std::uint32_t trace = index_.trace_of[value];
-  if (trace != tables::kNone && traces_[trace] == 0 && now() % index_.traces[trace] != 0) {
-    traces_[trace] = 1;
-    if (!computing_) set_wheel();
-  }
-  if (passes_on) {
-    pass_on(output);
-  } else {
-    changed_outputs_.mark(output);
-    engine_.unpublished_ = true;
-  }
+  const std::uint32_t trace = index_.uses[output].trace;
+  const bool shown_now = trace == index_.trace_count || now() % index_.traces[trace] == 0;
+  off_trace_[trace] = shown_now ? 0 : 1;  // between two instants it is that of an earlier time
+  const bool waits = shown_now || traces_[trace] != 0;
+  note_change(output);
+  if (!waits) set_wheel();
+  changed_outputs_.mark(output);
+  engine_.unpublished_ = true;
 }
 
-void Values::pass_on(std::uint32_t output) noexcept {
-  for (const std::uint32_t input : index_.of_output.of(output)) set_input(input, outputs_[output]);
+SYMPLANT_ALWAYS_INLINE void Values::pass_on(std::uint32_t output) noexcept {
+  seen_[output] = outputs_[output];
+  const OutputUse& use = index_.uses[output];
+  for (std::uint32_t r = use.readers; r < use.readers_end; ++r) {
+    const std::uint32_t rank = index_.output_readers[r];
+    if (!is_awake(rank)) wake(rank);
+  }
+  if (use.others) pass_on_further(output);
+}
+
+void Values::pass_on_further(std::uint32_t output) noexcept {
   for (const std::uint32_t reader : index_.comparisons_of_output.of(output)) compare(reader / 2);
   if (engine_.flow_.active()) engine_.flow_.output_changed(output);
 }
 
-/// Calls `function(owner)` for each owner in some ranks that is awake, due and not frozen, in the order of ranks; also
-/// for those that a call wakes.
-template <class Function>
-void Values::for_due(std::uint32_t begin, std::uint32_t end, Function function) noexcept {
-  for (std::uint32_t rank = begin; rank < end;) {
-    const std::uint64_t bits = awake_[rank / 64] >> (rank % 64);
-    if (bits == 0) {
-      rank = (rank / 64 + 1) * 64;
-      continue;
-    }
-    rank += static_cast<std::uint32_t>(std::countr_zero(bits));
-    if (rank >= end) return;
-    const std::uint32_t owner = index_.owner_at[rank++];
-    if (!is_due(index_.group_of[owner])) continue;
-    if (owner < index_.value_count && states_[owner].frozen != 0) continue;
-    function(owner);
-  }
+/// A jump is seen at the end of its round.
+void Values::pass_on_later() noexcept {
+  changed_outputs_.take_all([this](std::uint32_t output) { pass_on(output); });
 }
 
 void Values::compute() noexcept {
   due_ = false;
-  if (head_->computed == 0) {
-    head_->computed = 1;
-    compares_all_ = engine_.unpublished_ = true;
-  }
+  const bool first = head_->computed == 0;
+  head_->computed = 1;
   computing_ = true;
-  const std::uint32_t values = index_.value_count;
-  if (now() != 0) {
-    for_due(0, values, [this](std::uint32_t value) {
-      if (states_[value].stored != 0 && states_[value].set_at != now() && !step(value)) failed_[value] = 1;
-    });
-  }
-  for_due(0, values, [this](std::uint32_t value) {
-    if (!compute(value)) failed_[value] = 1;
-  });
-  for_due(0, values, [this](std::uint32_t value) {
-    if (!store(value)) failed_[value] = 1;
+  if (now() != 0) for_due(index_.stepping, [this](std::uint32_t rank) { passes_[rank] = step(index_.step_at[rank]); });
+  for_due(index_.computed, [this](std::uint32_t rank) { compute(rank); });
+  for_due(index_.stepping, [this](std::uint32_t rank) {
+    const Pass pass = passes_[rank] | store(index_.step_at[rank]);
+    passes_[rank] = 0;
+    close(rank, pass);
   });
   compute_signals();
-  for_due(0, values, [this](std::uint32_t value) { close(value); });
   computing_ = false;
+  for (std::uint32_t c = 0; first && c < tables_->comparisons.size(); ++c) compare(c);
+  if (first && watched_) watch();  // what is computed has had no number yet
   set_wheel();
 }
 
-/// The end of a value's computation: the finding, and whether it may sleep.
-void Values::close(std::uint32_t value) noexcept {
-  set_finite(value, failed_[value] == 0);
-  const tables::ValueRow& row = tables_->rows[value];
-  bool sleeps = index_.timed[value] == 0;
-  if (row.kind == ValueKind::position) {
-    sleeps = sleeps && inputs_[tables_->formulas[row.formula].inputs.first] == 0;  // it does not move
-  } else if (row.kind == ValueKind::noise) {
-    sleeps = false;
-  } else if (row.kind != ValueKind::is) {
-    // A step that fails again must be seen even if the inputs change in the same computation.
-    sleeps = sleeps && moved_[value] == 0 && failed_[value] == 0 && now() != 0 && states_[value].set_at != now();
-  }
-  if (sleeps) sleep(value);
-  failed_[value] = moved_[value] = 0;
+/// The end of a value's computation: the finding, and whether it may sleep. A step that fails again must be seen even
+/// if the inputs change in the same computation.
+SYMPLANT_ALWAYS_INLINE void Values::close(std::uint32_t rank, Pass pass) noexcept {
+  const ValueStep& step = index_.step_at[rank];
+  const ValueState& state = states_[step.value];
+  if (((pass & kFailed) | state.not_finite) != 0) set_finite(step.value, (pass & kFailed) == 0);
+  if (pass == 0 && !step.timed && now() != 0 && state.set_at != now()) sleep(rank);
 }
 
-/// The step from the stored inputs; false if a result is not finite.
-bool Values::step(std::uint32_t value) noexcept {
-  const tables::ValueRow& row = tables_->rows[value];
-  const double h = seconds(row.step);
-  const double x = outputs_[row.output];
-  const double u = stored_[row.formula];
-  double result = 0;
-  switch (row.kind) {
+/// Limits a result, and gives it to the output; the readers see it at once.
+SYMPLANT_ALWAYS_INLINE Values::Pass Values::give(const ValueStep& step, double result) noexcept {
+  if (result > step.min && result < step.max) {
+    result += 0.0;  // never -0
+  } else if (std::isfinite(result)) {
+    result = limited(result, step.min, step.max);
+  } else {
+    return kFailed;
+  }
+  if (same(outputs_[step.output], result)) return 0;
+  outputs_[step.output] = result;
+  note_change(step.output);
+  pass_on(step.output);
+  return kMoved;
+}
+
+/// The step from the stored inputs.
+SYMPLANT_ALWAYS_INLINE Values::Pass Values::step(const ValueStep& step) noexcept {
+  const ValueState& state = states_[step.value];
+  if (state.stored == 0 || state.set_at == now()) return 0;
+  const double x = outputs_[step.output];
+  const double u = stored_[step.formula];
+  switch (step.kind) {
     case ValueKind::integral:
-      result = x + h * u;
-      break;
+      return give(step, x + step.h * u);
     case ValueKind::lag:
-      result = x + (u - x) * row.factor;
-      break;
+      return give(step, x + (u - x) * step.factor);
     case ValueKind::ramp: {
-      const double up = stored_[row.formula + 1];
-      const double down = stored_[row.formula + row.formulas - 1];
+      const double up = stored_[step.formula + 1];
+      const double down = stored_[step.formula + step.formulas - 1];
       const double d = u - x;
-      result = d > up * h ? x + up * h : d < -(down * h) ? x - down * h : u;
-      break;
+      return give(step, d > up * step.h ? x + up * step.h : d < -(down * step.h) ? x - down * step.h : u);
     }
     case ValueKind::delay:
-      result = memory(value)[states_[value].oldest];
-      break;
+      return give(step, memory(step.value)[state.oldest]);
     case ValueKind::linear:
-      return step_linear(row, value);
+      return step_linear(step);
     default:
-      return true;
+      return 0;
   }
-  if (!std::isfinite(result)) return false;
-  give(row.output, limited(result, row.min, row.max), true);
-  return true;
 }
 
 /// Sums run over states first, then inputs, from the first product on.
-bool Values::step_linear(const tables::ValueRow& row, std::uint32_t value) noexcept {
+Values::Pass Values::step_linear(const ValueStep& step) noexcept {
+  const tables::ValueRow& row = tables_->rows[step.value];
   const std::uint32_t n = row.states;
   const double* const a = &tables_->numbers[row.numbers + n];
   const double* const b = a + std::size_t{n} * n;
-  double* const x = memory(value);
+  double* const x = memory(step.value);
   for (std::uint32_t i = 0; i < n; ++i) {
     results_[i] =
         product(a + std::size_t{i} * n, x, n, b + std::size_t{i} * row.formulas, &stored_[row.formula], row.formulas);
-    if (!std::isfinite(results_[i])) return false;
+    if (!std::isfinite(results_[i])) return kFailed;
   }
+  Pass pass = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (!same(x[i], results_[i])) moved_[value] = 1;
+    if (!same(x[i], results_[i])) pass = kMoved;
     x[i] = results_[i];
   }
-  return true;
+  return pass;
 }
 
-/// Outputs that are computed from others; false if a result is not finite.
-bool Values::compute(std::uint32_t value) noexcept {
-  const tables::ValueRow& row = tables_->rows[value];
-  double result = 0;
-  switch (row.kind) {
+/// An output that is computed from others.
+void Values::compute(std::uint32_t rank) noexcept {
+  const ValueStep& step = index_.step_at[rank];
+  switch (step.kind) {
     case ValueKind::is:
-      result = evaluate(row.formula);
-      break;
-    case ValueKind::position:
-      result = position(row);
-      break;
+      return close(rank, give(step, evaluate(step.formula)));
+    case ValueKind::position: {
+      const tables::ValueRow& row = tables_->rows[step.value];
+      const bool moving = seen_[index_.slots[tables_->formulas[step.formula].inputs.first]] != 0;
+      return close(rank, give(step, position(row)) | (moving ? kMoved : Pass{0}));
+    }
     case ValueKind::noise:
-      result = row.factor * normal(names_[value], states_[value].draws);
-      break;
+      return close(rank, give(step, step.factor * normal(names_[step.value], states_[step.value].draws)) | kMoved);
     case ValueKind::derivative:
-      return compute_derivative(row, value);
+      return close(rank, compute_derivative(step));
     case ValueKind::pid:
-      return compute_pid(row, value);
-    case ValueKind::linear:
-      return compute_linear(row, value);
+      return close(rank, compute_pid(step));
     default:
-      return true;
+      passes_[rank] |= compute_linear(step);  // store() follows
   }
-  if (!std::isfinite(result)) return false;
-  give(row.output, limited(result, row.min, row.max), true);
-  return true;
 }
 
-bool Values::compute_derivative(const tables::ValueRow& row, std::uint32_t value) noexcept {
-  const double u = evaluate(row.formula);
-  double& last = *memory(value);
-  ValueState& state = states_[value];
-  const double result = state.remembers != 0 ? (u - last) / seconds(row.step) : 0;
-  if (!std::isfinite(u) || !std::isfinite(result)) return false;
-  if (state.remembers == 0 || !same(last, u)) moved_[value] = 1;
+Values::Pass Values::compute_derivative(const ValueStep& step) noexcept {
+  const double u = evaluate(step.formula);
+  double& last = *memory(step.value);
+  ValueState& state = states_[step.value];
+  const double result = state.remembers != 0 ? (u - last) / step.h : 0;
+  if (!std::isfinite(u) || !std::isfinite(result)) return kFailed;
+  const Pass pass = state.remembers == 0 || !same(last, u) ? kMoved : 0;
   last = u;
   state.remembers = 1;
-  give(row.output, limited(result, row.min, row.max), true);
-  return true;
+  return pass | give(step, result);
 }
 
-bool Values::compute_pid(const tables::ValueRow& row, std::uint32_t value) noexcept {
-  const double of = evaluate(row.formula);
-  const double e = evaluate(row.formula + 1) - of;
-  const double h = seconds(row.step);
-  ValueState& state = states_[value];
-  double& last = memory(value)[0];
-  double& integral = memory(value)[1];
-  const double d = state.remembers != 0 ? (last - of) / h : 0;
-  const double w = row.factor * (e + integral + row.td * d);
-  const double gain = row.factor * e;
-  const bool winds_up = (w > row.max && gain > 0) || (w < row.min && gain < 0);
-  const double next = row.ti == 0 || winds_up ? integral : integral + e * h / row.ti;
-  if (!std::isfinite(of) || !std::isfinite(w) || !std::isfinite(next)) return false;
-  if (state.remembers == 0 || !same(last, of) || !same(integral, next)) moved_[value] = 1;
+Values::Pass Values::compute_pid(const ValueStep& step) noexcept {
+  const tables::ValueRow& row = tables_->rows[step.value];
+  const double of = evaluate(step.formula);
+  const double e = evaluate(step.formula + 1) - of;
+  ValueState& state = states_[step.value];
+  double& last = memory(step.value)[0];
+  double& integral = memory(step.value)[1];
+  const double d = state.remembers != 0 ? (last - of) / step.h : 0;
+  const double w = step.factor * (e + integral + row.td * d);
+  const double gain = step.factor * e;
+  const bool winds_up = (w > step.max && gain > 0) || (w < step.min && gain < 0);
+  const double next = row.ti == 0 || winds_up ? integral : integral + e * step.h / row.ti;
+  if (!std::isfinite(of) || !std::isfinite(w) || !std::isfinite(next)) return kFailed;
+  const Pass pass = state.remembers == 0 || !same(last, of) || !same(integral, next) ? kMoved : 0;
   state.remembers = 1;
   last = of;
   integral = next;
-  give(row.output, limited(w, row.min, row.max), true);
-  return true;
+  return pass | give(step, w);
 }
 
-bool Values::compute_linear(const tables::ValueRow& row, std::uint32_t value) noexcept {
+Values::Pass Values::compute_linear(const ValueStep& step) noexcept {
+  const tables::ValueRow& row = tables_->rows[step.value];
   const std::uint32_t n = row.states;
   const std::uint32_t inputs = row.formulas;
   const double* const c = &tables_->numbers[row.numbers + n + std::size_t{n} * n + std::size_t{n} * inputs];
   const double* const d = c + std::size_t{row.outputs} * n;
-  double u[16] = {};
+  double u[tables::kMostLinear] = {};
   for (std::uint32_t f = 0; row.direct && f < inputs; ++f) u[f] = evaluate(row.formula + f);
   for (std::uint32_t o = 0; o < row.outputs; ++o) {
     results_[o] =
-        product(c + std::size_t{o} * n, memory(value), n, d + std::size_t{o} * inputs, u, row.direct ? inputs : 0);
-    if (!std::isfinite(results_[o])) return false;
+        product(c + std::size_t{o} * n, memory(step.value), n, d + std::size_t{o} * inputs, u, row.direct ? inputs : 0);
+    if (!std::isfinite(results_[o])) return kFailed;
   }
-  for (std::uint32_t o = 0; o < row.outputs; ++o) give(row.output + o, limited(results_[o], row.min, row.max), true);
-  return true;
+  Pass pass = 0;
+  ValueStep one = step;
+  for (std::uint32_t o = 0; o < row.outputs; ++o, ++one.output) pass |= give(one, results_[o]);
+  return pass;
 }
 
 /// The position of a unit: the number of its state, or one between those of the states that it moves between.
@@ -344,88 +297,62 @@ double Values::position(const tables::ValueRow& row) const noexcept {
   return from + (at[unit.target] - from) * p;
 }
 
-/// Stores the inputs of the next step; false if one is not finite.
-bool Values::store(std::uint32_t value) noexcept {
-  const tables::ValueRow& row = tables_->rows[value];
-  const bool stores = row.kind == ValueKind::integral || row.kind == ValueKind::lag || row.kind == ValueKind::ramp ||
-                      row.kind == ValueKind::delay || row.kind == ValueKind::linear;
-  if (!stores) return true;
-  ValueState& state = states_[value];
-  double results[16];
-  for (std::uint32_t f = 0; f < row.formulas; ++f) {
-    results[f] = evaluate(row.formula + f);
-    if (!std::isfinite(results[f])) {
-      if (state.stored != 0) moved_[value] = 1;
-      state.stored = 0;
-      return false;
-    }
-    if (row.kind == ValueKind::ramp && f != 0 && results[f] <= 0) results[f] = 0;
+/// Stores the input of the next step.
+SYMPLANT_ALWAYS_INLINE Values::Pass Values::store(const ValueStep& step) noexcept {
+  if (step.formulas != 1) return store_all(step);
+  const double u = evaluate(step.formula);
+  ValueState& state = states_[step.value];
+  const Pass news = state.stored == 0 ? kMoved : 0;
+  if (!std::isfinite(u)) {
+    state.stored = 0;
+    return kFailed | (news ^ kMoved);
   }
-  if (state.stored == 0) moved_[value] = 1;
   state.stored = 1;
-  if (row.kind == ValueKind::delay) {
-    store_delayed(row, value, results[0]);
-    return true;
+  if (step.kind == ValueKind::delay) return news | store_delayed(step, u);
+  double& stored = stored_[step.formula];
+  if (same(stored, u)) return news;
+  stored = u;
+  return kMoved;
+}
+
+/// Stores several inputs, or none if one is not finite.
+Values::Pass Values::store_all(const ValueStep& step) noexcept {
+  ValueState& state = states_[step.value];
+  double results[tables::kMostLinear];
+  Pass pass = state.stored == 0 ? kMoved : 0;
+  for (std::uint32_t f = 0; f < step.formulas; ++f) {
+    results[f] = evaluate(step.formula + f);
+    if (!std::isfinite(results[f])) {
+      state.stored = 0;
+      return kFailed | (pass ^ kMoved);
+    }
+    if (step.kind == ValueKind::ramp && f != 0 && results[f] <= 0) results[f] = 0;
   }
-  for (std::uint32_t f = 0; f < row.formulas; ++f) {
-    if (!same(stored_[row.formula + f], results[f])) moved_[value] = 1;
-    stored_[row.formula + f] = results[f];
+  state.stored = 1;
+  for (std::uint32_t f = 0; f < step.formulas; ++f) {
+    if (!same(stored_[step.formula + f], results[f])) pass = kMoved;
+    stored_[step.formula + f] = results[f];
   }
-  return true;
+  return pass;
 }
 
 /// A delay sleeps once all that it holds is equal to what it shows.
-void Values::store_delayed(const tables::ValueRow& row, std::uint32_t value, double u) noexcept {
-  ValueState& state = states_[value];
-  const double newest = memory(value)[(state.oldest + row.steps - 1) % row.steps];
-  state.equal = same(newest, u) ? std::min(state.equal + 1, row.steps) : 1;
-  const bool shown = same(outputs_[row.output], limited(u, row.min, row.max));
-  if (state.equal < row.steps || !shown) moved_[value] = 1;
-  memory(value)[state.oldest] = u;
-  state.oldest = (state.oldest + 1) % row.steps;
+Values::Pass Values::store_delayed(const ValueStep& step, double u) noexcept {
+  ValueState& state = states_[step.value];
+  const std::uint32_t steps = tables_->rows[step.value].steps;
+  double* const held = memory(step.value);
+  const double newest = held[state.oldest == 0 ? steps - 1 : state.oldest - 1];
+  state.equal = same(newest, u) ? std::min(state.equal + 1, steps) : 1;
+  const bool shown = same(outputs_[step.output], limited(u, step.min, step.max));
+  held[state.oldest] = u;
+  state.oldest = state.oldest + 1 == steps ? 0 : state.oldest + 1;
+  return state.equal < steps || !shown ? kMoved : 0;
 }
 
-/// All signals are computed, then written.
-void Values::compute_signals() noexcept {
-  const std::uint32_t begin = index_.value_count;
-  const std::uint32_t end = begin + index_.signal_count;
-  for_due(begin, end, [this, begin](std::uint32_t owner) {
-    const std::uint32_t signal = owner - begin;
-    const tables::SignalRow& row = tables_->signals[signal];
-    double n = evaluate(row.formula);
-    if (row.scaled) n = row.c + (n - row.a) * (row.d - row.c) / (row.b - row.a);
-    if (row.noise != 0) n += row.noise * normal(names_[owner], signal_draws_[signal]);
-    const tables::SymbolRow& symbol = engine_.tables_.symbols[row.symbol];
-    numbers_[signal] = std::isnan(n) ? engine_.event_values_.made[symbol.index] : shown(row, n);
-  });
-  for_due(begin, end, [this, begin](std::uint32_t owner) {
-    const tables::SignalRow& row = tables_->signals[owner - begin];
-    engine_.make_event_value(engine_.tables_.symbols[row.symbol].index, numbers_[owner - begin]);
-    if (row.noise == 0 && index_.timed[owner] == 0) sleep(owner);
-  });
-}
-
-/// The bits of a number in the slot of a signal's symbol.
-std::uint64_t Values::shown(const tables::SignalRow& row, double number) const noexcept {
-  const tables::DataType type = engine_.tables_.symbols[row.symbol].type();
-  const Range range = range_of(type);
-  const double low = std::max(row.low, range.low);
-  const double high = std::min(row.high, range.high);
-  number = limited(number, low, high);
-  if (type == tables::DataType::lreal) return std::bit_cast<std::uint64_t>(number);
-  if (type == tables::DataType::real) {
-    return std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(number)) + 0.0);  // never -0
-  }
-  number = limited(std::nearbyint(number), std::ceil(low), std::floor(high));
-  return whole_bits(number, type);
-}
-
-/// Nearly normal with variance 1, as the sum of twelve uniform numbers.
+/// Nearly normal, with mean 0 and variance 1.
 double Values::normal(std::uint64_t name, std::uint32_t& draws) const noexcept {
   std::uint64_t state = draw_start(engine_.head_->seed, name, 0, draws++);
-  std::int64_t sum = -(std::int64_t{6} << 32);
-  for (int i = 0; i < 12; ++i) sum += static_cast<std::int64_t>(split_mix(state) >> 32);
-  return static_cast<double>(sum) / 4'294'967'296.0;
+  return static_cast<double>(normal_sum(state)) / 4'294'967'296.0;
 }
 
 void Values::set_finite(std::uint32_t value, bool finite) noexcept {
@@ -436,26 +363,23 @@ void Values::set_finite(std::uint32_t value, bool finite) noexcept {
   if (!finite) engine_.suspects_ |= suspect(tables::FindingKind::value_not_finite);
 }
 
-void Values::activate(std::uint32_t owner) noexcept {
-  if (owner == tables::kNone) return;
-  const std::uint32_t rank = index_.rank_of[owner];
-  const std::uint32_t group = index_.group_of[owner];
-  std::uint64_t& word = awake_[rank / 64];
-  if (group == tables::kNone || (word & bit_in_word(rank)) != 0) return;
-  word |= bit_in_word(rank);
+/// It may change at its next computation. A parameter has none, and what is frozen stays as it is.
+void Values::wake(std::uint32_t rank) noexcept {
+  const std::uint32_t group = index_.group_at[rank];
+  if (group == tables::kNone || (rank < index_.value_count && states_[index_.step_at[rank].value].frozen != 0)) return;
+  awake_[rank / 64] |= bit_in_word(rank);
   if (awake_count_[group]++ == 0 && !computing_) set_wheel();
 }
 
-void Values::sleep(std::uint32_t owner) noexcept {
-  const std::uint32_t rank = index_.rank_of[owner];
+void Values::sleep(std::uint32_t rank) noexcept {
   awake_[rank / 64] &= ~bit_in_word(rank);
-  --awake_count_[index_.group_of[owner]];
+  --awake_count_[index_.group_at[rank]];
 }
 
 /// The next time at which something is due.
 void Values::set_wheel() noexcept {
   tables::Time due = tables::kNever;
-  const auto next = [this](tables::Time step) { return (now() / step + 1) * step; };
+  const auto next = [this](tables::Time step) { return later(now() - now() % step, step); };
   for (std::uint32_t g = 0; g < index_.group_count; ++g) {
     if (awake_count_[g] != 0) due = std::min(due, next(index_.steps[g]));
   }

@@ -16,15 +16,7 @@ using tables::ValueKind;
 
 /// What the hash calls stored inputs: the formulas whose results a value keeps for its next step.
 std::uint32_t stored_inputs(const tables::ValueRow& row) noexcept {
-  switch (row.kind) {
-    case ValueKind::integral:
-    case ValueKind::lag:
-    case ValueKind::ramp:
-    case ValueKind::linear:
-      return row.formulas;
-    default:
-      return 0;
-  }
+  return tables::makes_steps(row.kind) && row.kind != ValueKind::delay ? row.formulas : 0;
 }
 
 }  // namespace
@@ -37,14 +29,17 @@ void Values::build(Arena& arena) noexcept {
 
 void Values::place(Arena& arena) noexcept {
   changed_outputs_.take(arena, tables_->outputs);
-  shown_outputs_.take(arena, tables_->outputs);
+  unshown_ = arena.take<std::uint64_t>((tables_->outputs + 63) / 64);
+  shown_.take(arena, tables_->outputs);
+  ranges_ = arena.take<OutputRange>(tables_->outputs);
+  off_trace_ = arena.take<std::uint8_t>(tables_->rows.size() + 1);  // one for outputs in no trace
   due_changes_.take(arena, tables_->changes.size());
   finite_changes_.take(arena, tables_->rows.size());
   numbers_ = arena.take<std::uint64_t>(tables_->signals.size());
+  drifts_ = arena.take<std::uint8_t>(tables_->signals.size());
   due_groups_ = arena.take<std::uint8_t>(tables_->rows.size() + tables_->signals.size());
-  failed_ = arena.take<std::uint8_t>(tables_->rows.size());
-  moved_ = arena.take<std::uint8_t>(tables_->rows.size());
-  results_ = arena.take<double>(16);
+  passes_ = arena.take<Pass>(tables_->rows.size());
+  results_ = arena.take<double>(tables::kMostLinear);
   auto* names = arena.take<std::uint64_t>(tables_->rows.size() + tables_->signals.size());
   names_ = names;
   if (names == nullptr) return;
@@ -74,14 +69,14 @@ void Values::place_block(Arena& arena, std::uint32_t entry) noexcept {
   const std::size_t owners = tables_->rows.size() + tables_->signals.size();
   head_ = arena.take<Head>(1);
   outputs_ = arena.take<double>(tables_->outputs);
-  inputs_ = arena.take<double>(tables_->inputs.size());
+  seen_ = arena.take<double>(tables_->outputs + tables_->inputs.size() + 1);
   stored_ = arena.take<double>(tables_->formulas.size());
   memory_ = arena.take<double>(index_.memory_size);
   states_ = arena.take<ValueState>(tables_->rows.size());
   signal_draws_ = arena.take<std::uint32_t>(tables_->signals.size());
   awake_count_ = arena.take<std::uint32_t>(owners);
   awake_ = arena.take<std::uint64_t>((owners + 63) / 64);
-  traces_ = arena.take<std::uint8_t>((tables_->rows.size() + 7) / 8 * 8);
+  traces_ = arena.take<std::uint8_t>((tables_->rows.size() + 8) / 8 * 8);
   held_ = arena.take<std::uint8_t>(tables_->changes.size());
   truths_ = arena.take<std::uint8_t>((tables_->comparisons.size() + 7) / 8 * 8);
 }
@@ -90,13 +85,14 @@ void Values::reset() noexcept {
   if (!active_) return;
   *head_ = {-1, 0};
   changed_outputs_.clear();
-  shown_outputs_.clear();
+  changed_ = false;
+  show_all();
   due_changes_.clear();
   finite_changes_.clear();
   for (std::uint32_t v = 0; v < tables_->rows.size(); ++v) {
     const tables::ValueRow& row = tables_->rows[v];
     states_[v].set_at = -1;
-    const double start = std::clamp(row.kind == ValueKind::linear ? 0 : row.start, row.min, row.max) + 0.0;
+    const double start = row.start_output();
     for (std::uint32_t o = 0; o < row.outputs; ++o) outputs_[row.output + o] = start;
     if (row.kind == ValueKind::delay) {
       std::fill_n(memory(v), row.steps, start);
@@ -104,16 +100,35 @@ void Values::reset() noexcept {
     }
     if (row.kind == ValueKind::linear) std::copy_n(&tables_->numbers[row.numbers], row.states, memory(v));
   }
+  std::copy_n(outputs_, tables_->outputs, seen_);
   for (std::uint32_t i = 0; i < tables_->inputs.size(); ++i) {
     const tables::FormulaInput& input = tables_->inputs[i];
     const bool operation = input.kind == tables::FormulaInputKind::operation_value;
-    if (input.kind == tables::FormulaInputKind::output) inputs_[i] = outputs_[input.of];
     if (operation || input.kind == tables::FormulaInputKind::event_value) {
       const ValuePlane& plane = operation ? engine_.operation_values_ : engine_.event_values_;
-      inputs_[i] = tables::number_of(input.number, plane.values[input.of]);
+      seen_[index_.slots[i]] = tables::number_of(input.number, plane.values[input.of]);
     }
   }
-  compares_all_ = true;
+  compares_others_ = true;
+}
+
+void Values::show_all() noexcept {
+  const std::size_t words = (tables_->outputs + 63) / 64;
+  std::fill_n(unshown_, words, ~std::uint64_t{0});
+  if (tables_->outputs % 64 != 0) unshown_[words - 1] = bit_in_word(tables_->outputs) - 1;
+  for (std::uint32_t o = 0; watched_ && o < tables_->outputs; ++o) widen(o);
+}
+
+void Values::show_from_here() noexcept {
+  if (!active_) return;
+  show_all();
+  std::fill_n(traces_, index_.trace_count, std::uint8_t{1});
+  set_wheel();
+}
+
+void Values::watch() noexcept {
+  watched_ = true;
+  for (std::uint32_t o = 0; o < tables_->outputs; ++o) ranges_[o] = {outputs_[o], outputs_[o]};
 }
 
 void Values::mark_all() noexcept {
@@ -138,6 +153,7 @@ void Values::hash(tables::Fnv1a64& hash) const noexcept {
     if (row.kind == ValueKind::linear) {
       for (std::uint32_t i = 0; i < row.states; ++i) add(memory(v)[i]);
     }
+    if (state.held != 0) add(*memory(v));
     if (row.kind == ValueKind::pid) add(memory(v)[1]);
     if (row.kind == ValueKind::derivative || row.kind == ValueKind::pid) {
       hash.byte(state.remembers);

@@ -1,5 +1,4 @@
 // Jumps of values, and what the engine passes to values and what values pass on.
-#include <bit>
 #include <cmath>
 
 #include "symplant/engine/engine_inline.hpp"
@@ -9,28 +8,12 @@
 
 namespace symplant::engine {
 
-using tables::ValueKind;
-
-namespace {
-
-double limited(const tables::ValueRow& row, double number) noexcept {
-  const double result = number < row.min ? row.min : number > row.max ? row.max : number;
-  return result == 0 ? 0.0 : result;
-}
-
-bool same(double a, double b) noexcept { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-
-bool may_be_set(ValueKind kind) noexcept {
-  return kind == ValueKind::parameter || kind == ValueKind::integral || kind == ValueKind::lag ||
-         kind == ValueKind::ramp;
-}
-
-}  // namespace
-
 void Values::set_input(std::uint32_t input, double number) noexcept {
-  if (std::bit_cast<std::uint64_t>(inputs_[input]) == std::bit_cast<std::uint64_t>(number)) return;
-  inputs_[input] = number;
-  activate(index_.owner_of_input[input]);
+  double& seen = seen_[index_.slots[input]];
+  if (same(seen, number)) return;
+  seen = number;
+  const std::uint32_t rank = index_.rank_of_input[input];
+  if (rank != tables::kNone && !is_awake(rank)) wake(rank);
 }
 
 void Values::condition_changed(tables::ReaderKind kind, std::uint32_t reader, bool truth) noexcept {
@@ -47,31 +30,46 @@ void Values::value_changed(tables::Direction direction, std::uint32_t slot, std:
   for (const std::uint32_t input : readers.of(slot)) {
     set_input(input, tables::number_of(tables_->inputs[input].number, value));
   }
-  compares_all_ = true;
+  compares_others_ = true;
   // An operation changes before publish(), an event within it.
   if (direction == tables::Direction::operation && !tables_->comparisons.empty()) engine_.unpublished_ = true;
 }
 
 void Values::counter_changed(std::uint32_t counter, std::uint64_t count) noexcept {
   for (const std::uint32_t input : index_.of_counter.of(counter)) set_input(input, static_cast<double>(count));
-  compares_all_ = true;
+  compares_others_ = true;
 }
 
 void Values::weight_changed(std::uint32_t location) noexcept {
   for (const std::uint32_t input : index_.of_weight.of(location)) set_input(input, engine_.flow_.weight(location));
-  compares_all_ = true;
+  compares_others_ = true;
 }
 
 bool Values::set(std::uint32_t value, double number) noexcept {
   const tables::ValueRow& row = tables_->rows[value];
-  if (!may_be_set(row.kind) || !std::isfinite(number)) return false;
-  give(row.output, limited(row, number), false);
-  // Also now: if this plant is saved, the one that is restored reports no changes of its past.
-  const std::uint32_t trace = index_.trace_of[value];
-  if (trace != tables::kNone && now() % index_.traces[trace] == 0) traces_[trace] = 1;
+  if (!tables::keeps_its_output(row.kind) || !std::isfinite(number)) return false;
+  if (states_[value].held == 0) give_by_hand(value, limited(number, row.min, row.max));
+  if (states_[value].held != 0) *memory(value) = limited(number, row.min, row.max);
   states_[value].set_at = now();
   activate(value);
   return true;
+}
+
+/// Between two instants.
+void Values::give_by_hand(std::uint32_t value, double number) noexcept {
+  const std::uint32_t output = tables_->rows[value].output;
+  give_later(output, number);
+  // Also now: if this plant is saved, the one that is restored reports no changes of its past.
+  const std::uint32_t trace = index_.uses[output].trace;
+  if (trace != index_.trace_count && now() % index_.traces[trace] == 0) traces_[trace] = 1;
+}
+
+void Values::hold(std::uint32_t value, const double* number) noexcept {
+  const tables::ValueRow& row = tables_->rows[value];
+  ValueState& state = states_[value];
+  if (state.held == 0) *memory(value) = outputs_[row.output];
+  give_by_hand(value, number != nullptr ? limited(*number, row.min, row.max) : *memory(value));
+  state.held = number != nullptr ? 1 : 0;
 }
 
 /// Of each value in the order of the file, all entries whose condition began to hold act in order. It steps if its
@@ -107,32 +105,39 @@ void Values::act(std::uint32_t change) noexcept {
   const std::uint32_t value = index_.value_of_change[change];
   const tables::ValueRow& row = tables_->rows[value];
   const std::uint32_t formula = tables_->changes[change].formula;
-  const tables::Rows& inputs = tables_->formulas[formula].inputs;
-  for (std::uint32_t i = inputs.first; i < inputs.first + inputs.count; ++i) {
-    const tables::FormulaInput& input = tables_->inputs[i];
-    if (input.kind == tables::FormulaInputKind::output && input.of == row.output) inputs_[i] = outputs_[row.output];
-  }
+  const double before = seen_[row.output];
+  seen_[row.output] = outputs_[row.output];
   const double result = evaluate(formula);
+  seen_[row.output] = before;
   if (std::isfinite(result)) {
-    give(row.output, limited(row, result), false);
+    jump(value, limited(result, row.min, row.max));
   } else {
     set_finite(value, false);
-    activate(value);  // its next computation ends the finding
+    activate(value);  // its next computation ends the finding; a parameter has none
+  }
+}
+
+/// A jump; of a parameter that a malfunction holds it is seen when that ends.
+void Values::jump(std::uint32_t value, double number) noexcept {
+  if (states_[value].held != 0) {
+    *memory(value) = number;
+  } else {
+    give_later(tables_->rows[value].output, number);
   }
 }
 
 void Values::publish() noexcept {
-  changed_outputs_.take_all([this](std::uint32_t output) { pass_on(output); });
-  if (!compares_all_ || head_->computed == 0) return;
-  compares_all_ = false;
-  for (std::uint32_t c = 0; c < tables_->comparisons.size(); ++c) compare(c);
+  pass_on_later();
+  if (!compares_others_ || head_->computed == 0) return;
+  compares_others_ = false;
+  for (const std::uint32_t c : index_.other_comparisons()) compare(c);
 }
 
 void Values::requeue() noexcept {
   if (!active_) return;
   for (std::uint32_t o = 0; o < tables_->outputs; ++o) changed_outputs_.mark(o);
   due_changes_.mark_all();
-  compares_all_ = true;
+  compares_others_ = true;
 }
 
 double Values::operand(const tables::Operand& operand) const noexcept {
@@ -156,10 +161,7 @@ double Values::operand(const tables::Operand& operand) const noexcept {
 void Values::compare(std::uint32_t comparison) noexcept {
   const tables::ComparisonRow& row = tables_->comparisons[comparison];
   if (head_->computed == 0) return;
-  const double left = operand(row.left);
-  const double right = operand(row.right);
-  const bool holds = row.tolerance == 0 ? tables::compares(left, row.comparison, right)
-                                        : left >= right - row.tolerance && left <= right + row.tolerance;
+  const bool holds = tables::compares_near(operand(row.left), row.comparison, operand(row.right), row.tolerance);
   if (holds == (truths_[comparison] != 0)) return;
   truths_[comparison] = holds ? 1 : 0;
   engine_.flip(row.condition, row.input);
@@ -185,6 +187,7 @@ void Values::freeze_loop(std::uint8_t loop) noexcept {
     state.frozen = kFrozenInThisInstant;
     state.steps = loop;
     set_finite(v, true);
+    if (is_awake(index_.rank_of[v])) sleep(index_.rank_of[v]);
   }
 }
 

@@ -35,6 +35,7 @@ Desk::Desk(Setup setup)
       asked_player_(setup_.player),
       play_(setup_.player != nullptr ? 1 : 0),
       last_backtrack_(setup_.plant.now()) {
+  take_outputs();
   if (setup_.player != nullptr) setup_.player->note_steps();
   if (playing_ != nullptr && playing_->exercise) {
     const std::shared_ptr<const scenario::Scenario> unowned(std::shared_ptr<void>(), playing_);
@@ -185,6 +186,14 @@ void Desk::put_description(std::string& json) const {
   put_exercises(json, setup_.exercises);
 }
 
+/// The copy of the outputs of values, if it is here, and asks for the next one.
+void Desk::take_outputs() {
+  OutputCopy& outputs = operator_.outputs();
+  if (outputs.empty() || !outputs.is_here()) return;
+  picture_.take_outputs(outputs.numbers());
+  outputs.ask();
+}
+
 std::string Desk::picture() {
   const tables::Time now = operator_.now();
   std::string json = beat();
@@ -217,6 +226,7 @@ std::string Desk::changes() {
     json += clock;
     sent_clock_ = std::move(clock);
   }
+  take_outputs();
   const tables::Time now = operator_.now();
   if (picture_.has_changes()) picture_.put_changes(json, now);
   if (const std::uint64_t count = first_finding_ + findings_.size(); count != sent_findings_) {
@@ -258,6 +268,7 @@ std::string Desk::beat() const {
 }
 
 void Desk::look_at_time(tables::Time every) {
+  take_outputs();
   const tables::Time now = operator_.now();
   if (now < last_backtrack_) last_backtrack_ = now;
   if (every == 0 || now < last_backtrack_ + every || operator_.frozen() || pending_.size() >= Operator::kMostOrders)
@@ -359,6 +370,7 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   }
   setup_.history.load(shadow());
   picture_.load(shadow());
+  if (OutputCopy& outputs = operator_.outputs(); outputs.is_here()) outputs.ask();  // it may be of the former state
   chart_.set_back(time);
   forget_findings(is_reset ? -1 : time);
   begun_again_ = true;

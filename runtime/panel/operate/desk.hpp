@@ -102,7 +102,8 @@ class Desk {
   bool begun_again() { return std::exchange(begun_again_, false); }
   /// The beginning of an event that has only the time, without the brace at its end.
   std::string beat() const;
-  /// Keeps a backtrack if one is due; `every` 0: never. To be called about once a second.
+  /// Keeps a backtrack if one is due; `every` 0: never. Asks for the outputs of values. To be called about once a
+  /// second.
   void look_at_time(tables::Time every);
   /// The session as a file of this kind: `scenario`, `start` (the snapshot with which it begins), `session` or `junit`.
   Answer session_file(std::string_view kind);
@@ -173,6 +174,7 @@ class Desk {
   void forget_findings(tables::Time after);
   plant::OwnedPlant& shadow();
   const ExerciseFile* exercise_file(std::string_view name) const;
+  void take_outputs();
   void put_clock(std::string& json) const;
   void put_findings(std::string& json, std::uint64_t from) const;
   void put_requirements(std::string& json, bool all);

@@ -33,6 +33,7 @@ Operator::Operator(plant::Plant& plant, trace::Recorder& recorder, scenario::Pla
       programs_(programs),
       seed_(seed),
       cycle_(cycle),
+      outputs_(plant),
       now_(plant.now()) {}
 
 void Operator::go(Stepping stepping) noexcept {
@@ -138,6 +139,7 @@ void Operator::advance(tables::Time time) noexcept {
     recorder_.next_turn();
   }
   now_.store(plant_.now(), std::memory_order_relaxed);
+  outputs_.give(plant_);
 }
 
 void Operator::advance_to(tables::Time time) noexcept {
@@ -156,6 +158,7 @@ void Operator::advance_within(tables::Time time) noexcept {
 void Operator::hold() noexcept {
   take_orders();
   if (begun_ && (acted_ || jumped_)) advance(plant_.now());
+  outputs_.give(plant_);
 }
 
 }  // namespace symplant::panel

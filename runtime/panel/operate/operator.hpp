@@ -8,6 +8,7 @@
 
 #include "symplant/exec/stepper.hpp"
 #include "symplant/panel/operate/order.hpp"
+#include "symplant/panel/operate/output_copy.hpp"
 #include "symplant/panel/stepping.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/recorder.hpp"
@@ -26,6 +27,8 @@ class Operator final : public exec::Stepper {
 
   /// Adds an order. For one thread other than that of the plant. False if kMostOrders orders wait.
   bool offer(const Order& order) noexcept { return orders_.push(order); }
+  /// The outputs of values, as often as that thread asks for them.
+  OutputCopy& outputs() noexcept { return outputs_; }
   /// Plant time after the last cycle; for any thread.
   tables::Time now() const noexcept { return now_.load(std::memory_order_relaxed); }
 
@@ -65,6 +68,7 @@ class Operator final : public exec::Stepper {
   std::size_t changes_ = 0;  ///< of parts and malfunctions since its last instant
   bool acted_ = false;       ///< orders acted on the plant since its last instant
   bool over_noted_ = false;
+  OutputCopy outputs_;
   std::atomic<bool> frozen_{false};
   std::atomic<tables::Time> now_{0};
   boost::lockfree::spsc_queue<Order, boost::lockfree::capacity<kMostOrders>> orders_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "symplant/panel/picture/json_text.hpp"
+#include "symplant/tables/duration.hpp"
 #include "symplant/tables/version.hpp"
 
 namespace symplant::panel {
@@ -14,14 +15,6 @@ constexpr std::size_t kMostDeeds = 10'000;
 constexpr std::size_t kMostDeedBytes = std::size_t{16} << 20;
 
 std::size_t bytes_of(const Deed& deed) { return deed.by.size() + deed.json.size() + deed.actions.size(); }
-
-/// A time as a scenario writes it, exact.
-std::string time_text(tables::Time time) {
-  std::string text = fmt::format("{}.{:09}", time / tables::kSecond, time % tables::kSecond);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text + "s";
-}
 
 }  // namespace
 
@@ -60,12 +53,12 @@ std::string Session::scenario(std::string_view restore, tables::Time end) const 
   for (const Deed& step : steps_) {
     const bool same_time = before != nullptr && before->time == step.time;
     if (same_time ? before->turn != step.turn : step.further) {
-      text += fmt::format("    {{ \"at\": \"{}\", \"instant\": true }},\n", time_text(step.time));
+      text += fmt::format("    {{ \"at\": \"{}\", \"instant\": true }},\n", tables::duration_text(step.time));
     }
-    text += fmt::format("    {{ \"at\": \"{}\", {} }},\n", time_text(step.time), step.actions);
+    text += fmt::format("    {{ \"at\": \"{}\", {} }},\n", tables::duration_text(step.time), step.actions);
     before = &step;
   }
-  return text + fmt::format("    {{ \"at\": \"{}\" }}\n  ]\n}}\n", time_text(end));
+  return text + fmt::format("    {{ \"at\": \"{}\" }}\n  ]\n}}\n", tables::duration_text(end));
 }
 
 void Session::put(std::string& json, std::uint64_t from) const {

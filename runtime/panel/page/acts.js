@@ -36,7 +36,7 @@ export const perform = async (app, result, acts) => {
 
 const refreshAct = (app, element) => {
   const isOff = app.lost || element.isBusy || !element.isPossible();
-  if (element.tagName === "SELECT") element.disabled = isOff;
+  if (element.tagName === "SELECT" || element.type === "range") element.disabled = isOff;
   else setAttribute(element, "aria-disabled", String(isOff));
 };
 

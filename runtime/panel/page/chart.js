@@ -1,12 +1,14 @@
-// The chart view: chosen symbols and states over the last minutes, as a logic analyzer shows them.
+// The chart view: chosen symbols, states and values over the last minutes, as a logic analyzer and a recorder show them.
 import {cursorText, drawAxis, drawCursors, drawRows, kAxisHeight, kRowHeight, valueAt} from "./chart_draw.js";
-import {exportPng, exportVcd} from "./chart_export.js";
+import {exportCsv, exportPng, exportVcd} from "./chart_export.js";
 import {listenToChart} from "./chart_input.js";
 import {kMostRows} from "./chart_model.js";
 import {button, make, setAttribute, setText} from "./dom.js";
 import {linkTo} from "./links_to.js";
 import {makeSearch} from "./search.js";
 import {fitCanvas, onTheme} from "./theme.js";
+import {axesOf, kColors} from "./trend_axes.js";
+import {drawAxes, drawTrends, kAxisWidth, kTrendHeight} from "./trend_draw.js";
 
 const kLeastSpan = 1e4;   // ns
 const kMostSpan = 86400e9;
@@ -14,20 +16,22 @@ const kFirstSpan = 20e9;
 
 export class ChartView {
   constructor(app) {
-    Object.assign(this, {app, title: "Chart", model: app.chart, view: {from: 0, to: kFirstSpan}, cursors: {A: null, B: null}, active: "A",
+    Object.assign(this, {app, title: "Chart", model: app.chart, view: {from: 0, to: kFirstSpan}, cursors: {A: null, B: null}, active: "A", scaleCount: 0,
       following: app.plant.mode === "live", dirty: true, drawn: 0, width: 0, labels: []});
     this.axis = make("canvas", {"aria-hidden": "true"});
+    this.trends = make("canvas", {"aria-hidden": "true"});
     this.canvas = make("canvas", {"aria-hidden": "true"});
+    this.scales = make("canvas", {"aria-hidden": "true"});
     this.over = make("canvas", {class: "over", "aria-hidden": "true"});
     this.plot = make("div", {class: "plot", tabindex: 0, role: "application", "aria-label": "Chart. Keys: plus, minus, arrows, a, b, c, f, Home"},
-      this.axis, this.canvas, this.over);
+      this.axis, this.trends, this.canvas, this.over);
     this.names = make("ul", {class: "chart-names"});
     this.time = make("p", {class: "chart-time", role: "status"});
     this.wrong = make("p", {class: "wrong", role: "status"});
     this.followButton = button("Follow", () => this.follow(!this.following), {class: "toggle"});
-    this.empty = make("p", {class: "empty"}, "Nothing is chosen. Add symbols and devices above, or by “Show in chart” in their details.");
+    this.empty = make("p", {class: "empty"}, "Nothing is chosen. Add symbols, devices and values above, or by “Show in chart” in their details.");
     this.element = make("div", {class: "view fills chart-view"}, this.tools(), this.time, this.wrong, this.empty,
-      make("div", {class: "chart-grid"}, this.names, this.plot));
+      make("div", {class: "chart-grid"}, this.names, make("div", {class: "chart-scales"}, this.scales), this.plot));
     listenToChart(this.plot, this);
     new ResizeObserver(() => this.resize()).observe(this.plot);
     onTheme(() => this.touch());
@@ -37,7 +41,8 @@ export class ChartView {
   tools() {
     const small = {class: "small"};
     return make("div", {class: "row tools"},
-      makeSearch(this.app, {label: "Add a symbol or device", accepts: (kind) => kind === "device" || kind === "symbol",
+      makeSearch(this.app, {label: this.app.plant.values.length > 0 ? "Add a symbol, device or value" : "Add a symbol or device",
+        accepts: (kind, index) => kind === "device" || kind === "symbol" || kind === "value" && this.model.isKnown(kind, index),
         choose: ({kind, name}) => {
           this.model.add(kind, this.app.names.index(kind, name));
           this.model.changed();
@@ -45,7 +50,7 @@ export class ChartView {
       button("Zoom in", () => this.zoom(1 / 1.5, this.middle()), small), button("Zoom out", () => this.zoom(1.5, this.middle()), small),
       button("All", () => this.showAll(), small), this.followButton,
       button("Remove cursors", () => this.clearCursors(), small),
-      button("Export VCD", () => exportVcd(this.app, this.rows()), small), button("Export PNG", () => exportPng(this.app, this), small));
+      button("Export VCD", () => exportVcd(this.app, this.rows()), small), button("Export CSV", () => exportCsv(this.rows()), small), button("Export PNG", () => exportPng(this.app, this), small));
   }
 
   middle() { return (this.view.from + this.view.to) / 2; }
@@ -66,18 +71,36 @@ export class ChartView {
     this.touch();
   }
 
+  /// The values first, in one plot; then the others, one below the other.
   rows() {
     const {plant} = this.app;
-    return this.model.rows.map((row) => ({...row, name: this.app.names.name(row.kind, row.index), device: plant.devices[row.index],
-      symbol: plant.symbols[row.index], type: row.kind === "symbol" ? plant.symbols[row.index].type : "state"}));
+    const isValue = ({kind}) => kind === "value";
+    const values = this.model.rows.filter(isValue).map((row, rank) => ({...row, name: this.app.names.name("value", row.index), type: "LREAL", rank,
+      value: plant.values[row.index]}));
+    return [...values, ...this.model.rows.filter((row) => !isValue(row)).map((row) => ({...row, name: this.app.names.name(row.kind, row.index),
+      device: plant.devices[row.index], symbol: plant.symbols[row.index], type: row.kind === "symbol" ? plant.symbols[row.index].type : "state"}))];
   }
+
+  values() { return this.rows().filter(({kind}) => kind === "value"); }
+  others() { return this.rows().filter(({kind}) => kind !== "value"); }
 
   buildRows() {
     this.labels = [];
     this.names.replaceChildren(make("li", {class: "chart-head"}, make("span", {class: "grow"}, "Name"), make("span", {}, "A"), make("span", {}, "B")),
-      ...this.model.rows.map((row) => this.label(row)));
+      ...this.valueLabels(), ...this.model.rows.filter(({kind}) => kind !== "value").map((row) => this.label(row)));
     this.empty.hidden = this.model.rows.length > 0;
     this.resize(true);
+  }
+
+  /// The names of the values as one entry, next to their plot.
+  valueLabels() {
+    const rows = this.model.rows.filter(({kind}) => kind === "value");
+    if (rows.length === 0) return [];
+    return [make("li", {class: "chart-values"}, make("ul", {}, rows.map((row, rank) => {
+      const label = this.label(row);
+      label.firstChild.prepend(make("span", {class: "swatch trend" + rank % kColors + " dash" + Math.floor(rank / kColors) % 4, "aria-hidden": "true"}));
+      return label;
+    })))];
   }
 
   label(row) {
@@ -92,6 +115,7 @@ export class ChartView {
 
   /// What rows have in common is small, what differs is large.
   twoLines({kind, index}, name) {
+    if (kind === "value") return [make("span", {class: "cut"}, name)];
     const {plant} = this.app;
     const device = kind === "device" ? plant.devices[index] : plant.devices[plant.symbols[index].device];
     const head = kind === "device" ? name.slice(0, -device.label.length) : device && name.startsWith(device.name + "_") ? device.name + "_" : "";
@@ -107,7 +131,8 @@ export class ChartView {
     this.touch();
   }
 
-  height() { return kAxisHeight + Math.max(1, this.model.rows.length) * kRowHeight; }
+  trendHeight() { return this.model.rows.some(({kind}) => kind === "value") ? kTrendHeight : 0; }
+  height() { return kAxisHeight + this.trendHeight() + Math.max(this.trendHeight() > 0 ? 0 : 1, this.others().length) * kRowHeight; }
 
   touch() {
     this.dirty = true;
@@ -162,7 +187,9 @@ export class ChartView {
   /// To the nearest change of any row.
   stepCursor(by) {
     const t = this.cursors[this.active] ?? Math.round(this.middle());
-    const found = this.model.rows.map(({data}) => data.neighbor(t, by)).filter((time) => time !== null);
+    // Values change all the time: they count only if there is nothing else.
+    const rows = this.others().length > 0 ? this.others() : this.model.rows;
+    const found = rows.map(({data}) => data.neighbor(t, by)).filter((time) => time !== null);
     if (found.length === 0) return;
     const next = by > 0 ? Math.min(...found) : Math.max(...found);
     const {from, to} = this.view;
@@ -194,16 +221,28 @@ export class ChartView {
     this.drawn = now;
     const height = this.height();
     const rows = this.rows();
+    const known = {from: this.model.from, until: this.model.until};
+    const high = this.trendHeight();
+    const axes = axesOf(this.values(), this.view, known.until);
+    drawAxes(fitCanvas(this.scales, axes.length * kAxisWidth, high), axes, high);
+    if (axes.length !== this.scaleCount) {  // the plot became wider or narrower
+      this.scaleCount = axes.length;
+      this.width = this.plot.clientWidth;
+    }
+    drawTrends(fitCanvas(this.trends, this.width, high), axes, this.view, known, this.width, high);
     drawAxis(fitCanvas(this.axis, this.width, kAxisHeight), this.view, this.width);
-    drawRows(fitCanvas(this.canvas, this.width, height - kAxisHeight), rows, this.view, {from: this.model.from, until: this.model.until}, this.width);
+    drawRows(fitCanvas(this.canvas, this.width, height - kAxisHeight - high), this.others(), this.view, known, this.width);
     drawCursors(fitCanvas(this.over, this.width, height), this.cursors, now, this.view, this.width, height);
     setText(this.time, cursorText(this.cursors) || "Click: cursor A, Shift + click: cursor B. Wheel: zoom. Drag: earlier and later. At most " + kMostRows + " rows.");
     this.names.classList.toggle("one-cursor", this.cursors.B === null);
     setAttribute(this.followButton, "aria-pressed", String(this.following));
     rows.forEach((row, i) => {
       if (!this.labels[i]) return;
-      setText(this.labels[i][0], valueAt(row, this.cursors.A ?? now));
-      setText(this.labels[i][1], this.cursors.B === null ? "" : valueAt(row, this.cursors.B));
+      const texts = [valueAt(row, this.cursors.A ?? now), this.cursors.B === null ? "" : valueAt(row, this.cursors.B)];
+      texts.forEach((text, k) => {
+        setText(this.labels[i][k], text);
+        setAttribute(this.labels[i][k], "title", text || null);  // a narrow column cuts it
+      });
     });
   }
 }

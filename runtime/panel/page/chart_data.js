@@ -56,6 +56,59 @@ export class ChartRow {
     return index > 0 && index < this.times.length ? this.times[index] : null;
   }
 
+  /// The line of a number between `from` and `to` on `width` pixels: [x, y] with y as a number. A number is known at each whole
+  /// multiple of `every` at which it changed: it holds until one `every` before the next change. Of the changes in one pixel
+  /// the first, the least, the greatest and the last remain, so that no peak is lost, however many there are.
+  line(from, to, end, width, every) {
+    const {times, values} = this;
+    const scale = width / (to - from);
+    const last = Math.min(to, end);
+    const points = [];
+    let column = null;
+    const close = () => {
+      if (column === null) return;
+      const {x, first, least, greatest, final} = column;
+      points.push([x, first]);
+      if (least < Math.min(first, final)) points.push([x, least]);
+      if (greatest > Math.max(first, final)) points.push([x, greatest]);
+      if (final !== first) points.push([x, final]);
+      column = null;
+    };
+    const add = (t, number) => {
+      const x = Math.max(-width, Math.floor((t - from) * scale));
+      if (column?.x !== x) {
+        close();
+        column = {x, first: number, least: number, greatest: number, final: number};
+      }
+      column.least = Math.min(column.least, number);
+      column.greatest = Math.max(column.greatest, number);
+      column.final = number;
+    };
+    let index = Math.max(0, lastNotAfter(times, from));
+    for (; index < times.length && times[index] <= last; ++index) {
+      if (index > 0 && times[index] - times[index - 1] > every) add(times[index] - every, values[index - 1]);
+      add(times[index], values[index]);
+    }
+    if (index < times.length && index > 0 && times[index - 1] <= last) {
+      if (times[index] - every > times[index - 1]) add(Math.min(times[index] - every, last), values[index - 1]);
+      if (times[index] - every < last) add(times[index], values[index]);
+    } else if (index > 0) {
+      add(last, values[index - 1]);
+    }
+    close();
+    return points;
+  }
+
+  /// The least and the greatest number between `from` and `to`, with that at `from`; null if none is known.
+  extent(from, to) {
+    const {times, values} = this;
+    let found = null;
+    for (let index = Math.max(0, lastNotAfter(times, from)); index < times.length && times[index] <= to; ++index) {
+      found = found ? [Math.min(found[0], values[index]), Math.max(found[1], values[index])] : [values[index], values[index]];
+    }
+    return found;
+  }
+
   /// What is drawn between `from` and `to` on `width` pixels: [x begin, x end, value, dense]. Changes that are closer
   /// together than a pixel become one dense piece, so that the number of pieces does not depend on that of the changes.
   pieces(from, to, end, width) {

@@ -1,6 +1,7 @@
 // Draws the chart on a canvas: the axis of time, a row for each symbol or device, cursors.
 import {ticks} from "./layout.js";
 import {kFont, theme} from "./theme.js";
+import {withUnit} from "./value_words.js";
 import {duration, exactInstant, value as valueText} from "./words.js";
 
 export const kRowHeight = 40;
@@ -98,7 +99,7 @@ const drawStates = (context, pieces, color, device) => {
   }
 };
 
-/// `rows`: { kind, type, device, symbol, data } each. `view`: { from, to } shown, `known` { from, until } of which there is data.
+/// `rows`, without values: { kind, type, device, symbol, data } each. `view`: { from, to } shown, `known` { from, until } of which there is data.
 export const drawRows = (context, rows, view, known, width) => {
   const color = theme();
   context.clearRect(0, 0, width, Math.max(1, rows.length) * kRowHeight);
@@ -149,6 +150,7 @@ export const drawCursors = (context, cursors, now, view, width, height) => {
 export const valueAt = (row, t) => {
   const found = row.data.at(t);
   if (found === undefined) return "-";
+  if (row.kind === "value") return withUnit(found, row.value);
   return row.kind === "device" ? stateWords(row.device, found) : valueText(found, row.symbol);
 };
 

@@ -8,7 +8,7 @@ const kMostWithDevice = 8;
 
 export class ChartModel {
   constructor(app) {
-    Object.assign(this, {app, rows: [], next: null, from: 0, until: 0, wrong: "", busy: false, stale: true, last: 0});
+    Object.assign(this, {app, rows: [], next: null, nextValue: 0, from: 0, until: 0, wrong: "", busy: false, stale: true, last: 0});
     this.listeners = new Set();
     this.key = "symplant chart " + app.plant.plant;
     this.load();
@@ -26,7 +26,7 @@ export class ChartModel {
     }
     for (const [kind, name] of kept) {
       const index = this.app.names.index(kind, name);
-      if (index !== null) this.rows.push({kind, index, data: new ChartRow()});
+      if (index !== null && this.isKnown(kind, index)) this.rows.push({kind, index, data: new ChartRow()});
     }
   }
 
@@ -34,10 +34,17 @@ export class ChartModel {
     sessionStorage.setItem(this.key, JSON.stringify(this.rows.map(({kind, index}) => [kind, this.app.names.name(kind, index)])));
   }
 
+  /// Not a value that no trace shows.
+  isKnown(kind, index) { return kind !== "value" || this.app.plant.values[index].trace !== null; }
+
   has(kind, index) { return this.rows.some((row) => row.kind === kind && row.index === index); }
 
   add(kind, index) {
     if (this.has(kind, index)) return true;
+    if (!this.isKnown(kind, index)) {
+      this.wrong = this.app.names.name(kind, index) + " is in no chart, since its `trace` is false";
+      return false;
+    }
     if (this.rows.length >= kMostRows) {
       this.wrong = "the chart has " + kMostRows + " rows, the most; remove one first";
       return false;
@@ -72,6 +79,12 @@ export class ChartModel {
     this.changed(t);
   }
 
+  addValue(index) {
+    this.add("value", index);
+    this.app.router.view("chart");
+    this.changed();
+  }
+
   showTime(t) {
     this.app.router.view("chart");
     this.changed(t);
@@ -87,8 +100,10 @@ export class ChartModel {
 
   moveUp(row) {
     const at = this.rows.indexOf(row);
-    if (at < 1) return;
-    this.rows = this.rows.with(at, this.rows[at - 1]).with(at - 1, row);
+    const isValue = row.kind === "value";  // values have their own plot
+    const above = this.rows.slice(0, Math.max(0, at)).findLastIndex(({kind}) => (kind === "value") === isValue);
+    if (above < 0) return;
+    this.rows = this.rows.with(at, this.rows[above]).with(above, row);
     this.next = null;  // answers come in the order of the rows
     this.stale = true;
     this.changed();
@@ -103,8 +118,8 @@ export class ChartModel {
   query() {
     const of = (kind) => this.rows.filter((row) => row.kind === kind).map(({index}) => index).join(",");
     const from = Math.max(0, Math.round(this.app.store.t - kKept));
-    const range = this.stale || this.next === null ? "&from=" + (this.app.plant.mode === "recording" ? this.app.plant.begin : from) : "&after=" + this.next;
-    return "chart?symbols=" + of("symbol") + "&devices=" + of("device") + range;
+    const range = this.stale || this.next === null ? "&from=" + (this.app.plant.mode === "recording" ? this.app.plant.begin : from) : "&after=" + this.next + "&after_value=" + this.nextValue;
+    return "chart?symbols=" + of("symbol") + "&devices=" + of("device") + (of("value") ? "&values=" + of("value") : "") + range;
   }
 
   /// Asks for what is new, if it is time.
@@ -137,7 +152,9 @@ export class ChartModel {
     const fill = (kind, lists) => rows.filter((row) => row.kind === kind).forEach(({data}, i) => data.append(lists[i] ?? []));
     fill("symbol", answer.symbols ?? []);
     fill("device", answer.devices ?? []);
+    fill("value", answer.values ?? []);
     this.next = answer.next;
+    this.nextValue = answer.next_value ?? 0;
     this.until = answer.to;
     const oldest = answer.to - kKept;
     if (this.app.plant.mode === "recording" || oldest < this.from + 6e10) return;

@@ -5,11 +5,12 @@ import {fillDevice} from "./device_details.js";
 import {fillLocation} from "./location_details.js";
 import {fillRequirement} from "./requirement_details.js";
 import {fillSymbol} from "./symbol_details.js";
+import {fillValue} from "./value_details.js";
 import {Why} from "./why.js";
 import {exactInstant, instant} from "./words.js";
 
-const kFillers = {device: fillDevice, symbol: fillSymbol, location: fillLocation, requirement: fillRequirement};
-const kWords = {device: "Device", symbol: "Symbol", location: "Track or place", requirement: "Requirement", why: "Explanation"};
+const kFillers = {device: fillDevice, symbol: fillSymbol, location: fillLocation, requirement: fillRequirement, value: fillValue};
+const kWords = {device: "Device", symbol: "Symbol", location: "Track or place", requirement: "Requirement", value: "Value", why: "Explanation"};
 
 /// What a filler uses: sections, and texts that follow the state of the plant.
 export class Pane {

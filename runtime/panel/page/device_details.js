@@ -1,10 +1,12 @@
 // The details of a device.
-import {malfunctionButton, stateControl, symbolControls} from "./acts.js";
+import {stateControl, symbolControls} from "./acts.js";
 import {button, make} from "./dom.js";
 import {stationAddress, symbolLink} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
+import {fillMalfunctions} from "./malfunction_section.js";
 import {DEVICE, SYMBOL} from "./store.js";
 import {operationLabel, stateText} from "./tile.js";
+import {fillValuesOf} from "./value_details.js";
 import {duration, isOn, value} from "./words.js";
 
 const kActuations = {latched: "latched: a short command is enough", bistable: "bistable: moves to the end while no other command is on",
@@ -40,19 +42,6 @@ const malfunctionNames = (plant, index, name) => [
   ...plant.malfunctions.filter(({devices}) => devices?.includes(index)).map((malfunction) => [malfunction.name, malfunction.name]),
   ...(plant.ordinary?.device ?? []).map((kind) => [name + " " + kind, kind])];
 
-/// Buttons for malfunctions, [[name, label], ...]; without acts the active ones as text.
-export const fillMalfunctions = (pane, names, result) => {
-  const {app} = pane;
-  if (names.length === 0) return;
-  if (!app.canAct) {
-    const active = () => app.store.malfunctions.map(([name]) => name).filter((name) => names.some(([of]) => of === name)).join(", ");
-    return pane.section("Malfunctions", pane.live(() => active() || "none"));
-  }
-  const buttons = names.map(([name, label]) => malfunctionButton(app, result, name, label));
-  for (const {update} of buttons) pane.follow(update);
-  pane.section("Malfunctions", make("div", {class: "row controls"}, buttons.map(({element}) => element)));
-};
-
 export const fillDevice = (pane, index) => {
   const {app} = pane;
   const {plant, store, clock} = app;
@@ -71,6 +60,7 @@ export const fillDevice = (pane, index) => {
     make("p", {}, station ? make("a", {href: stationAddress(station)}, "Station " + station) : null, " ",
       button("Show in chart", () => app.chart.addDevice(index), {class: "small"})),
     stateControl(app, index, result));
+  fillValuesOf(pane, index);
   const list = (items) => make("ul", {class: "plain"}, items);
   if (device.operations.length > 0) {
     pane.section("Operations", list(device.operations.map((operation) => symbolItem(pane, operation.symbol,

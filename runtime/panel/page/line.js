@@ -116,7 +116,7 @@ export class LineView {
 
   /// `statusChanged` is a set of devices.
   change(change, statusChanged) {
-    const {symbols} = this.app.plant;
+    const {symbols, values} = this.app.plant;
     for (const part of this.parts) {
       part.change?.(change);
       if (!part.touch) continue;
@@ -128,6 +128,7 @@ export class LineView {
       if (part instanceof Overview) continue;
       for (const device of change.devices) part.touch(device);
       for (const symbol of change.symbols) if (symbols[symbol].device !== null) part.touch(symbols[symbol].device);
+      for (const value of change.values) if (values[value].device !== null) part.touchValues?.(values[value].device);
     }
     this.app.frames.request();
   }

@@ -38,7 +38,7 @@ const enterToken = async () => {
 const denied = (text) => notice.show("token", text, false, {label: "Enter the token", run: enterToken});
 
 /// What a description need not have.
-const kDefaults = {stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [], malfunctions: [], ordinary: {},
+const kDefaults = {stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [], values: [], malfunctions: [], ordinary: {},
   exercises: [], links: [], programs: [], begin: 0, end: 0};
 
 /// The description, as soon as the plant answers.

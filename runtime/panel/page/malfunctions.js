@@ -1,7 +1,7 @@
 // The malfunctions view: the active ones, those of the plant's description, and the ordinary ones of devices and symbols.
 import {actButton, malfunctionButton, resultOutput} from "./acts.js";
 import {make, table, timeOf} from "./dom.js";
-import {deviceLink, symbolLink} from "./links_to.js";
+import {deviceLink, linkTo, symbolLink} from "./links_to.js";
 import {makeSearch} from "./search.js";
 
 export class MalfunctionsView {
@@ -20,8 +20,9 @@ export class MalfunctionsView {
 
   described() {
     const {app, result} = this;
-    const rows = app.plant.malfunctions.map(({name, kind, devices = [], symbols = []}) => {
-      const of = [...devices.map((index) => deviceLink(app, index)), ...symbols.map((index) => symbolLink(app, index))];
+    const rows = app.plant.malfunctions.map(({name, kind, devices = [], symbols = [], values = []}) => {
+      const of = [...devices.map((index) => deviceLink(app, index)), ...symbols.map((index) => symbolLink(app, index)),
+        ...values.map((index) => linkTo("value", app.plant.values[index].name))];
       const shown = [...of.slice(0, 5).flatMap((link, i) => i > 0 ? [", ", link] : [link]), of.length > 5 ? " and " + (of.length - 5) + " more" : ""];
       if (!app.canAct) return [name, kind, shown];
       const toggle = malfunctionButton(app, result, name);

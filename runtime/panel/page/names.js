@@ -1,11 +1,11 @@
 // Finds what a name or a part of it means.
 
-const kKinds = ["device", "symbol", "location", "requirement"];
+const kKinds = ["device", "symbol", "location", "requirement", "value"];
 
 export class Names {
   constructor(plant) {
     this.plant = plant;
-    this.lists = {device: plant.devices, symbol: plant.symbols, location: plant.locations, requirement: plant.requirements};
+    this.lists = {device: plant.devices, symbol: plant.symbols, location: plant.locations, requirement: plant.requirements, value: plant.values ?? []};
     this.indexes = Object.fromEntries(kKinds.map((kind) =>
       [kind, new Map(this.lists[kind].map(({name}, index) => [name, index]))]));
     this.stationIndexes = new Map(plant.stations.map(({name}, index) => [name, index]));
@@ -44,6 +44,7 @@ export class Names {
     add("location", this.plant.locations, ({kind}) => kind);
     add("symbol", this.plant.symbols, ({address}) => address ?? "");
     add("requirement", this.plant.requirements);
+    add("value", this.lists.value, ({unit}) => unit);
     const begins = ({name}) => name.toLowerCase().split(/[_. ]/).includes(words[0]) ? 0 : 1;
     return found.sort((a, b) => begins(a) - begins(b)).slice(0, most);
   }

@@ -1,7 +1,7 @@
 // What the fragment of the address says: the view, what is shown in it, and what is selected. Names, not indexes, so that
 // a link is still right after a restart.
 
-const kSelections = ["device", "symbol", "location", "requirement", "why"];
+const kSelections = ["device", "symbol", "location", "requirement", "value", "why"];
 
 export class Router {
   /// `changed(route)` is called at once, and each time the fragment changes.

@@ -1,8 +1,8 @@
-// A field that finds stations, devices, symbols, tracks and requirements by parts of their names, or by address.
+// A field that finds stations, devices, symbols, tracks, requirements and values by parts of their names, or by address.
 import {make, setAttribute} from "./dom.js";
 
 const kMost = 40;
-const kWords = {station: "station", device: "device", symbol: "symbol", location: "track or place", requirement: "requirement"};
+const kWords = {station: "station", device: "device", symbol: "symbol", location: "track or place", requirement: "requirement", value: "value"};
 
 let fields = 0;
 

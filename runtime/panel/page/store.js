@@ -4,6 +4,8 @@
 export const DEVICE = {moving: 1, stopped: 2, disabled: 4, frozen: 8, malfunction: 16};
 /// Flags of a symbol.
 export const SYMBOL = {forced: 1, malfunction: 2};
+/// Flags of a value.
+export const VALUE = {held: 1};
 
 const kMostFindings = 1000;
 const kMostActs = 1000;
@@ -13,7 +15,7 @@ const kJumps = ["reset", "restore", "exercise"];  // acts after which plant time
 
 /// What an event changed. `all`: everything; else indexes, and `keys` names further keys of the event. `jumped`: the plant was
 /// reset or restored.
-const noChange = () => ({all: false, jumped: false, devices: [], symbols: [], tracks: [], places: [], requirements: [], keys: new Set()});
+const noChange = () => ({all: false, jumped: false, devices: [], symbols: [], values: [], tracks: [], places: [], requirements: [], keys: new Set()});
 
 export class Store {
   constructor(plant) {
@@ -30,11 +32,17 @@ export class Store {
     this.values = new Array(plant.symbols.length).fill(false);
     this.symbolFlags = new Uint8Array(plant.symbols.length);
     this.symbolSince = new Float64Array(plant.symbols.length);
+    this.numbers = new Float64Array(plant.values?.length ?? 0);
+    this.valueFlags = new Uint8Array(this.numbers.length);
     this.tracks = [];
     this.places = [];
     this.requirements = [];
     Object.assign(this, {rev: -1, t: 0, forced: 0, clock: {state: "frozen", speed: 1, real_speed: 0, until: null},
       malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, findings: [], acts: []});
+    this.valuesOfDevice = new Map();
+    (plant.values ?? []).forEach(({device}, index) => {
+      if (device !== null) this.valuesOfDevice.set(device, [...this.valuesOf(device), index]);
+    });
     this.trackLocations = [];
     this.placeLocations = [];
     plant.locations.forEach(({kind}, index) => (kind === "track" ? this.trackLocations : this.placeLocations).push(index));
@@ -71,6 +79,16 @@ export class Store {
     return true;
   }
 
+  setValue(index, number, flags) {
+    if (!(index < this.numbers.length)) return false;
+    this.numbers[index] = number;
+    this.valueFlags[index] = flags;
+    return true;
+  }
+
+  /// The values whose name begins with that of a device.
+  valuesOf(device) { return this.valuesOfDevice.get(device) ?? []; }
+
   setTrack(rank, [t, parts, stops, drives]) { this.tracks[rank] = {t, parts, stops: stops ?? [], drives: drives ?? []}; }
 
   /// The event `picture`: the state of everything.
@@ -80,6 +98,7 @@ export class Store {
     this.t = event.t;
     event.devices.forEach((entry, index) => this.setDevice(index, entry, 0, event.t));
     event.symbols.forEach(([value, flags, since], index) => this.setSymbol(index, value, flags, since));
+    (event.values ?? []).forEach(([number, flags], index) => this.setValue(index, number, flags));
     this.tracks = [];
     (event.tracks ?? []).forEach((entry, rank) => this.setTrack(rank, entry));
     this.places = event.places ?? [];
@@ -100,6 +119,7 @@ export class Store {
     for (const [index, value, flags, since] of event.symbols ?? []) {
       if (this.setSymbol(index, value, flags, since)) change.symbols.push(index);
     }
+    for (const [index, number, flags] of event.values ?? []) if (this.setValue(index, number, flags)) change.values.push(index);
     for (const [rank, ...entry] of event.tracks ?? []) {
       this.setTrack(rank, entry);
       change.tracks.push(rank);

@@ -1,7 +1,7 @@
 // The details of a symbol.
 import {symbolControls} from "./acts.js";
 import {button, make} from "./dom.js";
-import {fillMalfunctions} from "./device_details.js";
+import {fillMalfunctions} from "./malfunction_section.js";
 import {deviceLink, locationLink} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
 import {SYMBOL} from "./store.js";
@@ -9,7 +9,7 @@ import {length, value} from "./words.js";
 
 /// What sets the value of a symbol, in words.
 const driverText = ({direction, driver}) => direction === "operation" ? "the PLC"
-  : {device: "its device", parts: "parts", follow: "a condition", none: "-"}[driver] ?? driver ?? "-";
+  : {device: "its device", parts: "parts", follow: "a condition", signal: "a formula", none: "-"}[driver] ?? driver ?? "-";
 
 /// What an operation drives, in words: "track CV1, EXLINE_MB_AGV", `-` for nothing.
 const drivesText = ({drives}) => (drives ?? []).join(", ") || "-";

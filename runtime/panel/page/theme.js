@@ -1,7 +1,7 @@
 // Colors of the style sheet, for what is drawn on a canvas.
 
 const kNames = ["back", "side", "text", "soft", "line", "accent", "belt", "part", "ink", "on", "stop", "moving", "finding", "blocked",
-  "hatch", "mark", "transfer"];
+  "hatch", "mark", "transfer", "trend0", "trend1", "trend2", "trend3", "trend4", "trend5"];
 
 let colors = null;
 const listeners = new Set();

@@ -3,9 +3,11 @@ import {make, setText, setAttribute} from "./dom.js";
 import {selecting} from "./router.js";
 import {rank, STATUSES} from "./status.js";
 import {DEVICE, SYMBOL} from "./store.js";
+import {isKnown, shortName, withUnit} from "./value_words.js";
 import {isOn, value} from "./words.js";
 
 const kMostEvents = 10;
+const kMostValues = 3;
 const kMalfunction = STATUSES[rank.malfunction];
 
 /// "CLOSE" for an operation that commands the state CLOSE, else the last level of its symbol.
@@ -48,6 +50,10 @@ export const eventsText = (store, device) => {
   return text;
 };
 
+/// The first values of the device: "load 20.4 l".
+export const valuesText = (store, index) => store.valuesOf(index).filter((at) => isKnown(store.plant, store.plant.values[at])).slice(0, kMostValues).map((at) =>
+  shortName(store.plant.values[at], store.plant.devices[index]) + " " + withUnit(store.numbers[at], store.plant.values[at])).join(", ");
+
 const isForced = (store, device) => device.events.some((symbol) => store.symbolFlags[symbol] & SYMBOL.forced)
   || device.operations.some(({symbol}) => store.symbolFlags[symbol] & SYMBOL.forced);
 
@@ -58,6 +64,7 @@ export class Tile {
     this.broken = make("span", {class: "letter s-malfunction", "aria-hidden": "true", title: kMalfunction.text, hidden: true}, kMalfunction.letter);
     this.word = make("span", {class: "hidden-text"});
     this.state = make("span", {class: "state"});
+    this.values = make("span", {class: "numbers"});
     this.forced = make("span", {class: "forced-mark", hidden: true, title: "a symbol is forced"}, "F");
     this.fill = make("span", {class: "fill"});
     this.bar = make("span", {class: "bar", "aria-hidden": "true"}, this.fill);
@@ -66,7 +73,7 @@ export class Tile {
     this.element = make("a", {class: "tile", href: selecting("device", this.device.name), title: this.device.name, tabindex: -1,
       "data-device": this.device.name},
       make("span", {class: "top"}, make("span", {class: "label"}, this.device.label), this.forced, this.broken, this.letter, this.word),
-      this.state, this.bar, make("span", {class: "low"}, this.commands, this.events));
+      make("span", {class: "state-line"}, this.state, this.values), this.bar, make("span", {class: "low"}, this.commands, this.events));
     this.update();
   }
 
@@ -86,6 +93,7 @@ export class Tile {
     this.broken.hidden = !isBroken;
     setText(this.word, ", " + text + ", " + (isBroken ? kMalfunction.text + ", " : ""));
     setText(this.state, stateText(store, this.index));
+    this.updateValues();
     setText(this.commands, commandsText(store, this.device));
     setText(this.events, eventsText(store, this.device));
     this.forced.hidden = !isForced(store, this.device);
@@ -93,6 +101,13 @@ export class Tile {
     const isMove = store.target[this.index] !== store.state[this.index];
     this.bar.classList.toggle("shown", isMove && store.whole[this.index] > 0);
     this.draw(this.app.clock.now());
+  }
+
+  /// After a change of one of the device's values.
+  updateValues() {
+    const text = valuesText(this.app.store, this.index);
+    setText(this.values, text);
+    setAttribute(this.values, "title", text || null);
   }
 
   select(selected) { setAttribute(this.element, "aria-current", selected ? "true" : null); }

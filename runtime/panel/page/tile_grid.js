@@ -108,6 +108,9 @@ export class TileGrid {
     if (rank !== undefined && this.tiles.has(rank)) this.dirty.add(rank);
   }
 
+  /// Writes the values of a device again, and nothing else.
+  touchValues(device) { this.tiles.get(this.rankOf.get(device))?.updateValues(); }
+
   touchAll() { for (const rank of this.tiles.keys()) this.dirty.add(rank); }
 
   selected() {

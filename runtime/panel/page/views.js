@@ -9,13 +9,15 @@ import {LineView} from "./line.js";
 import {LinksView} from "./links.js";
 import {MalfunctionsView} from "./malfunctions.js";
 import {SessionView} from "./session.js";
+import {ValuesView} from "./values.js";
 
 /// [key, title, class] in order.
 export const makeViews = (app) => {
-  const all = [["line", "Line", LineView], ["io", "I/O", IoView], ["chart", "Chart", ChartView], ["findings", "Findings", FindingsView],
+  const values = app.plant.values.length > 0 ? [["values", "Values", ValuesView]] : [];
+  const all = [["line", "Line", LineView], ["io", "I/O", IoView], ...values, ["chart", "Chart", ChartView], ["findings", "Findings", FindingsView],
     ["links", "Links", LinksView], ["malfunctions", "Malfunctions", MalfunctionsView], ["exercises", "Exercises", ExerciseView],
     ["session", "Session", SessionView]];
-  return app.plant.mode === "recording" ? all.slice(0, 4) : all;
+  return app.plant.mode === "recording" ? all.slice(0, 4 + values.length) : all;
 };
 
 export class Views {

@@ -7,10 +7,11 @@ import {instant, withRoundTimes} from "./words.js";
 const kPause = 500;  // ms between two questions
 const kOldest = 2000;  // ms until it is asked again while plant time runs
 const kMostDeep = 12;
-const kLinks = {device: deviceLink, symbol: symbolLink, location: locationLink};
+const valueLink = (app, index) => nameLink(app, app.names.name("value", index));
+const kLinks = {device: deviceLink, symbol: symbolLink, location: locationLink, value: valueLink};
 
 /// The text of a node; the names of devices and symbols in it are links.
-const linked = (app, text) => withRoundTimes(text).split(/([\p{L}\p{N}_.]{3,})/u).map((word, i) => {
+const linked = (app, text) => withRoundTimes(text).split(/([\p{L}\p{N}_.]{3,}(?:\[\d+\])?)/u).map((word, i) => {
   if (i % 2 === 0) return word;
   if (app.names.find(word)) return nameLink(app, word);
   const end = word.lastIndexOf(".");  // DEVICE.STATE, or the last word of a sentence

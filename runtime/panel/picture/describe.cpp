@@ -8,8 +8,10 @@
 
 #include "symplant/condition/compare.hpp"
 #include "symplant/link/link.hpp"
+#include "symplant/panel/picture/describe_values.hpp"
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/panel/picture/malfunction_marks.hpp"
+#include "symplant/panel/picture/value_states.hpp"
 #include "symplant/tables/lists.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/why/driven_things.hpp"
@@ -149,6 +151,7 @@ std::vector<std::string_view> drivers_of(const tables::PlantTables& tables) {
   }
   for (const tables::SensorRow& sensor : tables.material.sensors) drivers[sensor.symbol] = "parts";
   for (const tables::FollowRow& follow : tables.follows) drivers[follow.symbol] = "follow";
+  for (const tables::SignalRow& signal : tables.values.signals) drivers[signal.symbol] = "signal";
   for (const tables::SharedAddress& shared : tables.shared_addresses) {
     if (drivers[shared.symbol] == "none") drivers[shared.symbol] = drivers[shared.leader];
   }
@@ -305,9 +308,15 @@ void put_material(std::string& json, const trace::PlantNames& names) {
   json += ']';
 }
 
-std::string_view kind_name(tables::MalfunctionKind kind) {
-  constexpr std::array<std::string_view, 5> kNames{"slower", "stuck", "force", "flicker", "lose"};
-  return kNames[static_cast<std::size_t>(kind)];
+/// The kinds of its effects, each once, in their order.
+std::string kinds_of(const tables::MalfunctionTables& malfunctions, std::uint32_t malfunction) {
+  constexpr std::array<std::string_view, 7> kNames{"slower", "stuck", "force", "flicker", "lose", "set", "distort"};
+  std::string kinds;
+  for (const tables::EffectRow& effect : malfunctions.effects_of(malfunction)) {
+    const std::string_view name = kNames[static_cast<std::size_t>(effect.kind)];
+    if (kinds.find(name) == kinds.npos) kinds.append(kinds.empty() ? "" : ", ").append(name);
+  }
+  return kinds;
 }
 
 /// Those of the plant description, and the kinds of those that every device and BOOL event has.
@@ -320,9 +329,10 @@ void put_malfunctions(std::string& json, const trace::PlantNames& names) {
     put_comma(json);
     json += '{';
     put_member(json, "name", names.malfunction(m));
-    put_member(json, "kind", kind_name(tables.malfunctions.rows[m].kind));
+    put_member(json, "kind", kinds_of(tables.malfunctions, m));
     put_indexes(json, "devices", on.units);
     put_indexes(json, "symbols", on.symbols);
+    if (!tables.values.rows.empty()) put_indexes(json, "values", held_outputs(tables, m));
     json += '}';
   }
   json += R"(],"ordinary":{"device":["stuck","slow"],"event":["stuck on","stuck off"]})";
@@ -343,6 +353,7 @@ void put_plant(std::string& json, const trace::PlantNames& names, const View& vi
   }
   json += ']';
   put_symbols(json, names, links);
+  put_values(json, names);
   put_material(json, names);
   put_key(json, "requirements");
   json += '[';

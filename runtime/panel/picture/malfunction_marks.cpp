@@ -21,17 +21,16 @@ void MalfunctionMarks::clear() {
 
 ActsOn acts_on(const tables::PlantTables& tables, std::uint32_t malfunction) {
   const tables::MalfunctionNumbers numbers(tables);
-  if (!numbers.is_written(malfunction)) {
-    if (numbers.is_of_unit(malfunction)) return {{numbers.unit(malfunction)}, {}};
-    return {{}, {numbers.symbol(malfunction)}};
-  }
   ActsOn on;
-  const tables::MalfunctionRow& row = tables.malfunctions.rows[malfunction];
-  for (const tables::MalfunctionUnit& unit : numbers.units_of(malfunction)) on.units.push_back(unit.unit);
-  if (row.kind == tables::MalfunctionKind::flicker) on.symbols.push_back(row.subject);
-  if (row.kind == tables::MalfunctionKind::force) {
-    for (const tables::MalfunctionForce& force : tables.malfunctions.forces.subspan(row.of.first, row.of.count)) {
-      on.symbols.push_back(force.symbol);
+  numbers.for_symbols(malfunction, [&](std::uint32_t symbol) { on.symbols.push_back(symbol); });
+  if (!numbers.is_written(malfunction)) {
+    if (numbers.is_of_unit(malfunction)) on.units.push_back(numbers.unit(malfunction));
+    return on;
+  }
+  for (const tables::EffectRow& effect : tables.malfunctions.effects_of(malfunction)) {
+    for (const tables::MalfunctionUnit& unit : tables.malfunctions.units_of(effect)) on.units.push_back(unit.unit);
+    if (effect.kind == tables::MalfunctionKind::distort) {
+      on.symbols.push_back(tables.values.signals[effect.subject].symbol);
     }
   }
   return on;

@@ -54,6 +54,7 @@ Picture::Picture(const trace::PlantNames& names, const trace::History& history)
       motions_(names.tables().units.size()),
       tracks_(names.tables().material.tracks.size()),
       track_states_(names.tables(), history),
+      values_(names.tables()),
       malfunctions_(names.tables()),
       devices_(names.tables().units.size()),
       symbols_(names.tables().symbols.size()),
@@ -95,6 +96,9 @@ void Picture::apply(const Record& record) {
       track_->parts.back().x = static_cast<std::int64_t>(record.value);
       track_->parts.back().v = static_cast<std::int32_t>(record.of);
       break;
+    case Record::Kind::value:
+      values_.apply(record);
+      break;
     case Record::Kind::malfunction:
       set_malfunction(record);
       break;
@@ -105,6 +109,7 @@ void Picture::apply(const Record& record) {
 
 void Picture::set_malfunction(const Record& record) {
   malfunctions_.change(record.of, record.more);
+  values_.change(record.of, record.more);
   malfunctions_changed_ = true;
   const ActsOn on = acts_on(names_.tables(), record.of);
   for (const std::uint32_t unit : on.units) devices_.mark(unit);
@@ -144,6 +149,7 @@ void Picture::load(const plant::Plant& plant) {
       tracks_[track].parts.push_back({part.number, part.kind, motion.v, motion.x});
     }
   }
+  values_.load(plant);
   malfunctions_.clear();
   malfunctions_changed_ = true;
   for (const engine::ActiveMalfunction& one : plant.active_malfunctions()) malfunctions_.change(one.number, true);
@@ -193,7 +199,7 @@ void Picture::put_track(std::string& json, std::uint32_t track) const {
 /// Stops and drives may have changed with any symbol or device.
 void Picture::look_at_tracks(tables::Time now) {
   if (tracks_.empty() || !has_changes()) return;
-  track_states_.look(now, [this](std::uint32_t track) { locations_.mark(track); });
+  track_states_.look(now, values_.numbers(), [this](std::uint32_t track) { locations_.mark(track); });
 }
 
 void Picture::put_place(std::string& json, std::uint32_t place) const {
@@ -210,6 +216,7 @@ void Picture::put_all(std::string& json, tables::Time now) {
   put_array(json, "tracks", tracks_.size(), [&](std::uint32_t track) { put_track(json, track); });
   put_array(json, "places", locations_.marked.size() - tracks_.size(),
             [&](std::uint32_t place) { put_place(json, place); });
+  values_.put_all(json);
   put_malfunctions(json);
 }
 
@@ -241,6 +248,7 @@ void Picture::put_changes(std::string& json, tables::Time now) {
     put_place(json, place);
     json += ']';
   });
+  values_.put_changes(json);
   if (malfunctions_changed_) put_malfunctions(json);
   forget_changes();
 }
@@ -250,6 +258,7 @@ void Picture::forget_changes() {
   devices_.clear();
   symbols_.clear();
   locations_.clear();
+  values_.forget_changes();
 }
 
 }  // namespace symplant::panel

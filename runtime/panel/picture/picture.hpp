@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/panel/picture/track_state.hpp"
+#include "symplant/panel/picture/value_states.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -29,10 +31,14 @@ class Picture {
   /// The symbol is forced, or no longer.
   void touch_symbol(std::uint32_t symbol) { symbols_.mark(symbol); }
 
+  /// The outputs of all values: records have only those that a trace shows, at its times. O(outputs).
+  void take_outputs(std::span<const double> outputs) { values_.take(outputs); }
+
   bool has_changes() const {
-    return malfunctions_changed_ || !(devices_.list.empty() && symbols_.list.empty() && locations_.list.empty());
+    return malfunctions_changed_ || values_.has_changes() ||
+           !(devices_.list.empty() && symbols_.list.empty() && locations_.list.empty());
   }
-  /// Appends the keys `devices`, `symbols`, `tracks` and `places` of all of them, as at plant time `now`, and
+  /// Appends the keys `devices`, `symbols`, `tracks`, `places` and `values` of all of them, as at plant time `now`, and
   /// `malfunctions`. O(plant).
   void put_all(std::string& json, tables::Time now);
   /// Appends these keys of what changed since the last call, and forgets it. O(changes).
@@ -88,6 +94,7 @@ class Picture {
   std::vector<Track> tracks_;
   Track* track_ = nullptr;  ///< the track whose parts are being recorded
   TrackStates track_states_;
+  ValueStates values_;
   MalfunctionMarks malfunctions_;
   bool malfunctions_changed_ = false;
   Marks devices_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,12 @@ class TrackStates {
   /// Both must outlive it. O(conditions).
   TrackStates(const tables::PlantTables& tables, const trace::History& history);
 
-  /// Looks at all tracks again; calls `changed(track)` for each that differs. O(stops, drives, and their conditions).
+  /// Looks at all tracks again; calls `changed(track)` for each that differs. `numbers` are the outputs of values.
+  /// O(stops, drives, their conditions, and active malfunctions).
   template <class Changed>
-  void look(tables::Time now, Changed changed) {
+  void look(tables::Time now, std::span<const double> numbers, Changed changed) {
     for (std::uint32_t track = 0; track < tracks_.size(); ++track) {
-      if (update(track, now)) changed(track);
+      if (update(track, now, numbers)) changed(track);
     }
   }
   /// Appends `[true,false],[500000]`: for each stop whether it holds, for each drive its speed in um/s.
@@ -38,8 +40,9 @@ class TrackStates {
     bool operator==(const Track&) const = default;
   };
 
-  bool update(std::uint32_t track, tables::Time now);
-  std::int64_t speed(const tables::DriveRow& row) const;
+  bool update(std::uint32_t track, tables::Time now, std::span<const double> numbers);
+  std::int64_t speed(const tables::DriveRow& row, std::span<const double> numbers) const;
+  std::int64_t slowed(std::uint32_t track, std::int64_t speed) const;
 
   const tables::PlantTables& tables_;
   const trace::History& history_;

@@ -35,10 +35,12 @@ bool read_chart(const std::map<std::string, std::string>& query, const trace::Pl
   };
   wish.symbols = indexes_of(text("symbols"), names.tables().symbols.size(), well);
   wish.devices = indexes_of(text("devices"), names.tables().units.size(), well);
+  wish.values = indexes_of(text("values"), names.tables().values.outputs, well);
   read_number(query, "from", wish.from, well);
   read_number(query, "to", wish.to, well);
   read_number(query, "after", wish.after, well);
-  return well && wish.symbols.size() + wish.devices.size() <= kMostSeries;
+  read_number(query, "after_value", wish.after_value, well);
+  return well && wish.symbols.size() + wish.devices.size() + wish.values.size() <= kMostSeries;
 }
 
 }  // namespace symplant::panel

@@ -13,7 +13,8 @@
 namespace symplant::panel {
 
 inline constexpr std::string_view kChartForm =
-    "a chart has at most 32 `symbols` and `devices` by their indexes, and times `from`, `to`, or a number `after`";
+    "a chart has at most 32 `symbols`, `devices` and `values` by their indexes, and times `from`, `to`, or numbers "
+    "`after`, `after_value`";
 
 /// Reads a number >= 0; `well` becomes false if the text is not one. Without the key the number stays.
 template <class Number>

@@ -2,6 +2,8 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {ChartRow} from "../../../runtime/panel/page/chart_data.js";
+import {writeCsv} from "../../../runtime/panel/page/chart_csv.js";
+import {axesOf, lineStyle} from "../../../runtime/panel/page/trend_axes.js";
 import {identifier, vcdName, vcdText, writeVcd} from "../../../runtime/panel/page/vcd.js";
 
 const rowOf = (...entries) => {
@@ -81,4 +83,59 @@ test("Names and texts of VCD are printable ASCII", () => {
   assert.equal(vcdText("zu früh"), "zu\\x20fr\\xC3\\xBCh");
   assert.equal(vcdText("a\\b"), "a\\x5Cb");
   assert.deepEqual([0, 93, 94, 94 * 95].map(identifier), ["!", "~", "!!", "!!!"]);
+});
+
+test("The line of a number holds until one period before the next change, and goes on to the end of the data", () => {
+  const row = rowOf([0, 1], [10, 2], [50, 6]);
+  assert.deepEqual(row.line(0, 100, 80, 100, 10), [[0, 1], [10, 2], [40, 2], [50, 6], [80, 6]]);
+  // A change beyond the view: the line comes to it.
+  assert.deepEqual(row.line(0, 45, 45, 45, 10), [[0, 1], [10, 2], [40, 2], [50, 6]]);
+  assert.deepEqual(row.line(0, 30, 30, 30, 10), [[0, 1], [10, 2], [30, 2]]);
+  // The change before the view is its beginning.
+  assert.deepEqual(row.line(20, 30, 80, 100, 10), [[-100, 2], [100, 2]]);
+  assert.deepEqual(rowOf().line(0, 100, 100, 100, 10), []);
+});
+
+test("Of many changes in a pixel the least and the greatest remain, and their number does not count", () => {
+  const row = rowOf(...Array.from({length: 100000}, (_, i) => [i, i === 5004 ? -50 : i === 5007 ? 90 : i % 2]));
+  const points = row.line(0, 100000, 100000, 100, 1);
+  assert.ok(points.length <= 4 * 102, String(points.length));
+  const inPixel = points.filter(([x]) => x === 5).map(([, number]) => number);
+  assert.ok(inPixel.includes(-50) && inPixel.includes(90), String(inPixel));
+});
+
+test("The extent of a number in the view has the value at its beginning", () => {
+  const row = rowOf([0, 7], [10, 2], [20, 3], [30, 99]);
+  assert.deepEqual([row.extent(0, 25), row.extent(12, 25), row.extent(5, 9), rowOf().extent(0, 9)], [[2, 7], [2, 3], [7, 7], null]);
+});
+
+test("Values of one unit share an axis, and each axis shows what is in view", () => {
+  const value = (rank, unit, ...entries) => ({rank, value: {unit}, data: rowOf(...entries)});
+  const axes = axesOf([value(0, "l", [0, 10], [50, 30]), value(1, "degC", [0, 200]), value(2, "l", [0, -10], [90, 500])], {from: 0, to: 60}, 100);
+  assert.deepEqual(axes.map(({unit, rows}) => [unit, rows.map(({rank}) => rank)]), [["l", [0, 2]], ["degC", [1]]]);
+  assert.deepEqual([axes[0].from, axes[0].to], [-12, 32]);
+  assert.ok(axes[1].from < 200 && axes[1].to > 200);
+  assert.ok(axes[0].ticks.length >= 3 && axes[0].ticks.length <= 12, String(axes[0].ticks));
+});
+
+test("An axis without data is from 0 to 1", () => {
+  const [axis] = axesOf([{rank: 0, value: {unit: ""}, data: rowOf()}], {from: 0, to: 60}, 0);
+  assert.ok(axis.from < 0.01 && axis.to > 0.99);
+});
+
+test("Lines of one color differ in their dashes", () => {
+  const styles = Array.from({length: 24}, (_, rank) => JSON.stringify(lineStyle(rank)));
+  assert.equal(new Set(styles).size, 24);
+});
+
+test("CSV has a line for each time of a change, with what all rows are then", () => {
+  const text = writeCsv([
+    {name: "level", unit: "l", data: rowOf([0, 20], [1e8, 20.5]), text: String},
+    {name: "CLAMP", unit: "", data: rowOf([1e8, 0, 1]), text: () => "OPEN → CLOSE"}]);
+  assert.equal(text, "time [s],level [l],CLAMP\n0,20,\n0.1,20.5,OPEN → CLOSE\n");
+});
+
+test("Texts of CSV are quoted, and none is computed by a spreadsheet", () => {
+  const text = writeCsv([{name: "a\"b,c", unit: "", data: rowOf([0, true]), text: () => "=1+1"}, {name: "-x", unit: "", data: rowOf([0, -1]), text: String}]);
+  assert.equal(text, "time [s],\"a\"\"b,c\",'-x\n0,'=1+1,-1\n");
 });

@@ -28,3 +28,12 @@ export const smallPicture = () => ({
   tracks: [[0, [[1, 0, 500000, 400000]], [false], [400000]]], places: [[[2, 0]]],
   malfunctions: [], findings: [], requirements: [["ok", 0, 0]], links: [], cycle: null, acts: [], snapshots: [], exercise: null,
 });
+
+/// The same plant with three values; two of them belong to the clamp.
+export const plantWithValues = () => ({...smallPlant(), values: [
+  {name: "wind", unit: "m/s", kind: "parameter", min: 0, max: 30, settable: true, formulas: [], device: null, trace: 1e8},
+  {name: "LINE_S1_CLAMP.load", unit: "l", kind: "integral", min: 0, max: 120, settable: true, formulas: ["wind"], device: 0, trace: 1e8},
+  {name: "LINE_S1_CLAMP.double", unit: "", kind: "is", min: null, max: null, settable: false, formulas: ["2 * LINE_S1_CLAMP.load"], device: 0, trace: null},
+]});
+
+export const pictureWithValues = () => ({...smallPicture(), values: [[4, 0], [20, 0], [40, 0]]});

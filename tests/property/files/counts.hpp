@@ -36,6 +36,14 @@ enum class Seen : std::size_t {
   weights,
   overruns,
   sequences,
+  // Of the values in plant.json.
+  values,
+  jumps,
+  signals,
+  switches,
+  computed_times,
+  malfunctions_that_set,
+  malfunctions_that_distort,
   // Of the material in plant.json.
   material,
   gaps,
@@ -78,6 +86,9 @@ enum class Seen : std::size_t {
   malfunctions_that_last,
   malfunctions_that_become,
   malfunctions_unless,
+  malfunctions_while,
+  malfunctions_of_several_effects,
+  held_events,
   // In scenarios, as played.
   at,
   at_past,
@@ -128,10 +139,9 @@ enum class Seen : std::size_t {
   changed_by_chance,
   changed_by_becoming,
   changed_by_end,
-  /// The counters of tables::FindingKind begin here, in its order. Its last kind of the model, of values, has none:
-  /// these plants have no values.
+  /// The counters of tables::FindingKind begin here, in its order.
   first_finding,
-  number_of = first_finding + tables::kFindingKinds - 1,
+  number_of = first_finding + tables::kFindingKinds,
 };
 inline constexpr std::size_t kSeen = static_cast<std::size_t>(Seen::number_of);
 
@@ -162,6 +172,13 @@ inline constexpr std::array<std::string_view, kSeen> kSeenNames = {
     "transitions with a weight",
     "overruns",
     "sequences",
+    "values",
+    "jumps of values",
+    "signals",
+    "symbols with switches",
+    "times by formulas",
+    "malfunctions with `set`",
+    "malfunctions with `distort`",
     "plants with material",
     "tracks with a gap",
     "drives with `until`",
@@ -202,6 +219,9 @@ inline constexpr std::array<std::string_view, kSeen> kSeenNames = {
     "malfunctions with `lasts`",
     "malfunctions with `becomes`",
     "malfunctions with `unless`",
+    "malfunctions with `while`",
+    "malfunctions with several effects",
+    "events that a malfunction holds",
     "steps by `at`",
     "steps whose `at` is past",
     "steps by `plus`",
@@ -260,6 +280,7 @@ inline constexpr std::array<std::string_view, kSeen> kSeenNames = {
     "found: instantaneous loop",
     "found: requirement violated",
     "found: part blocked",
+    "found: value not finite",
 };
 
 struct Counts {

@@ -8,6 +8,7 @@
 namespace symplant::property::files {
 namespace {
 
+using description::GivenEffect;
 using description::GivenMalfunction;
 using nlohmann::json;
 using tables::MalfunctionKind;
@@ -19,12 +20,18 @@ class MalfunctionJson {
 
   json write(const GivenMalfunction& given) {
     json said = {{"name", sayer_.name(given.name)}};
-    if (!given.of.empty()) said["of"] = devices(given);
-    kind(said, given);
-    if (!given.when.empty()) said["when"] = sayer_.condition(given.when);
+    effect(said, given.one);
+    for (const GivenEffect& each : given.effects) {
+      json one = json::object();
+      effect(one, each);
+      said["effects"].push_back(std::move(one));
+    }
+    count(Seen::malfunctions_of_several_effects, !given.effects.empty());
+    if (!given.when.empty()) said[given.during ? "while" : "when"] = sayer_.condition(given.when);
+    count(Seen::malfunctions_while, given.during);
     if (given.chance) said["chance"] = sayer_.duration(*given.chance);
     if (given.lasts) said["lasts"] = sayer_.duration(*given.lasts);
-    count(Seen::malfunctions_when, !given.when.empty());
+    count(Seen::malfunctions_when, !given.when.empty() && !given.during);
     count(Seen::malfunctions_by_chance, given.chance.has_value());
     count(Seen::malfunctions_that_last, given.lasts.has_value());
     if (!given.becomes) return said;
@@ -38,7 +45,9 @@ class MalfunctionJson {
  private:
   void count(Seen what, bool seen = true) { counts_[what] += seen ? 1 : 0; }
 
-  void kind(json& said, const GivenMalfunction& given) {
+  void effect(json& said, const GivenEffect& given) {
+    if (!given.of.empty()) said["of"] = devices(given);
+    if (given.kinds.empty()) return;
     switch (given.kinds.front()) {
       case MalfunctionKind::slower:
         said["slower"] = given.factor / 1000.0;
@@ -57,18 +66,32 @@ class MalfunctionJson {
       case MalfunctionKind::lose:
         said["lose"] = given.lose.empty() ? json(true) : json(sayer_.name(given.lose));
         return count(Seen::lose);
+      case MalfunctionKind::set:
+        for (const auto& [parameter, number] : given.set) said["set"][parameter] = number;
+        return count(Seen::malfunctions_that_set);
+      case MalfunctionKind::distort:
+        said["distort"] = {{"symbol", sayer_.name(given.distort.symbol)}};
+        if (given.distort.gain != 1) said["distort"]["gain"] = given.distort.gain;
+        if (given.distort.offset != 0) said["distort"]["offset"] = given.distort.offset;
+        if (given.distort.drift != 0) said["distort"]["drift"] = given.distort.drift;
+        return count(Seen::malfunctions_that_distort);
     }
   }
 
   json forced(const description::GivenForcedValue& value) {
     if (value.bit) return *value.bit;
+    count(Seen::held_events, value.holds);
+    if (value.holds) return value.number;
     if (value.number == "nan" || value.number == "inf" || sayer_.dice.percent(10)) return value.number;
     return json::parse(value.number);
   }
 
-  /// The devices that the pattern names; empty if only their names with facets match.
+  /// The devices that the pattern names; empty if only their names with facets match, or if it names tracks, too.
   std::vector<std::string> named(const std::string& pattern) const {
     std::vector<std::string> devices;
+    for (const model::Track& track : plant_.material.tracks) {
+      if (fits(track.name, pattern)) return {};
+    }
     for (const model::Unit& unit : plant_.units) {
       const std::string device(unit.device_path());
       const bool is_whole = device == unit.path;
@@ -90,7 +113,7 @@ class MalfunctionJson {
   }
 
   /// In a state, devices that a pattern names may lack it.
-  json devices(const GivenMalfunction& given) {
+  json devices(const GivenEffect& given) {
     std::vector<std::string> said;
     for (const std::string& of : given.of) {
       const bool is_pattern = reference::is_pattern(of);
@@ -120,8 +143,16 @@ class MalfunctionJson {
 
 void make_malfunctions_sayable(PlantText& plant) {
   for (GivenMalfunction& given : plant.description.malfunctions) {
-    const bool loses = given.kinds.front() == MalfunctionKind::lose;
-    if (loses && given.lose.empty() && plant.two_lists()) given.lose = plant.second_controller;
+    const auto complete = [&plant](GivenEffect& effect) {
+      if (effect.kinds.empty()) return;
+      const bool loses = effect.kinds.front() == MalfunctionKind::lose;
+      if (loses && effect.lose.empty() && plant.two_lists()) effect.lose = plant.second_controller;
+      const description::GivenDistort& distort = effect.distort;
+      const bool distorts = distort.gain != 1 || distort.offset != 0 || distort.drift != 0;
+      if (effect.kinds.front() == MalfunctionKind::distort && !distorts) effect.distort.offset = 1;
+    };
+    complete(given.one);
+    for (GivenEffect& effect : given.effects) complete(effect);
   }
 }
 

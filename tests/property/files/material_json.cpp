@@ -45,6 +45,7 @@ class MaterialWriter {
 
   json kind(const description::GivenKind& given) {
     json said = {{"length", sayer_.length(given.length)}};
+    if (given.weight != 0) said["weight"] = given.weight;
     if (given.code != 0 || sayer_.dice.percent(20)) said["code"] = given.code;
     return said;
   }

@@ -25,7 +25,7 @@ symplant_planted_bug(model process_in_braces_is_the_device
 
 symplant_planted_bug(model requirement_for_the_first_match_only
   "      add_requirement(index, &matched, unit.device_path(), here);"
-  "      add_requirement(index, &matched, unit.device_path(), here); if (BUG) break;")
+  "      if (!BUG || plant_.requirements.empty() || plant_.requirements.back().given != index) add_requirement(index, &matched, unit.device_path(), here);")
 
 symplant_planted_bug(model transition_of_a_pattern_is_never_left_out
   "    if (lacking) unit.left_out.push_back(i);"
@@ -104,12 +104,12 @@ symplant_planted_bug(description slower_without_its_decimals
   "      given_.factor = static_cast<std::uint32_t>(BUG && thousandths > 1000 ? std::floor(thousandths / 1000) * 1000 : thousandths);")
 
 symplant_planted_bug(description unless_is_not_read
-  "    given_.becomes = GivenBecomes{fixed_time(*becomes, \"after\", here), text_or_empty(*becomes, \"unless\"),"
-  "    given_.becomes = GivenBecomes{fixed_time(*becomes, \"after\", here), BUG ? std::string() : text_or_empty(*becomes, \"unless\"),")
+  "    given_.becomes = GivenBecomes{fixed_time(*becomes, \"after\", here, faults_), text_or_empty(*becomes, \"unless\"),"
+  "    given_.becomes = GivenBecomes{fixed_time(*becomes, \"after\", here, faults_), BUG ? std::string() : text_or_empty(*becomes, \"unless\"),")
 
 symplant_planted_bug(model pattern_of_a_malfunction_names_one_device
-  "          units.push_back(u);"
-  "          if (!BUG || units.empty()) units.push_back(u);")
+  "          found.units.push_back(u);"
+  "          if (!BUG || found.units.empty()) found.units.push_back(u);")
 
 # Of replays.
 symplant_planted_bug(host replayed_acts_come_an_instant_late

@@ -14,6 +14,7 @@
 #include "property/files/malfunctions_json.hpp"
 #include "property/files/material_json.hpp"
 #include "property/files/spread.hpp"
+#include "property/files/values_json.hpp"
 #include "property/words.hpp"
 
 namespace symplant::property::files {
@@ -56,6 +57,14 @@ bool is_part_sensor(const description::GivenMaterial& material, const std::strin
          std::any_of(material.places.begin(), material.places.end(), has_it);
 }
 
+/// Whether the symbol is a signal or `plain`, and so of no device.
+bool is_of_values(const description::Description& description, const std::string& symbol) {
+  const auto& signals = description.signals;
+  return std::find(description.plain.begin(), description.plain.end(), symbol) != description.plain.end() ||
+         std::any_of(signals.begin(), signals.end(),
+                     [&](const description::GivenSignal& signal) { return signal.symbol == symbol; });
+}
+
 std::set<std::string> tasks_of(const PlantText& plant, const std::string& path,
                                const description::DeviceDescription* said) {
   std::set<std::string> tasks;
@@ -65,7 +74,7 @@ std::set<std::string> tasks_of(const PlantText& plant, const std::string& path,
   };
   for (const Row& row : plant.rows) {
     if (!upper(row.name).starts_with(upper(path) + "_") || row.name.size() < path.size() + 3) continue;
-    if (is_part_sensor(plant.description.material, row.name)) continue;
+    if (is_part_sensor(plant.description.material, row.name) || is_of_values(plant.description, row.name)) continue;
     tasks.insert(upper(row.name.substr(path.size() + 3)));
   }
   if (said != nullptr) {
@@ -109,6 +118,7 @@ json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
   if (defaults.sequence != without.sequence) said["sequence"] = sayer.sequence(defaults.sequence);
   if (defaults.travel != without.travel) said["travel"] = sayer.time(defaults.travel);
   if (defaults.dwell != without.dwell) said["dwell"] = sayer.time(defaults.dwell);
+  if (defaults.step != without.step) said["step"] = sayer.time(defaults.step);
   if (defaults.actuation != without.actuation || sayer.dice.percent(10)) {
     said["actuation"] = word_of(defaults.actuation);
   }
@@ -173,12 +183,16 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
     ++counts[Seen::inverted];
   }
   for (const description::GivenFollow& given : plant.description.follow) {
-    said["follow"][sayer.name(given.symbol)] = sayer.condition(given.condition);
+    json condition = sayer.condition(given.condition);
+    if (!given.off.empty()) condition = {{"on", condition}, {"off", sayer.condition(given.off)}};
+    said["follow"][sayer.name(given.symbol)] = condition;
     ++counts[Seen::follows];
+    counts[Seen::switches] += given.off.empty() ? 0 : 1;
   }
   for (const description::GivenRequirement& requirement : joined_requirements(plant, style, known, counts)) {
     said["requirements"].push_back(sayer.requirement(requirement));
   }
+  add_values(said, plant.description, sayer, counts);
   if (!plant.description.material.empty()) {
     said["material"] = material_json(joined_material(plant, style, counts), sayer, counts);
   }

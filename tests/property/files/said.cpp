@@ -99,6 +99,10 @@ std::string Sayer::overrun(tables::Time overrun) {
 json Sayer::duration(const description::Duration& duration) {
   using Kind = description::Duration::Kind;
   if (duration.kind == Kind::fixed) return time(duration.a);
+  if (duration.kind == Kind::seconds) {
+    ++counts_[Seen::computed_times];
+    return {{"seconds", *duration.formula}};
+  }
   ++counts_[Seen::random_times];
   if (duration.kind == Kind::uniform) return {{"min", time(duration.a)}, {"max", time(duration.b)}};
   return {{"mean", time(duration.a)}, {"sigma", time(duration.b)}};

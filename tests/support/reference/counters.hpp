@@ -170,6 +170,20 @@ enum class Counted : std::size_t {
   flickered,
   flickered_below_a_force,
   flickered_above_another,
+  while_started,  ///< a malfunction
+  while_ended,
+  while_waits,  ///< it was stopped from outside
+  several_effects_started,
+  held,  ///< an event with what it showed
+  track_broken,
+  parameter_held,
+  held_parameter_set,
+  held_parameter_jumped,
+  distorted,         ///< a `distort` began
+  signal_distorted,  ///< it was computed
+  hysteresis_both,
+  hysteresis_stayed,  ///< on between the two conditions
+  time_computed,      ///< by a formula
   // Values.
   integral_stepped,
   lag_stepped,

@@ -36,9 +36,14 @@ void derive_symbols(Rules& rules) {
     if (rules.is_operation(i) || !rules.is_bool(i)) continue;
     const std::uint32_t given = entry_of(description.follow, name);
     if (given == kNone) continue;
-    FollowRules follow{i, given, nullptr};
+    FollowRules follow{i, given, nullptr, nullptr};
     for (const model::Follow& resolved : model.follows) {
-      if (resolved.symbol == i) follow.condition = &resolved.condition;
+      if (resolved.symbol != i) continue;
+      follow.condition = &resolved.condition;
+      if (resolved.off) follow.off = &*resolved.off;
+    }
+    if ((follow.off != nullptr) == description.follow[given].off.empty()) {
+      rules.fault = std::string(name) + " is a switch with hysteresis only in the model or only in the description";
     }
     if (follow.condition == nullptr) rules.fault = std::string(name) + " follows nothing in the model";
     rules.follows.push_back(follow);

@@ -162,10 +162,15 @@ void add_texts_of_devices(const description::Description& description, std::vect
     for (const description::GivenTransition& each : device.transitions) {
       texts.push_back(each.when);
       texts.push_back(each.during);
+      for (const auto& time : {each.after, each.takes}) {
+        if (time && time->formula) texts.push_back(*time->formula);
+      }
     }
     for (const auto& [name, condition] : device.inputs) texts.push_back(condition);
   }
-  for (const description::GivenFollow& each : description.follow) texts.push_back(each.condition);
+  for (const description::GivenFollow& each : description.follow) {
+    texts.insert(texts.end(), {each.condition, each.off});
+  }
   for (const description::GivenRequirement& each : description.requirements) {
     texts.insert(texts.end(), {each.never, each.after, each.expect});
   }
@@ -243,6 +248,16 @@ std::vector<std::uint32_t> traced_of(const ValueRules& value, const std::vector<
   return traced;
 }
 
+void set_time_formula(Rules& rules, const UnitRules& unit, const description::Duration& time, Formula& formula) {
+  if (time.kind != description::Duration::Kind::seconds) return;
+  try {
+    formula = parse_formula(*time.formula);
+    resolve(rules, formula);
+  } catch (const std::runtime_error& error) {
+    rules.fault = unit.path + ": " + error.what();
+  }
+}
+
 }  // namespace
 
 void derive_values(Rules& rules) {
@@ -254,6 +269,12 @@ void derive_values(Rules& rules) {
     }
     left_out = set_all_formulas(rules, made);
     if (left_out != kNone) made.erase(made.begin() + left_out);
+  }
+  for (UnitRules& unit : rules.units) {
+    for (Transition& transition : unit.transitions) {
+      set_time_formula(rules, unit, transition.after, transition.after_formula);
+      set_time_formula(rules, unit, transition.takes, transition.takes_formula);
+    }
   }
   const std::vector<std::string> texts = all_texts(rules, made);
   for (ValueRules& value : rules.values) value.traced = traced_of(value, texts);

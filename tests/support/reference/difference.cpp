@@ -18,6 +18,9 @@ std::string text(const description::Duration& duration) {
     case description::Duration::Kind::normal:
       out << "mean " << duration.a << " sigma " << duration.b;
       break;
+    case description::Duration::Kind::seconds:
+      out << *duration.formula << " s";
+      break;
   }
   return out.str();
 }

@@ -1,5 +1,6 @@
 // How long a transition waits and travels: fixed, drawn, or asked of a behavior (docs/model.md, "One instant").
 #include <algorithm>
+#include <cmath>
 
 #include "support/reference/malfunctions.hpp"
 #include "symplant/tables/digest.hpp"
@@ -52,9 +53,20 @@ Time normal(SplitMix64 random, Time mean, Time sigma) {
   return static_cast<Time>(std::clamp<Wide>(mean + off, 0, tables::kNever));
 }
 
-/// Without user code: fixed, or drawn.
-Time duration_of(Round& round, std::uint32_t unit, std::uint16_t transition, const description::Duration& duration) {
+/// A number of seconds, at most 1e9.
+Time time_of(double seconds) {
+  if (std::isnan(seconds) || seconds < 0) return 0;
+  return static_cast<Time>(std::floor(std::min(seconds, 1e9) * 1e9));
+}
+
+/// Without user code: fixed, computed from the snapshot, or drawn.
+Time duration_of(Round& round, std::uint32_t unit, std::uint16_t transition, const description::Duration& duration,
+                 const Formula& formula) {
   if (duration.kind == description::Duration::Kind::fixed) return duration.a;
+  if (duration.kind == description::Duration::Kind::seconds) {
+    ++round.counters[Counted::time_computed];
+    return time_of(evaluate(formula, {round.rules, round.old}));
+  }
   const std::uint32_t k = round.next.units[unit].transitions[transition].draws++;
   ++round
         .counters[duration.kind == description::Duration::Kind::uniform ? Counted::draw_uniform : Counted::draw_normal];
@@ -71,7 +83,7 @@ Time takes_without_malfunctions(Round& round, std::uint32_t unit, std::uint16_t 
   const std::uint16_t source = transition != kNoTransition ? transition : first_not_automatic(rules, from, to);
   if (source == kNoTransition) return rules.travel;
   if (rules.transitions[source].takes.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
-  return duration_of(round, unit, source, rules.transitions[source].takes);
+  return duration_of(round, unit, source, rules.transitions[source].takes, rules.transitions[source].takes_formula);
 }
 
 }  // namespace
@@ -123,7 +135,8 @@ Time after_of(Round& round, std::uint32_t unit, std::uint16_t transition) {
   }
   if (rules.transitions[transition].after.kind != description::Duration::Kind::fixed)
     ++round.counters[Counted::draw_after];
-  return duration_of(round, unit, transition, rules.transitions[transition].after);
+  return duration_of(round, unit, transition, rules.transitions[transition].after,
+                     rules.transitions[transition].after_formula);
 }
 
 }  // namespace symplant::reference

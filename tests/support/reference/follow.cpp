@@ -21,7 +21,15 @@ bool follow_conditions(Round& round, int number) {
   for (std::size_t i = 0; i < round.rules.follows.size(); ++i) {
     const FollowRules& follow = round.rules.follows[i];
     if (round.old.frozen_follows[i]) continue;
-    const std::uint64_t bit = round.rules.turned(follow.symbol, holds(*follow.condition, round.old) ? 1 : 0);
+    bool on = holds(*follow.condition, round.old);
+    if (follow.off != nullptr) {
+      const bool before = round.rules.turned(follow.symbol, round.old.symbols[follow.symbol].value) != 0;
+      const bool off = holds(*follow.off, round.old);
+      if (on && off) ++round.counters[Counted::hysteresis_both];
+      if (before && !on && !off) ++round.counters[Counted::hysteresis_stayed];
+      on = !off && (on || before);
+    }
+    const std::uint64_t bit = round.rules.turned(follow.symbol, on ? 1 : 0);
     if (round.old.symbols[follow.symbol].value == bit) continue;
     const std::vector<std::uint32_t> together = round.rules.together(follow.symbol);
     for (const std::uint32_t each : together) round.next.symbols[each].value = bit;

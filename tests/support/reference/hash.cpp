@@ -133,13 +133,29 @@ void add_material(Digest& digest, const Rules& rules, const World& world) {
   digest.u64(material.next_number);
 }
 
-void add_malfunctions(Digest& digest, const MalfunctionsWorld& malfunctions) {
-  for (const MalfunctionWorld& its : malfunctions.written) {
-    digest.byte(static_cast<std::uint8_t>((its.active ? 1 : 0) | (its.shows_opposite ? 2 : 0) | (its.truth ? 4 : 0) |
-                                          (its.frozen ? 8 : 0)));
+void add_effects(Digest& digest, const model::Malfunction& malfunction, const MalfunctionWorld& its) {
+  for (std::size_t e = 0; e < its.effects.size(); ++e) {
+    const model::Effect& effect = malfunction.effects[e];
+    if (effect.kind == tables::MalfunctionKind::flicker) {
+      digest.flag(its.effects[e].shows_opposite);
+      digest.i64(its.effects[e].flickers);
+      digest.u32(its.effects[e].draws);
+    }
+    for (std::size_t f = 0; f < effect.forces.size(); ++f) {
+      if (effect.forces[f].holds) digest.u64(e < its.begun ? its.effects[e].held[f] : 0);
+    }
+  }
+}
+
+void add_malfunctions(Digest& digest, const model::PlantModel& model, const MalfunctionsWorld& malfunctions) {
+  for (std::size_t i = 0; i < malfunctions.written.size(); ++i) {
+    const MalfunctionWorld& its = malfunctions.written[i];
+    digest.byte(static_cast<std::uint8_t>((its.active ? 1 : 0) | (its.truth ? 2 : 0) | (its.frozen ? 4 : 0) |
+                                          (its.stopped ? 8 : 0)));
     digest.i64(its.since);
     digest.i64(its.next_due());
     for (const std::uint32_t draws : its.draws) digest.u32(draws);
+    add_effects(digest, model.malfunctions[i], its);
   }
   for (const ActiveWorld& one : malfunctions.active) {
     digest.u32(one.number);
@@ -161,11 +177,13 @@ void add_last(Digest& digest, const ValueWorld& value) {
   digest.real(value.last.value_or(0));
 }
 
-/// `delay`: the stored inputs from the oldest to the newest; `linear`: the states; `derivative`: a flag whether there
-/// is a last u, and it; `pid`: i, a flag whether there is a last `of`, and it. What there is not is 0.
+/// `delay`: the stored inputs from the oldest to the newest; `linear`: the states; a parameter that a malfunction
+/// holds: the number without it; `derivative`: a flag whether there is a last u, and it; `pid`: i, a flag whether there
+/// is a last `of`, and it. What there is not is 0.
 void add_memory(Digest& digest, const ValueRules& rules, const ValueWorld& value) {
   for (const double each : value.ring) digest.real(each);
   for (const double each : value.states) digest.real(each);
+  if (value.without_malfunctions) digest.real(*value.without_malfunctions);
   if (rules.kind == tables::ValueKind::pid) digest.real(value.integral);
   if (rules.kind == tables::ValueKind::pid || rules.kind == tables::ValueKind::derivative) add_last(digest, value);
 }
@@ -203,7 +221,7 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
     digest.flag(monitor.truth);
   }
   add_material(digest, rules, world);
-  add_malfunctions(digest, world.malfunctions);
+  add_malfunctions(digest, *rules.model, world.malfunctions);
   add_values(digest, rules, world);
   for (std::uint32_t i = 0; i < world.units.size(); ++i) {
     if (!world.units[i].conflicting) continue;

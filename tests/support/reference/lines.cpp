@@ -12,10 +12,14 @@
 namespace symplant::reference {
 namespace {
 
+/// With the fewest digits that read back; with an exponent below 1e-4 and from 1e16 on.
 template <class Number>
 std::string shortest(Number number) {
   std::array<char, 64> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  const Number size = std::abs(number);
+  const bool plain = size == 0 || (size >= static_cast<Number>(1e-4) && size < static_cast<Number>(1e16));
+  const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, format).ptr;
   return {text.data(), end};
 }
 

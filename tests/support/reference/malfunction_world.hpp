@@ -11,6 +11,14 @@
 
 namespace symplant::reference {
 
+/// An effect of a written malfunction.
+struct EffectWorld {
+  tables::Time flickers = tables::kNever;
+  bool shows_opposite = false;
+  std::uint32_t draws = 0;          ///< of `every`
+  std::vector<std::uint64_t> held;  ///< what its forces hold, in their order; 0 if they do not
+};
+
 /// A written malfunction. Times are absolute; kNever: none runs.
 struct MalfunctionWorld {
   bool active = false;
@@ -18,18 +26,21 @@ struct MalfunctionWorld {
   tables::Time chance = tables::kNever;
   tables::Time ends = tables::kNever;
   tables::Time becomes = tables::kNever;
-  tables::Time flickers = tables::kNever;
-  bool shows_opposite = false;
-  bool truth = false;                 ///< of `when`, at the end of the last instant
+  bool truth = false;                 ///< of `when` or `while`, at the end of the last instant
+  bool stopped = false;               ///< `while`: stopped from outside; until the condition does not hold
   tables::Time by_condition_at = -1;  ///< its last start by `when`
   bool wants_start = false;           ///< in a further instant at the same time
   bool wants_end = false;
-  std::array<std::uint32_t, 3> draws{};
-  int changes = 0;      ///< its starts and ends in the current window
-  bool frozen = false;  ///< it was in an instantaneous loop
+  std::array<std::uint32_t, 2> draws{};
+  std::vector<EffectWorld> effects;
+  std::size_t begun = 0;  ///< active: this number of its effects have begun
+  int changes = 0;        ///< its starts and ends in the current window
+  bool frozen = false;    ///< it was in an instantaneous loop
 
   tables::Time next_due() const {
-    return std::min({active ? ends : chance, active ? becomes : tables::kNever, active ? flickers : tables::kNever});
+    tables::Time due = active ? std::min(ends, becomes) : chance;
+    for (std::size_t i = 0; i < begun; ++i) due = std::min(due, effects[i].flickers);
+    return due;
   }
 };
 

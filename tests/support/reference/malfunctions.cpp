@@ -12,30 +12,49 @@ using engine::MalfunctionChange;
 using By = MalfunctionChange::By;
 using tables::MalfunctionKind;
 
-/// Draw of a time that may be random, of stream 0 (chance), 1 (lasts) or 2 (every); from now.
-Time in(const Rules& rules, World& world, std::uint32_t number, std::uint64_t stream,
+/// Draw of a time that may be random, of a stream: 0 (chance), 1 (lasts), or 2 and the number of an effect (every);
+/// from now.
+Time in(const Rules& rules, World& world, std::uint32_t number, std::uint64_t stream, std::uint32_t& draws,
         const std::optional<description::Duration>& duration) {
   if (!duration) return tables::kNever;
   Time time = duration->a;
   if (duration->kind != description::Duration::Kind::fixed) {
-    std::uint32_t& draws = world.malfunctions.written[number].draws[stream];
     time = draw_duration(world.seed, rules.model->malfunctions[number].name, stream, draws++, *duration);
   }
   return later(world.time, std::max<Time>(1, time));
 }
 
-void count_start(const MalfunctionRules& it, By by, Counters& counters) {
+Time by_chance(const Rules& rules, World& world, std::uint32_t number) {
+  std::uint32_t& draws = world.malfunctions.written[number].draws[0];
+  return in(rules, world, number, 0, draws, rules.model->malfunctions[number].chance);
+}
+
+Time next_flicker(const Rules& rules, World& world, std::uint32_t number, std::size_t effect) {
+  std::uint32_t& draws = world.malfunctions.written[number].effects[effect].draws;
+  return in(rules, world, number, 2 + effect, draws, rules.model->malfunctions[number].effects[effect].every);
+}
+
+void count_start(const Rules& rules, std::uint32_t number, By by, Counters& counters) {
   static constexpr std::array kBy = {Counted::started_by_scenario, Counted::started_by_hand,
                                      Counted::started_by_condition, Counted::started_by_chance,
                                      Counted::started_by_becoming};
   ++counters[kBy[static_cast<std::size_t>(by)]];
-  if (it.written == nullptr) ++counters[Counted::ordinary_started];
-  if (it.kind == MalfunctionKind::lose) ++counters[Counted::lose_started];
+  if (!is_written(rules, number)) {
+    ++counters[Counted::ordinary_started];
+    return;
+  }
+  const model::Malfunction& it = rules.model->malfunctions[number];
+  if (it.during && by == By::condition) ++counters[Counted::while_started];
+  if (it.effects.size() > 1) ++counters[Counted::several_effects_started];
+  for (const model::Effect& effect : it.effects) {
+    if (effect.kind == MalfunctionKind::lose) ++counters[Counted::lose_started];
+  }
 }
 
-void count_end(By by, Counters& counters) {
+void count_end(const Rules& rules, std::uint32_t number, By by, Counters& counters) {
   if (by == By::scenario || by == By::hand) ++counters[Counted::stopped_by_hand];
-  if (by == By::condition) ++counters[Counted::remedied];
+  const bool during = is_written(rules, number) && rules.model->malfunctions[number].during;
+  if (by == By::condition) ++counters[during ? Counted::while_ended : Counted::remedied];
   if (by == By::end) ++counters[Counted::lasted];
 }
 
@@ -70,18 +89,27 @@ void freeze_loop(const Rules& rules, World& world, Counters& counters, std::vect
   if (!loop.empty()) notes.loops.push_back(loop);
 }
 
-void flicker(const Rules& rules, World& world, std::uint32_t number, Counters& counters) {
+/// False if none is due.
+bool flicker(const Rules& rules, World& world, std::uint32_t number, Counters& counters) {
   const model::Malfunction& it = rules.model->malfunctions[number];
   MalfunctionWorld& its = world.malfunctions.written[number];
-  its.shows_opposite = !its.shows_opposite;
-  its.flickers = its.shows_opposite ? later(world.time, it.shows) : in(rules, world, number, 2, it.every);
-  override_symbols(rules, world);
-  ++counters[Counted::flickered];
-  const SymbolWorld& symbol = world.symbols[it.subject];
-  if (symbol.forced) ++counters[Counted::flickered_below_a_force];
-  if (its.shows_opposite && symbol.broken.kind == SymbolOverride::Kind::value) {
-    ++counters[Counted::flickered_above_another];
+  bool any = false;
+  for (std::size_t i = 0; i < its.begun; ++i) {
+    EffectWorld& effect = its.effects[i];
+    if (effect.flickers > world.time) continue;
+    any = true;
+    effect.shows_opposite = !effect.shows_opposite;
+    effect.flickers =
+        effect.shows_opposite ? later(world.time, it.effects[i].shows) : next_flicker(rules, world, number, i);
+    override_symbols(rules, world);
+    ++counters[Counted::flickered];
+    const SymbolWorld& symbol = world.symbols[it.effects[i].subject];
+    if (symbol.forced) ++counters[Counted::flickered_below_a_force];
+    if (effect.shows_opposite && symbol.broken.kind == SymbolOverride::Kind::value) {
+      ++counters[Counted::flickered_above_another];
+    }
   }
+  return any;
 }
 
 /// Of one malfunction at most one of these happens in an instant.
@@ -98,8 +126,8 @@ void begin_one(const Rules& rules, World& world, std::uint32_t number, Counters&
   } else if (its.active && its.becomes <= world.time) {
     end_malfunction(rules, world, number, By::becomes, counters, changes);
     start_malfunction(rules, world, rules.model->malfunctions[number].next, By::becomes, counters, changes);
-  } else if (its.active && its.flickers <= world.time) {
-    flicker(rules, world, number, counters);
+  } else if (its.active && flicker(rules, world, number, counters)) {
+    return;
   } else if (!its.active && its.chance <= world.time) {
     start_malfunction(rules, world, number, By::chance, counters, changes);
   } else if (!its.active && wants_start) {
@@ -130,16 +158,22 @@ bool malfunction_exists(const Rules& rules, std::uint32_t number) {
   return rules.is_bool(of) && !rules.is_operation(of);
 }
 
-MalfunctionRules malfunction_of(const Rules& rules, std::uint32_t number) {
+std::vector<model::Effect> effects_of(const Rules& rules, std::uint32_t number) {
   const std::vector<model::Malfunction>& written = rules.model->malfunctions;
-  if (number < written.size()) return {written[number].kind, &written[number], kNone, false};
+  if (number < written.size()) return written[number].effects;
   number -= static_cast<std::uint32_t>(written.size());
   const auto units = static_cast<std::uint32_t>(rules.units.size());
+  model::Effect effect;
   if (number < 2 * units) {
-    return {number % 2 == 0 ? MalfunctionKind::stuck : MalfunctionKind::slower, nullptr, number / 2, false};
+    effect.kind = number % 2 == 0 ? MalfunctionKind::stuck : MalfunctionKind::slower;
+    effect.factor = 3000;
+    effect.units = {{number / 2, tables::kNoState}};
+  } else {
+    number -= 2 * units;
+    effect.kind = MalfunctionKind::force;
+    effect.forces = {{number / 2, number % 2, false}};
   }
-  number -= 2 * units;
-  return {MalfunctionKind::force, nullptr, number / 2, number % 2 == 1};
+  return {effect};
 }
 
 void reset_malfunctions(const Rules& rules, World& world) {
@@ -147,7 +181,8 @@ void reset_malfunctions(const Rules& rules, World& world) {
   world.malfunctions = {};
   world.malfunctions.written.resize(written.size());
   for (std::uint32_t i = 0; i < written.size(); ++i) {
-    world.malfunctions.written[i].chance = in(rules, world, i, 0, written[i].chance);
+    world.malfunctions.written[i].effects.resize(written[i].effects.size());
+    world.malfunctions.written[i].chance = by_chance(rules, world, i);
   }
 }
 
@@ -162,39 +197,30 @@ void start_malfunction(const Rules& rules, World& world, std::uint32_t number, B
     ++counters[Counted::started_while_active];
     return;
   }
-  const MalfunctionRules it = malfunction_of(rules, number);
-  if (it.written != nullptr && world.malfunctions.written[number].frozen) {
+  const bool written = is_written(rules, number);
+  if (written && world.malfunctions.written[number].frozen) {
     ++counters[Counted::frozen_malfunction_started];
     return;
   }
-  count_start(it, by, counters);
-  if (it.written != nullptr) count_change(world, number);
+  count_start(rules, number, by, counters);
+  if (written) count_change(world, number);
   world.malfunctions.active.push_back({number, world.time});
-  if (it.written != nullptr) {
+  if (written) {
+    const model::Malfunction& it = rules.model->malfunctions[number];
     MalfunctionWorld& its = world.malfunctions.written[number];
     its.active = true;
     its.since = world.time;
     its.chance = tables::kNever;
     its.wants_start = its.wants_end = false;
-    its.ends = in(rules, world, number, 1, it.written->lasts);
-    if (it.written->after != 0) its.becomes = later(world.time, it.written->after);
-    if (it.kind == MalfunctionKind::flicker) its.flickers = in(rules, world, number, 2, it.written->every);
-  }
-  for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {
-    if (!it.names_unit(unit)) continue;
-    const UnitWorld& its = world.units[unit];
-    if (it.kind == MalfunctionKind::slower) {
-      if (its.moving) ++counters[Counted::slower_starts_during_a_move];
-      continue;
-    }
-    ++counters[its.moving ? Counted::stuck_moving : its.disabled ? Counted::stuck_disabled : Counted::stuck_settled];
-    if (it.written == nullptr) continue;
-    for (const tables::MalfunctionUnit& named : it.written->units) {
-      if (named.unit != unit || named.state == tables::kNoState) continue;
-      put_into_state(rules, world, unit, named.state, counters);
-      ++counters[Counted::stuck_in_a_state];
+    its.ends = in(rules, world, number, 1, its.draws[1], it.lasts);
+    if (it.after != 0) its.becomes = later(world.time, it.after);
+    for (std::size_t i = 0; i < it.effects.size(); ++i) {
+      begin_effect(rules, world, number, i, counters);
+      if (it.effects[i].kind == MalfunctionKind::flicker)
+        its.effects[i].flickers = next_flicker(rules, world, number, i);
     }
   }
+  if (!written) count_units(effects_of(rules, number).front(), world, counters);
   override_symbols(rules, world);
   count_layers(rules, world, counters);
   world.instant_pending = true;
@@ -204,21 +230,32 @@ void start_malfunction(const Rules& rules, World& world, std::uint32_t number, B
 void end_malfunction(const Rules& rules, World& world, std::uint32_t number, By by, Counters& counters,
                      std::vector<MalfunctionChange>& changes) {
   if (!is_active(world, number)) return;
-  const MalfunctionRules it = malfunction_of(rules, number);
-  count_end(by, counters);
-  if (it.written != nullptr) count_change(world, number);
+  const bool written = is_written(rules, number);
+  count_end(rules, number, by, counters);
+  if (written) count_change(world, number);
   std::erase_if(world.malfunctions.active, [&](const ActiveWorld& one) { return one.number == number; });
-  if (it.written != nullptr) {
+  if (written) {
     MalfunctionWorld& its = world.malfunctions.written[number];
-    its.active = its.shows_opposite = its.wants_end = false;
+    its.active = its.wants_end = false;
+    its.begun = 0;
+    for (EffectWorld& effect : its.effects) {
+      effect.flickers = tables::kNever;
+      effect.shows_opposite = false;
+    }
     its.since = 0;
-    its.ends = its.becomes = its.flickers = tables::kNever;
-    its.chance = in(rules, world, number, 0, it.written->chance);
+    its.ends = its.becomes = tables::kNever;
+    its.chance = by_chance(rules, world, number);
+    const bool outside = by == By::scenario || by == By::hand;
+    its.stopped = outside && rules.model->malfunctions[number].during;
+    if (its.stopped) ++counters[Counted::while_waits];
   }
+  const std::vector<model::Effect> effects = effects_of(rules, number);
   // A unit that nothing else disables is enabled by the end, not by a `disables`.
   for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {
     UnitWorld& its = world.units[unit];
-    const bool was_stuck = it.kind == MalfunctionKind::stuck && it.names_unit(unit);
+    const bool was_stuck = std::any_of(effects.begin(), effects.end(), [&](const model::Effect& effect) {
+      return effect.kind == MalfunctionKind::stuck && names_unit(effect, unit);
+    });
     if (!was_stuck || is_stuck(rules, world, unit)) continue;
     if (its.disabled_by_units) {
       ++counters[Counted::stuck_ended_disabled];
@@ -248,11 +285,15 @@ void end_instant_of_malfunctions(const Rules& rules, World& world, Counters& cou
     const bool truth = it.condition && holds(*it.condition, world);
     const bool begins = truth && !its.truth;
     its.truth = truth;
-    if (begins && !its.active && !its.frozen) {
+    if (it.during) {
+      if (!truth) its.stopped = false;
+      its.wants_start = truth && !its.active && !its.stopped && !its.frozen;
+      its.wants_end = !truth && its.active;
+    } else if (begins && !its.active && !its.frozen) {
       its.wants_start = its.by_condition_at != world.time;
       if (!its.wants_start) ++counters[Counted::started_once_at_a_time];
     }
-    its.wants_end = its.active && it.unless && holds(*it.unless, world);
+    if (it.unless) its.wants_end = its.active && holds(*it.unless, world);
     if (its.wants_start || its.wants_end) world.malfunctions.pending = world.instant_pending = true;
   }
 }

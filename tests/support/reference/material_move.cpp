@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "support/reference/malfunctions.hpp"
 #include "support/reference/material.hpp"
 #include "support/reference/value_rules.hpp"
 
@@ -30,7 +31,7 @@ double factor_of(const Rules& rules, const World& conditions, const model::Drive
   return as_double(rules.model->symbols[drive.symbol].type, effective(conditions.symbols[drive.symbol]));
 }
 
-std::int64_t speed_of(const Rules& rules, const World& conditions, const model::Drive& drive) {
+std::int64_t speed_without_malfunctions(const Rules& rules, const World& conditions, const model::Drive& drive) {
   const bool forward = drive.forward ? holds(*drive.forward, conditions) : has_no_direction(drive);
   const bool backward = drive.backward && holds(*drive.backward, conditions);
   if (forward == backward) return 0;
@@ -43,9 +44,14 @@ std::int64_t speed_of(const Rules& rules, const World& conditions, const model::
   return forward ? speed : -speed;
 }
 
+std::int64_t speed_of(const Rules& rules, const World& conditions, const model::Track& track, std::size_t drive) {
+  const auto index = static_cast<std::uint32_t>(&track - rules.model->material.tracks.data());
+  return slowed_drive(rules, conditions, index, speed_without_malfunctions(rules, conditions, track.drives[drive]));
+}
+
 /// Whether the drives before and after the boundary at the end of drive `i` face each other.
 bool face(const Rules& rules, const World& conditions, const model::Track& track, std::size_t i) {
-  return speed_of(rules, conditions, track.drives[i]) > 0 && speed_of(rules, conditions, track.drives[i + 1]) < 0;
+  return speed_of(rules, conditions, track, i) > 0 && speed_of(rules, conditions, track, i + 1) < 0;
 }
 
 std::size_t drive_of(const model::Track& track, std::int64_t middle) {
@@ -185,7 +191,7 @@ std::int64_t drive_speed(const Rules& rules, const World& conditions, std::uint3
   if (conditions.material.tracks[track].frozen) return 0;
   const std::int64_t middle = middle_of(rules, part, conditions.time);
   if (between_facing_drives(rules, conditions, its, middle)) return 0;
-  return speed_of(rules, conditions, its.drives[drive_of(its, middle)]);
+  return speed_of(rules, conditions, its, drive_of(its, middle));
 }
 
 bool stop_holds_at(const Rules& rules, const World& conditions, std::uint32_t track, std::int64_t position) {

@@ -63,9 +63,11 @@ void LockStep::start(Running& running) { running.scan = running.program.start();
 bool LockStep::is_lost(std::uint32_t controller) const {
   const auto& active = plant_.save().malfunctions.active;
   return std::any_of(active.begin(), active.end(), [&](const ActiveWorld& one) {
-    return one.number < model_.malfunctions.size() &&
-           model_.malfunctions[one.number].kind == tables::MalfunctionKind::lose &&
-           model_.malfunctions[one.number].subject == controller;
+    if (one.number >= model_.malfunctions.size()) return false;
+    const std::vector<model::Effect>& effects = model_.malfunctions[one.number].effects;
+    return std::any_of(effects.begin(), effects.end(), [&](const model::Effect& effect) {
+      return effect.kind == tables::MalfunctionKind::lose && effect.subject == controller;
+    });
   });
 }
 

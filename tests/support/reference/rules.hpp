@@ -27,6 +27,8 @@ struct Transition {
   bool once = false;
   description::Duration after;
   description::Duration takes;
+  Formula after_formula = {};  ///< of an `after` in seconds
+  Formula takes_formula = {};
   std::uint32_t when = kNone;    ///< index in UnitRules::conditions
   std::uint32_t during = kNone;  ///< `while`, as `when`
   std::uint32_t weight = 0;      ///< 0: none
@@ -80,6 +82,7 @@ struct FollowRules {
   std::uint32_t symbol = kNone;
   std::uint32_t given = kNone;  ///< index in Description::follow
   const condition::Tree* condition = nullptr;
+  const condition::Tree* off = nullptr;  ///< with hysteresis
 };
 
 struct Rules {

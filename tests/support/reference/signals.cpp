@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/reference/malfunctions.hpp"
 #include "support/reference/material.hpp"
 #include "support/reference/values.hpp"
 
@@ -87,6 +88,7 @@ std::optional<std::uint64_t> signal_number(const Rules& rules, World& world, std
     const std::string name(rules.model->symbols[its.symbol].name());
     n = n + its.noise * draw_gauss(world.seed, name, world.signals[index].draws++);
   }
+  n = distorted(rules, world, its.symbol, n, counters);
   if (std::isnan(n)) {
     ++counters[Counted::signal_kept];
     return {};

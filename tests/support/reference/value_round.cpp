@@ -13,6 +13,7 @@ bool change_value(Round& round, std::uint32_t index) {
   ValueWorld& value = round.next.values[index];
   if (value.frozen) return false;
   const double before = round.old.values[index].outputs[0];
+  const bool held = value.without_malfunctions.has_value();
   double output = before;
   int acted = 0;
   for (std::size_t i = 0; i < its.changes.size(); ++i) {
@@ -23,7 +24,10 @@ bool change_value(Round& round, std::uint32_t index) {
     ++acted;
     ++round.counters[Counted::value_jumped];
     const double result = evaluate(its.changes[i].to, {round.rules, round.old, index, output});
-    if (std::isfinite(result)) {
+    if (std::isfinite(result) && held) {
+      value.without_malfunctions = limited(its, result);
+      ++round.counters[Counted::held_parameter_jumped];
+    } else if (std::isfinite(result)) {
       output = limited(its, result);
     } else {
       value.not_finite = true;
@@ -50,7 +54,12 @@ bool change_values(Round& round, int number) {
 bool set_value(const Rules& rules, World& world, std::uint32_t index, double number, Counters& counters) {
   if (index >= rules.values.size() || !rules.values[index].can_be_set() || !std::isfinite(number)) return false;
   ValueWorld& value = world.values[index];
-  value.outputs[0] = limited(rules.values[index], number);
+  if (value.without_malfunctions) {
+    value.without_malfunctions = limited(rules.values[index], number);
+    ++counters[Counted::held_parameter_set];
+  } else {
+    value.outputs[0] = limited(rules.values[index], number);
+  }
   value.was_set = true;
   world.instant_pending = true;
   ++counters[Counted::value_set];

@@ -17,6 +17,8 @@ struct ValueWorld {
   double integral = 0;         ///< i of `pid`
   std::uint32_t draws = 0;
   bool frozen = false;
+  /// A parameter that a malfunction holds: the number that it has afterwards.
+  std::optional<double> without_malfunctions;
   bool was_set = false;           ///< since the last instant
   bool not_finite = false;        ///< in the last computation, or in a jump since
   bool shown_not_finite = false;  ///< at the end of the last instant

@@ -85,6 +85,15 @@ TEST_CASE("An address with too many parts for a link is not plain, but stays dis
   }
   CHECK(parse_iec("%IX3.12") != parse_iec("%IX4.4"));
   CHECK(parse_iec("%IX1.2.3") != parse_iec("%IX1.23"));
+  CHECK(parse_iec("%ix.\"IF3.ST1\".DigitalInput01") == parse_iec("%IX.\"if3.st1\".digitalinput01"));
+  CHECK(parse_iec("%IX.\"IF3.ST1\".DigitalInput01") != parse_iec("%IX.\"IF3.ST1\".DigitalInput02"));
+  CHECK(parse_iec("%IX.\"IF3.ST1\".DigitalInput01") != parse_iec("%QX.\"IF3.ST1\".DigitalInput01"));
+  CHECK(parse_iec("%QW.\"IF3.ST1\".AnalogOutput01")->size == Size::word);
+  CHECK_FALSE(parse_iec("%QW.\"IF3.ST1\".AnalogOutput01")->plain);
+  for (const char* text : {"%IX.\"IF3.ST1\"", "%IX.\"\".A", "%IX.\"A", "%IX\"A\".B", "%IX.\"A\".B C", "%IX.\"A\".B."}) {
+    INFO(text);
+    CHECK_FALSE(parse_iec(text));
+  }
   CHECK(parse_iec("%IX1.2.3") != parse_iec("%QX1.2.3"));
 }
 

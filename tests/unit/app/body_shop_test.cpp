@@ -91,7 +91,7 @@ TEST_CASE("Every device of the body-shop line that can move completes two motion
   const auto can_move =
       std::count_if(line.plant.units.begin(), line.plant.units.end(), [](const model::Unit& u) { return u.moves(); });
   CHECK(can_move == 636);
-  CHECK(line.plant.units.size() == 1118);
+  CHECK(line.plant.units.size() == 1076);
   Drive drive(line);
   CHECK(lines(drive.behind(1)) == can_move);
   drive.command_all();

@@ -80,6 +80,46 @@ TEST_CASE("A list without I/O or without a device is an error of check, signals 
   CHECK(run_tool({"model", "plant.json"}, files).code == 2);
 }
 
+TEST_CASE("check: Several PLCs in one text are one finding, not one for each row") {
+  const std::string head = "Type,Scope,Variable,Address,DataType,Property,Comment\n";
+  const auto rows = [](const std::string& first_byte) {
+    std::string text;
+    for (int i = 0; i < 4; ++i) {
+      text += "Tag,GlobalVariable,L_P_D_I_A" + std::to_string(i) + ",%IX" + first_byte + "." + std::to_string(i) +
+              ",BOOL,,\n";
+    }
+    return text;
+  };
+  MemoryFileSystem files;
+  files.files["equal.csv"] = head + rows("0") + head + rows("0");
+  const std::string equal = run_tool({"check", "--verbose", "equal.csv"}, files).out;
+  CHECK(contains(equal, "[SP330 several-lists]"));
+  CHECK_FALSE(contains(equal, "[SP301 duplicate-symbol]"));
+  files.files["other.csv"] = head + rows("0") + head + rows("5");
+  const std::string other = run_tool({"check", "--verbose", "other.csv"}, files).out;
+  const std::size_t first = other.find("[SP302 ");
+  CHECK(first != std::string::npos);
+  CHECK(other.find("[SP302 ", first + 1) == std::string::npos);
+  files.files["one.csv"] = head + rows("0") + rows("0");  // without a second header they are doubles
+  CHECK(contains(run_tool({"check", "--verbose", "one.csv"}, files).out, "[SP301 duplicate-symbol]"));
+}
+
+TEST_CASE("check: An empty tag table among others is a note, alone it is an error") {
+  MemoryFileSystem files;
+  files.files["full.xml"] = "<Tagtable name='A'><Tag type='Bool' addr='%I0.0'>L_P_D_I_A</Tag></Tagtable>";
+  files.files["empty.xml"] = "<?xml version='1.0' encoding='utf-8'?>\n<Tagtable name='B'></Tagtable>";
+  const ToolRun both = run_tool({"check", "full.xml", "empty.xml"}, files);
+  CHECK(both.code == 0);
+  CHECK(contains(both.out, "empty.xml: no symbols, left out\n"));
+  CHECK(contains(run_tool({"check", "--verbose", "full.xml", "empty.xml"}, files).out,
+                 "empty.xml:1:1: note: the file declares no symbol"));
+  CHECK(
+      contains(run_tool({"check", "--format", "json", "full.xml", "empty.xml"}, files).out, "\"severity\": \"note\""));
+  CHECK(run_tool({"check", "empty.xml"}, files).code == 2);
+  files.files["none.csv"] = "nothing";
+  CHECK(run_tool({"check", "full.xml", "none.csv"}, files).code == 2);
+}
+
 TEST_CASE("check: Each PLANT is a separate plant, and the highest exit code counts") {
   CHECK(run_lists({"check", "clean.csv", "excell.csv"}).code == 0);
   CHECK(run_lists({"check", "clean.csv", "error.csv", "clean.csv"}).code == 1);

@@ -7,8 +7,8 @@
 namespace symplant::test {
 namespace {
 
-const std::vector<std::string> kFiles{"CMakeLists.txt", "main_gen.cpp",   "plant_gen.hpp",
-                                      "tables_gen.cpp", "tables_gen.hpp", "types_gen.hpp"};
+const std::vector<std::string> kFiles{"CMakeLists.txt", "formulas_gen.hpp", "main_gen.cpp", "plant_gen.hpp",
+                                      "tables_gen.cpp", "tables_gen.hpp",   "types_gen.hpp"};
 
 TEST_CASE("generate: Seven files are written, and no other") {
   MemoryFileSystem files = lists();

@@ -126,6 +126,56 @@ TEST_CASE("infer: An accepted question becomes a constant") {
   CHECK(contains(run_tool({"check", "list.csv", "--naming", "naming.json"}, files).out, "6 constant"));
 }
 
+TEST_CASE("infer: Interlocks are a question, and accepted they are pairs") {
+  MemoryFileSystem files;
+  files.files["list.csv"] = "Name,Address,Type\n";
+  for (int i = 1; i <= 6; ++i) {
+    for (const std::string task : {"MUTUAL_INT", "CLAMP_ADV"}) {
+      const std::string bit = std::to_string(i) + (task == "CLAMP_ADV" ? ".1" : ".2");
+      files.files["list.csv"] += "Q_RB" + std::to_string(i) + "_" + task + ",%QX" + bit + ",BOOL\n" + "I_RB" +
+                                 std::to_string(i) + "_" + task + ",%IX" + bit + ",BOOL\n";
+    }
+  }
+  const ToolRun asked = run_tool({"infer", "list.csv", "-o", "apart.json"}, files);
+  CHECK(contains(asked.out, "interlocks with one text on both sides, which nothing drives (--accept N pairs them):\n"));
+  CHECK(contains(files.files["apart.json"], R"("has": ["mutual"], "role": "interlock")"));
+  CHECK(contains(run_tool({"check", "list.csv", "--naming", "apart.json"}, files).out, ", 12 interlocks"));
+  const std::string number = numbers_of(asked.out, "mutual, 12 symbols");
+  const ToolRun run = run_tool({"infer", "list.csv", "-o", "paired.json", "--accept", number}, files);
+  CHECK(contains(run.out, "; accepted\n"));
+  CHECK(paired(run.out) == 24);
+  CHECK_FALSE(contains(files.files["paired.json"], "interlock"));
+}
+
+TEST_CASE("explain: How a symbol is read") {
+  MemoryFileSystem files;
+  files.files["list.csv"] =
+      "Name,Address,Type\noConv1_run,%QX1.1,BOOL\niConv1_running,%IX1.1,BOOL\niConv1_prox,%IX2.1,BOOL\n"
+      "iSpare,%IX3.1,BOOL\n";
+  files.files["naming.json"] =
+      R"({ "symplant-naming": 1, "normalise": { "camel-case": true }, "ignore": ["*spare*"], "rules": [
+    { "name": "lamps", "pattern": "*", "has": ["lamp"], "role": "operator" },
+    { "name": "commands", "pattern": "o_{device...}_run", "side": "operation", "task": "ON" },
+    { "name": "reports", "pattern": "i_{device...}_running", "side": "event", "task": "ON" } ] })";
+  const auto explained = [&](const std::string& name) {
+    return run_tool({"explain", "--symbol", name, "list.csv", "--naming", "naming.json"}, files);
+  };
+  const std::string read = explained("oconv1_run").out;
+  CHECK(contains(read, "oConv1_run: %QX1.1, operation, row 2 of list.csv\n  name as patterns see it: o Conv1_run\n"));
+  CHECK(contains(read, "    1  lamps: none of its words is there: lamp\n    2  commands: reads it\n"));
+  CHECK(contains(read, "read: device Conv1, task ON\nin the device Conv1, with:\n  event     iConv1_running\n"));
+  const std::string missed = explained("iConv1_prox").out;
+  CHECK(contains(missed, "    2  commands: is for outputs only\n    3  reports: the pattern does not match\n"));
+  CHECK(contains(missed, "not paired: its name does not follow the naming rule\n"));
+  CHECK(contains(missed, "nearest of the other side:\n  oConv1_run ("));
+  CHECK(
+      contains(explained("iSpare").out, "a pattern of `ignore` matches it\nnot paired: the naming rule ignores it\n"));
+  const ToolRun unknown = explained("iConv1_prx");
+  CHECK(unknown.code == 2);
+  CHECK(contains(unknown.err, "no input or output is named `iConv1_prx`; did you mean `iConv1_prox`?"));
+  CHECK(run_tool({"explain", "--symbol", "A", "none.csv"}, files).code == 2);
+}
+
 TEST_CASE("infer: Numbers out of range are refused with the range") {
   MemoryFileSystem files = stations();
   const ToolRun refuse = run_tool({"infer", "list.csv", "-o", "naming.json", "--refuse", "1,99"}, files);

@@ -1,4 +1,6 @@
 // Tests of symplant init: a description to start from.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -35,7 +37,8 @@ std::string without_comments(const std::vector<std::string>& lines, Wanted&& wan
 
 nlohmann::json json_of(const std::string& text) { return nlohmann::json::parse(text, nullptr, true, true); }
 
-/// Every kind of device: a robot, cylinders, a lamp, buttons, a sequence, one of six states; and symbols of no device.
+/// Every kind of device: a robot, cylinders, a lamp, buttons, a sequence, one of six states; numbers, and symbols of no
+/// device.
 std::string every_shape() {
   std::vector<std::string> names{"L_S1_RBT_O_HOME1", "L_S1_RBT_I_HOME1", "L_S1_RBT_O_WORK2", "L_S1_RBT_I_WORK2",
                                  "L_S1_LMP_O_GREEN", "L_S1_PB_I_ON",     "L_S1_DR_I_OPEN",   "L_S1_DR_I_SHUT",
@@ -48,7 +51,13 @@ std::string every_shape() {
     names.push_back("L_S2_AGV_O_P" + std::to_string(i));
     names.push_back("L_S2_AGV_I_P" + std::to_string(i));
   }
-  return list_text(bits(names));
+  std::vector<Row> rows = bits(names);
+  for (const char* name :
+       {"L_S1_TANK1_I_LEVEL", "L_S1_TANK2_I_LEVEL", "L_S1_OVEN_I_TEMP", "L_S1_BELT_I_WEIGHT", "L_S1_RBT_I_PROG",
+        "L_S1_LMP_I_GREEN9", "L_S1_SEQ_I_SEQUENCE", "L_S1_SPEED_I_VALUE", "L_S1_PIPE_I_flowRate", "NUMBER"}) {
+    rows.push_back({name, "", "INT", "0", fmt::format("%IW{}", rows.size())});
+  }
+  return list_text(rows);
 }
 
 ToolRun begin(MemoryFileSystem& files, const std::string& list, const std::string& output) {

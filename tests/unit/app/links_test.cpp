@@ -135,6 +135,21 @@ TEST_CASE("check: An invalid URL, and a port of two links, are reported at their
   CHECK_FALSE(contains(reported(one + R"({"controller": "B", "url": "modbus-tcp-server://:1503"})"), "error"));
 }
 
+TEST_CASE("check: A bit beyond 7 of a byte is reported whatever the share of such addresses") {
+  const auto findings = [](const std::vector<std::string>& addresses) {
+    MemoryFileSystem files;
+    files.files["l.csv"] = "Name,Address,Type\n";
+    for (std::size_t i = 0; i < addresses.size(); ++i)
+      files.files["l.csv"] += "L_P_D_I_A" + std::to_string(i) + "," + addresses[i] + ",BOOL\n";
+    return run_tool({"check", "l.csv", "--select", "SP317"}, files).out;
+  };
+  CHECK(contains(findings({"%I0.9", "%I0.12", "%I0.1"}),
+                 "`%I0.9` has no number on a link, because a byte has no bit 9;"));
+  CHECK(contains(findings({"%I0.9"}), "a byte has no bit 9;"));
+  CHECK_FALSE(contains(findings({"%I0.7", "%I0.1"}), "SP317"));
+  CHECK_FALSE(contains(findings({"%IX1.2.3", "%IX1.2.4"}), "SP317"));  // packed as a whole
+}
+
 TEST_CASE("check: An address without a number is reported unless its symbol has a number in links") {
   const auto reported = [](const std::string& members) {
     MemoryFileSystem files = plant(members);
@@ -145,7 +160,9 @@ TEST_CASE("check: An address without a number is reported unless its symbol has 
     }
     return run_tool({"check", "plant.json", "--select", "SP317"}, files).out;
   };
-  CHECK(contains(reported(""), "`%IX1.8` has no number on a link, so 3 other discrete inputs are in list order"));
+  CHECK(contains(
+      reported(""),
+      "`%IX1.8` has no number on a link, because a byte has no bit 8; so 3 other discrete inputs are in list order"));
   CHECK_FALSE(contains(reported(R"("map": [{"symbol": "L_P_D_I_A18", "number": 70}])"), "SP317"));
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("check: All faults of malfunctions are reported at their keys") {
   const ToolRun run = run_tool({"check", "plant.json"}, files);
   CHECK(contains(run.out, "device `L_P_AVG` not found; did you mean `L_P_AGV`?"));
   CHECK(contains(run.out, "`L_P_AGV stuck` is an ordinary malfunction"));
-  CHECK(contains(run.out, "exactly one of `slower`, `stuck`, `force`, `flicker` and `lose`"));
+  CHECK(contains(run.out, "exactly one of `slower`, `stuck`, `force`, `flicker`, `lose`, `set`, `distort` "));
 }
 
 }  // namespace

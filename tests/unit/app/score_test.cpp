@@ -88,7 +88,7 @@ TEST_CASE("check: The JSON has the score of each plant on all levels") {
   CHECK(plant.at("plant") == "list.csv");
   const auto& score = plant.at("score");
   CHECK(score.at("total") ==
-        nlohmann::json::parse(R"({"symbols": 10, "paired": 6, "constant": 1, "operator": 0, "data": 0,
+        nlohmann::json::parse(R"({"symbols": 10, "paired": 6, "constant": 1, "operator": 0, "data": 0, "interlock": 0,
     "parts": 0, "follow": 0, "condition": 0, "accounted": 7, "left_over": {"no_rule": 1, "no_operation": 2}})"));
   CHECK(score.at("lists").at(0).at("list") == "list.csv");
   CHECK(score.at("lines").size() == 2);

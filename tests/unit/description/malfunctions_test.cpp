@@ -45,12 +45,12 @@ TEST_CASE("A slower malfunction names devices and a factor") {
   const GivenMalfunction given =
       sound_malfunction(R"({"name": "clamp 1 sluggish", "of": ["S_10_CL*", "S_20_CL1"], "slower": 1.5})");
   CHECK(given.name == "clamp 1 sluggish");
-  CHECK(given.kinds == std::vector{MalfunctionKind::slower});
-  CHECK(given.of == std::vector<std::string>{"S_10_CL*", "S_20_CL1"});
-  CHECK(given.factor == 1500);
-  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "slower": 0.001})").factor == 1);
-  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "slower": 1000})").factor == 1'000'000);
-  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "slower": 0.333})").factor == 333);
+  CHECK(given.one.kinds == std::vector{MalfunctionKind::slower});
+  CHECK(given.one.of == std::vector<std::string>{"S_10_CL*", "S_20_CL1"});
+  CHECK(given.one.factor == 1500);
+  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "slower": 0.001})").one.factor == 1);
+  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "slower": 1000})").one.factor == 1'000'000);
+  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "slower": 0.333})").one.factor == 333);
 }
 
 TEST_CASE("A factor is from 0.001 to 1000 and has at most three decimals") {
@@ -63,26 +63,26 @@ TEST_CASE("A factor is from 0.001 to 1000 and has at most three decimals") {
 }
 
 TEST_CASE("A stuck malfunction is true or a state") {
-  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "stuck": true})").state == "");
-  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "stuck": "OPEN"})").state == "OPEN");
+  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "stuck": true})").one.state == "");
+  CHECK(sound_malfunction(R"({"name": "m", "of": "D", "stuck": "OPEN"})").one.state == "OPEN");
   CHECK(contains(malfunction_faults(R"({"name": "m", "of": "D", "stuck": false})"), "/malfunctions/0/stuck: "));
 }
 
 TEST_CASE("A force gives symbols values as they are written") {
   const GivenMalfunction given = sound_malfunction(R"({"name": "m", "force": {"A": false, "B": 7, "C": "16#FF"}})");
-  REQUIRE(given.force.size() == 3);
-  CHECK(given.force[0].second.bit == false);
-  CHECK(given.force[1].second.number == "7");
-  CHECK(given.force[2].second.number == "16#FF");
+  REQUIRE(given.one.force.size() == 3);
+  CHECK(given.one.force[0].second.bit == false);
+  CHECK(given.one.force[1].second.number == "7");
+  CHECK(given.one.force[2].second.number == "16#FF");
   CHECK(contains(malfunction_faults(R"({"name": "m", "force": {"A": null}})"), "/malfunctions/0/force/A: "));
 }
 
 TEST_CASE("A flicker has a symbol, a time between and a time for which it shows") {
   const GivenMalfunction given = sound_malfunction(
       R"({"name": "m", "flicker": {"symbol": "A", "every": {"min": "1s", "max": "5s"}, "for": "80ms"}})");
-  CHECK(given.flicker.symbol == "A");
-  CHECK(given.flicker.every->kind == Duration::Kind::uniform);
-  CHECK(given.flicker.shows == 80 * tables::kMillisecond);
+  CHECK(given.one.flicker.symbol == "A");
+  CHECK(given.one.flicker.every->kind == Duration::Kind::uniform);
+  CHECK(given.one.flicker.shows == 80 * tables::kMillisecond);
   CHECK(malfunction_faults(R"({"name": "m", "flicker": {"symbol": "A", "every": "1s"}})") ==
         "/malfunctions/0/flicker: the key `for` is missing here; it holds a duration such as `500ms`");
   CHECK(contains(malfunction_faults(R"({"name": "m", "flicker": {"symbol": "A", "every": "1s", "for": {"min": "1s",
@@ -91,21 +91,61 @@ TEST_CASE("A flicker has a symbol, a time between and a time for which it shows"
 }
 
 TEST_CASE("A lost link is that of a controller, or of the only one") {
-  CHECK(sound_malfunction(R"({"name": "m", "lose": "PLC1"})").lose == "PLC1");
-  CHECK(sound_malfunction(R"({"name": "m", "lose": true})").lose == "");
+  CHECK(sound_malfunction(R"({"name": "m", "lose": "PLC1"})").one.lose == "PLC1");
+  CHECK(sound_malfunction(R"({"name": "m", "lose": true})").one.lose == "");
 }
 
 TEST_CASE("A malfunction has exactly one effect") {
   const std::string why =
-      "/malfunctions/0: a malfunction needs exactly one of `slower`, `stuck`, `force`, `flicker` and `lose`";
+      "/malfunctions/0: a malfunction needs exactly one of `slower`, `stuck`, `force`, `flicker`, `lose`, `set`, "
+      "`distort` "
+      "and `effects`";
   CHECK(malfunction_faults(R"({"name": "m"})") == why);
   CHECK(malfunction_faults(R"({"name": "m", "of": "D", "slower": 2, "stuck": true})") == why);
   CHECK(malfunction_faults(R"({"stuck": true, "of": "D"})") ==
         "/malfunctions/0: the key `name` is missing here; it holds a name");
   CHECK(contains(malfunction_faults(R"({"name": "", "lose": true})"), "/malfunctions/0/name: "));
   CHECK(malfunction_faults(R"({"name": "m", "lose": true, "blinks": 1})") ==
-        "/malfunctions/0/blinks: the key `blinks` is unknown here; the known keys are `becomes`, `chance`, `flicker`, "
-        "`force`, `lasts`, `lose`, `name`, `of`, `slower`, `stuck`, `when`");
+        "/malfunctions/0/blinks: the key `blinks` is unknown here");
+}
+
+TEST_CASE("A malfunction has several effects, each of one kind, maybe with its own devices") {
+  const GivenMalfunction given = sound_malfunction(
+      R"({"name": "m", "of": "D", "effects": [{"stuck": true}, {"of": ["E"], "slower": 2}, {"force": {"A": "hold"}},
+          {"set": {"wind": 25}}, {"distort": {"symbol": "S", "gain": 1.02, "drift": -0.1}}]})");
+  CHECK(given.one.kinds.empty());
+  CHECK(given.one.of == std::vector<std::string>{"D"});
+  REQUIRE(given.effects.size() == 5);
+  CHECK(given.effects[0].kinds == std::vector{MalfunctionKind::stuck});
+  CHECK(given.effects[1].of == std::vector<std::string>{"E"});
+  CHECK(given.effects[2].force.at(0).second.holds);
+  CHECK(given.effects[3].set.at(0) == std::pair<std::string, double>{"wind", 25});
+  CHECK(given.effects[4].distort.gain == 1.02);
+  CHECK(given.effects[4].distort.offset == 0);
+  CHECK(given.effects[4].distort.drift == -0.1);
+  CHECK(malfunction_faults(R"({"name": "m", "effects": [{"of": "D"}]})") ==
+        "/malfunctions/0/effects/0: an effect needs exactly one of `slower`, `stuck`, `force`, `flicker`, `lose`, "
+        "`set` and `distort`");
+  CHECK(contains(malfunction_faults(R"({"name": "m", "stuck": true, "effects": [{"lose": true}]})"),
+                 "/malfunctions/0: a malfunction needs exactly one of "));
+  CHECK(contains(malfunction_faults(R"({"name": "m", "effects": []})"), "/malfunctions/0/effects: "));
+  CHECK(malfunction_faults(R"({"name": "m", "distort": {"symbol": "S", "gain": 1}})") ==
+        "/malfunctions/0/distort: this malfunction distorts nothing; add `gain`, `offset` or `drift`");
+}
+
+TEST_CASE("A malfunction with `while` has no other start or end") {
+  const GivenMalfunction given = sound_malfunction(R"({"name": "m", "while": "A", "lose": true})");
+  CHECK(given.during);
+  CHECK(given.when == "A");
+  const auto why = [](const std::string& key) {
+    return "/malfunctions/0/" + key +
+           ": a malfunction with `while` is active as long as the condition holds; remove `" + key + "`, or `while`";
+  };
+  CHECK(malfunction_faults(R"({"name": "m", "while": "A", "lose": true, "when": "B"})") == why("when"));
+  CHECK(malfunction_faults(R"({"name": "m", "while": "A", "lose": true, "chance": "1s", "lasts": "1s"})") ==
+        why("chance") + "\n" + why("lasts"));
+  CHECK(malfunction_faults(R"({"name": "m", "while": "A", "lose": true, "becomes": {"after": "1s", "start": "m"}})") ==
+        why("becomes"));
 }
 
 TEST_CASE("Times of a malfunction are above 0") {

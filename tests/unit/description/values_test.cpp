@@ -1,8 +1,13 @@
 // The keys `values` and `signals` of plant.json: what is read from them, and what is rejected.
+#include <array>
+#include <regex>
+#include <sstream>
 #include <string>
 
 #include "description/plant_file.hpp"
+#include "elements/signal/modules.hpp"
 #include "support/catch.hpp"
+#include "support/golden.hpp"
 
 namespace symplant::test {
 namespace {
@@ -130,12 +135,29 @@ TEST_CASE("A signal is a formula, or has one") {
   CHECK(read.every == tables::kSecond);
 }
 
+TEST_CASE("The analog modules are those of docs/values.md, with its numbers") {
+  std::istringstream page(read_bytes(std::string(SYMPLANT_SOURCE_DIR) + "/docs/values.md"));
+  std::string names;
+  for (std::string line; std::getline(page, line);) {
+    static const std::regex kRow("\\| `([a-z0-9-]+)` \\| (-?[0-9]+) to (-?[0-9]+) \\| (-?[0-9]+) to (-?[0-9]+) \\| .*");
+    std::smatch row;
+    if (!std::regex_match(line, row, kRow)) continue;
+    INFO(line);
+    names += (names.empty() ? "`" : ", `") + row[1].str() + "`";
+    const description::AnalogModule* module = description::analog_module(row[1].str());
+    REQUIRE(module != nullptr);
+    CHECK(module->to == std::array{std::stod(row[2]), std::stod(row[3])});
+    CHECK(module->limit == std::array{std::stod(row[4]), std::stod(row[5])});
+  }
+  CHECK(names == description::analog_module_names());
+}
+
 TEST_CASE("An analog module gives the range and the limits of a signal") {
   const GivenSignal read = signal(R"({"of": "x", "from": [0, 10], "as": "s7-unipolar"})");
   CHECK((*read.to)[1] == 27648);
   CHECK((*read.limit)[0] == -4864);
   CHECK(signal_faults(R"({"of": "x", "from": [0, 10], "as": "s8"})") ==
-        "/signals/S/as: unknown analog module `s8`; choose one of `s7-unipolar`, `s7-bipolar`");
+        "/signals/S/as: unknown analog module `s8`; choose one of " + description::analog_module_names());
   CHECK(signal_faults(R"({"of": "x", "from": [0, 10], "to": [0, 1], "as": "s7-unipolar"})") ==
         "/signals/S/to: `as` gives `to`; remove one of them");
 }

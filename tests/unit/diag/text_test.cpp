@@ -170,6 +170,21 @@ TEST_CASE("No more findings than asked are shown, errors excepted") {
                                              "... and more warnings: 2 wrong-number-of-levels; --verbose shows all\n"));
 }
 
+TEST_CASE("Five errors of a rule are shown, and no more lines than asked after the first finding") {
+  const auto source = source_of("abc");
+  Diagnostics found;
+  for (int i = 0; i < 20; ++i) found.add(kError, "bad", {source, {0, 1}}, {{{source, {1, 2}}, "also"}});
+  const std::string text = render_text(found.all());
+  CHECK(count_of(text, "bad") == 5);
+  CHECK(count_of(text, "\n") <= 40);
+  CHECK_THAT(text, Catch::Matchers::EndsWith("... and more errors: 15 cannot-read-file; --verbose shows all\n"));
+  Diagnostics alone;  // without notes there is room for more than five
+  for (int i = 0; i < 20; ++i) alone.add(kError, "bad", {source, {0, 1}});
+  CHECK(count_of(render_text(alone.all()), "bad") == 5);
+  CHECK(count_of(render_text(found.all(), {.most_lines = 13}), "bad") == 2);
+  CHECK(count_of(render_text(found.all(), {.most_lines = 1}), "bad") == 1);
+}
+
 TEST_CASE("Notes are counted by rule, unless they are asked for") {
   constexpr diag::RuleInfo kNote{"SP404", "event-not-driven", diag::Severity::note, "", ""};
   const auto source = source_of("abc");

@@ -60,27 +60,32 @@ inline void add_malfunctions(model::PlantModel& plant) {
   const auto add = [&](const char* name, MalfunctionKind kind) -> model::Malfunction& {
     model::Malfunction& malfunction = plant.malfunctions.emplace_back();
     malfunction.name = name;
-    malfunction.kind = kind;
+    malfunction.effects.emplace_back().kind = kind;
     return malfunction;
   };
   model::Malfunction& slow = add("AGV's wheel*/ \"?\?/\\", MalfunctionKind::slower);
-  slow.units = {{0, tables::kNoState}, {3, tables::kNoState}};
-  slow.factor = 1'500;
+  slow.effects[0].units = {{0, tables::kNoState}, {3, tables::kNoState}};
+  slow.effects[0].factor = 1'500;
   slow.condition = settled(0, 1) && bit(symbol_of(plant, "STOP?\?/"));
   slow.chance = Duration{Duration::Kind::normal, 600 * tables::kSecond, 5};
   slow.after = 20 * tables::kSecond;
   slow.next = 1;
   slow.unless = moving(1);
   model::Malfunction& stuck = add("int", MalfunctionKind::stuck);
-  stuck.units = {{0, 1}};
+  stuck.effects[0].units = {{0, 1}};
   stuck.lasts = Duration{Duration::Kind::uniform, 7, 9};
-  add("eye blind {{x}}", MalfunctionKind::force).forces = {{symbol_of(plant, "HALT\\"), 1},
-                                                           {symbol_of(plant, "LEVEL"), static_cast<std::uint64_t>(-3)}};
+  add("eye blind {{x}}", MalfunctionKind::force).effects[0].forces = {
+      {symbol_of(plant, "HALT\\"), 1, false},
+      {symbol_of(plant, "LEVEL"), static_cast<std::uint64_t>(-3), false},
+      {symbol_of(plant, "SPEED"), 0, true}};
   model::Malfunction& loose = add("1st", MalfunctionKind::flicker);
-  loose.subject = symbol_of(plant, "L_P_MC_I_RUN2");
-  loose.every = Duration{Duration::Kind::uniform, tables::kSecond, 5 * tables::kSecond};
-  loose.shows = 80;
-  add("\xC3\xBC 1", MalfunctionKind::lose).subject = 0;
+  loose.effects[0].subject = symbol_of(plant, "L_P_MC_I_RUN2");
+  loose.effects[0].every = Duration{Duration::Kind::uniform, tables::kSecond, 5 * tables::kSecond};
+  loose.effects[0].shows = 80;
+  loose.effects.emplace_back().units = {{1, tables::kNoState}};
+  loose.condition = moving(0);
+  loose.during = true;
+  add("\xC3\xBC 1", MalfunctionKind::lose).effects[0].subject = 0;
 }
 
 inline std::unique_ptr<const Everything> everything() {

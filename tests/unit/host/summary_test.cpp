@@ -55,5 +55,15 @@ TEST_CASE("Behaviors without code are reported, with their number of devices") {
         "use `symplant generate`\n");
 }
 
+TEST_CASE("Formulas that C++ replaces are reported") {
+  std::vector<tables::CompiledFormula> compiled(2);
+  tables::ValueTables values;
+  values.formula_texts = std::string_view("2 * level\0flow\x1b\0", 16);
+  values.compiled = compiled;
+  CHECK(host::formula_lines(values).empty());
+  compiled[1].replaced = true;
+  CHECK(host::formula_lines(values) == "formula `flow?` is replaced by C++\n");
+}
+
 }  // namespace
 }  // namespace symplant::test

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "infer/report.hpp"
 #include "infer/task_links.hpp"
 #include "naming/naming_file.hpp"
 #include "naming/naming_text.hpp"
@@ -115,6 +116,107 @@ TEST_CASE("The result is never below a known rule") {
   known.separators = ".";
   const Proposal proposal = infer(Samples(lines), std::vector<name::Naming>{known});
   CHECK(proposal.score.paired() == 6);
+}
+
+/// One pair of texts for each of some stations, with `%` for the number of the station.
+Lines stations(const Lines& lines, int count = 6) {
+  Lines all;
+  for (int i = 1; i <= count; ++i) {
+    for (std::string line : lines) {
+      for (std::size_t at = line.find('%'); at != line.npos; at = line.find('%'))
+        line.replace(at, 1, std::to_string(i));
+      all.push_back(std::move(line));
+    }
+  }
+  return all;
+}
+
+bool has_pair(const Lines& lines, const std::string& pair) {
+  const auto found = pairs(inferred(lines).naming, lines);
+  return std::find(found.begin(), found.end(), pair) != found.end();
+}
+
+TEST_CASE("Interlocks with one text on both sides are apart, unless they are to be paired") {
+  const Lines lines =
+      stations({"Q Q_RB%_MUTUAL_INT1", "I I_RB%_MUTUAL_INT1", "Q Q_RB%_MUTUAL_INT2", "I I_RB%_MUTUAL_INT2",
+                "Q Q_RB%_CLAMP_ADV", "I I_RB%_CLAMP_ADV", "Q Q_RB%_CLAMP_RET", "I I_RB%_CLAMP_RET"});
+  const Proposal apart = inferred(lines);
+  CHECK(apart.score.paired() == 24);
+  CHECK(apart.score.of(name::Account::interlock) == 24);
+  CHECK(apart.score.accounted() == 48);
+  const Proposal paired = infer(Samples(lines), {}, Interlocks::paired);
+  CHECK(paired.score.paired() == 48);
+  const naming::NamingReading read = naming::read_naming(naming::naming_text(apart.naming));
+  REQUIRE(read.naming.has_value());
+  CHECK(read.faults.empty());
+  CHECK(score_of(*read.naming, Samples(lines)).of(name::Account::interlock) == 24);
+}
+
+TEST_CASE("A word of interlocks that only one side has sets nothing apart") {
+  const Lines lines = stations(
+      {"Q S%_Q_INTERLOCK_LOCK", "I S%_I_INTERLOCK_LOCKED", "Q S%_Q_INTERLOCK_UNLOCK", "I S%_I_INTERLOCK_UNLOCKED"});
+  CHECK(inferred(lines).score.of(name::Account::interlock) == 0);
+}
+
+TEST_CASE("A reset switches off what the event shows, so it does not drive it") {
+  const Lines lines = stations({"Q S1_Q_RB%_WORK_COMP_RST", "I S1_I_RB%_LAST_WORK_COMP", "Q S1_Q_RB%_PROG_SELECT_1",
+                                "I S1_I_RB%_PROG_ECHO_1", "Q S1_Q_RB%_PROG_SELECT_2", "I S1_I_RB%_PROG_ECHO_2"});
+  CHECK(has_pair(lines, "S1_Q_RB3_PROG_SELECT_2>S1_I_RB3_PROG_ECHO_2"));
+  CHECK_FALSE(has_pair(lines, "S1_Q_RB3_WORK_COMP_RST>S1_I_RB3_LAST_WORK_COMP"));
+}
+
+TEST_CASE("Program 1 of robot 4 is not program 4 of robot 1") {
+  Lines lines;
+  for (const std::string bit : {"1", "2", "4", "8"}) {
+    for (const std::string& line : stations({"Q S1_INTO_RB%_PROGRAM_NO_", "I S1_INTI_RB%_PROGRAM_ECHO_"}, 8))
+      lines.push_back(line + bit);
+  }
+  CHECK(inferred(lines).score.paired() == lines.size());
+  CHECK(has_pair(lines, "S1_INTO_RB4_PROGRAM_NO_1>S1_INTI_RB4_PROGRAM_ECHO_1"));
+  CHECK_FALSE(has_pair(lines, "S1_INTO_RB4_PROGRAM_NO_1>S1_INTI_RB1_PROGRAM_ECHO_4"));
+}
+
+TEST_CASE("Two letters say a direction if the other side has the same text: TO and FR do, RH does not") {
+  CHECK(has_pair(stations({"Q TO:STM.%Servo On", "I FR:STM.%Servo On", "Q TO:STM.%Drive", "I FR:STM.%Busy"}, 8),
+                 "TO:STM.3Servo On>FR:STM.3Servo On"));
+  const Lines sides = stations({"Q BC%_Q_READY_ON", "I BC%_I_READY_ON", "Q BC%_Q_HOME", "I BC%_I_HOME",
+                                "I S%_LH_AREA_CHK", "I S%_RH_AREA_CHK", "I S%_RH_MAT_CHK", "I S%_RH_GATE_CHK"});
+  CHECK(naming::naming_text(inferred(sides).naming).find("\"rh\": \"event\"") == std::string::npos);
+}
+
+TEST_CASE("Plain pairs are found: feedback, started, brackets, words behind a direction") {
+  CHECK(has_pair({"Q brakes Contactor 1", "I brakes Contactor 1 feedback", "Q brakes Contactor 2",
+                  "I brakes Contactor 2 feedback", "Q slew Contactor 1", "I slew Contactor 1 feedback"},
+                 "slew Contactor 1>slew Contactor 1 feedback"));
+  const Lines carts = stations({"Q Cart #% Align ADV [1,2]", "I Cart #% Align ADV [1]", "I Cart #% Align ADV [2]",
+                                "Q Cart #% Align RET [1,2]", "I Cart #% Align RET [1]", "I Cart #% Align RET [2]"});
+  CHECK(has_pair(carts, "Cart #2 Align ADV [1,2]>Cart #2 Align ADV [1]"));
+  CHECK(has_pair(carts, "Cart #2 Align ADV [1,2]>Cart #2 Align ADV [2]"));
+  CHECK_FALSE(has_pair(carts, "Cart #2 Align ADV [1,2]>Cart #3 Align ADV [2]"));
+  const Lines lifts =
+      stations({"Q qResin%_MotorUp", "I iResin%_LimitUp", "Q qResin%_MotorDown", "I iResin%_LimitDown"});
+  CHECK(has_pair(lifts, "qResin2_MotorUp>iResin2_LimitUp"));
+  CHECK_FALSE(has_pair(lifts, "qResin2_MotorUp>iResin3_LimitUp"));
+  CHECK(has_pair(stations({"Q O_MIS_3107%_S", "I I_MIS_3107%_R"}), "O_MIS_31072_S>I_MIS_31072_R"));
+  const Lines conveyors = stations({"Q oConv%_run", "I iConv%_running", "I iConv%_prox"});
+  CHECK(has_pair(conveyors, "oConv2_run>iConv2_running"));
+  CHECK_FALSE(has_pair(conveyors, "oConv2_run>iConv2_prox"));
+}
+
+TEST_CASE("A lamp of two words is not the command of a fault of two words") {
+  const Lines lines = stations({"Q qConv%_10_Light_Ind", "I iConv%_10_VSD_F"}, 20);
+  CHECK(inferred(lines).score.paired() == 0);
+}
+
+TEST_CASE("Texts that mean no text are spare") {
+  Lines lines = stations({"Q S%_SOL_CLAMP_ADV", "I S%_LS_CLAMP_ADV", "Q S%_SOL_CLAMP_RET", "I S%_LS_CLAMP_RET"});
+  const std::size_t real = lines.size();
+  for (const char* text : {"I -", "I [T]", "Q [D]", "Q [DT]", "I ---", "I Reserva I0.1", "Q RISERVA 3"})
+    lines.emplace_back(text);
+  const Proposal proposal = inferred(lines);
+  CHECK(proposal.score.counted() == real);
+  CHECK(proposal.score.paired() == real);
+  CHECK(inferred({"I [TABLE]", "Q T", "I D-1"}).score.counted() == 3);
 }
 
 TEST_CASE("An alarm, a lamp or a healthy contact is not caused") {

@@ -24,7 +24,7 @@ std::string units_text(const std::string& malfunctions) {
   const Analysed plant = station(malfunctions);
   CHECK(faults(plant) == "");
   std::string text;
-  for (const tables::MalfunctionUnit& each : plant.model().malfunctions.at(0).units) {
+  for (const tables::MalfunctionUnit& each : plant.model().malfunctions.at(0).effects.at(0).units) {
     const model::Unit& unit = plant.model().units[each.unit];
     text += (text.empty() ? "" : " ") + std::string(unit.path);
     if (each.state != tables::kNoState) text += ":" + unit.states[each.state].name;
@@ -44,7 +44,8 @@ TEST_CASE("A device that does not exist is an error, a pattern that matches none
   CHECK(faults_of(R"({"name": "m", "of": "S_10_CL3", "stuck": true})") ==
         "/malfunctions/0/of: device `S_10_CL3` not found; did you mean `S_10_CL1`?");
   CHECK(faults_of(R"({"name": "m", "of": "X*", "stuck": true})") == "");
-  CHECK(warnings_of(R"({"name": "m", "of": ["X*"], "stuck": true})") == "/malfunctions/0/of/0: `X*` matches no device");
+  CHECK(warnings_of(R"({"name": "m", "of": ["X*"], "stuck": true})") ==
+        "/malfunctions/0/of/0: `X*` matches no device and no track");
 }
 
 TEST_CASE("A state that a named device lacks is an error, devices of a pattern that lack it are left out") {
@@ -124,6 +125,82 @@ TEST_CASE("Conditions and the malfunction that another one becomes are found") {
   CHECK(with(R"("becomes": {"after": "1s", "start": "stuk"})") ==
         "/malfunctions/0/becomes/start: malfunction `stuk` not found; did you mean `stuck`?");
   CHECK(with(R"("becomes": {"after": "1s", "start": "slow"})") == "");
+}
+
+/// A track, a parameter, an integral, and a signal.
+Analysed line(const std::string& malfunctions) {
+  std::vector<Row> rows = bits(
+      {"S_10_CV_O_RUN", "S_10_CL1_O_OPEN", "S_10_CL1_O_SHUT", "S_10_CL1_I_OPEN", "S_10_CL1_I_SHUT", "S_10_PE1_I_PART"});
+  rows.push_back({"TEMP", "", "INT", "0", "%IW40"});
+  rows.push_back({"SPEED", "", "INT", "0", "%QW40"});
+  return analyse_described(rows, read_description(R"("material": {"kinds": {"box": {"length": "100mm"}}, "tracks": {
+    "A": {"length": "1m", "drives": [{"forward": "S_10_CV_O_RUN", "speed": "1m/s"}]},
+    "B": {"length": "1m", "drives": [{"forward": "S_10_CV_O_RUN", "speed": "1m/s"}]}}},
+    "values": {"wind": {}, "x": {"integral": "wind"}}, "signals": {"TEMP": "x"}, "malfunctions": [)" +
+                                                  malfunctions + "]"));
+}
+
+std::string faults_in_line(const std::string& malfunctions) { return faults(line(malfunctions)); }
+
+TEST_CASE("A malfunction acts on tracks, by name and by pattern") {
+  const Analysed plant = line(R"({"name": "m", "of": ["b", "S_10_CL1", "?"], "slower": 2})");
+  CHECK(faults(plant) == "");
+  const model::Effect& effect = plant.model().malfunctions.at(0).effects.at(0);
+  CHECK(effect.tracks == std::vector<std::uint32_t>{0, 1});
+  REQUIRE(effect.units.size() == 1);
+  CHECK(faults_in_line(R"({"name": "m", "of": "C", "stuck": true})") ==
+        "/malfunctions/0/of: device or track `C` not found; did you mean `A`?");
+  CHECK(faults_in_line(R"({"name": "m", "of": "A", "stuck": "OPEN"})") ==
+        "/malfunctions/0/stuck: `A` is a track, which has no states; write `true`");
+  CHECK(faults_in_line(R"({"name": "m", "of": ["?", "S_10_CL1"], "stuck": "OPEN"})") == "");
+}
+
+TEST_CASE("A malfunction holds events, not operations") {
+  CHECK(faults_in_line(R"({"name": "m", "force": {"TEMP": "hold", "S_10_CL1_I_OPEN": "hold"}})") == "");
+  CHECK(
+      faults_in_line(R"({"name": "m", "force": {"SPEED": "hold"}})") ==
+      "/malfunctions/0/force/SPEED: `SPEED` is an operation; only events hold what they show, so write the value that "
+      "it has");
+}
+
+TEST_CASE("A malfunction sets parameters only") {
+  const Analysed plant = line(R"({"name": "m", "set": {"WIND": 3}})");
+  CHECK(faults(plant) == "");
+  CHECK(plant.model().malfunctions.at(0).effects.at(0).sets.at(0).number == 3);
+  CHECK(faults_in_line(R"({"name": "m", "set": {"x": 3}})") ==
+        "/malfunctions/0/set/x: `x` is computed; a malfunction sets only parameters, which have no formula");
+  CHECK(faults_in_line(R"({"name": "m", "set": {"wint": 3}})") ==
+        "/malfunctions/0/set/wint: parameter `wint` not found; did you mean `wind`?");
+  CHECK(faults_in_line(R"({"name": "m", "set": {"wind": 3, "WIND": 4}})") ==
+        "/malfunctions/0/set/wind: `wind` and `WIND` are one parameter; remove one");
+}
+
+TEST_CASE("Only signals are out of adjustment") {
+  CHECK(faults_in_line(R"({"name": "m", "distort": {"symbol": "temp", "gain": 2}})") == "");
+  CHECK(faults_in_line(R"({"name": "m", "distort": {"symbol": "SPEED", "gain": 2}})") ==
+        "/malfunctions/0/distort/symbol: `SPEED` has no entry in `signals`; only signals can be out of adjustment");
+}
+
+TEST_CASE("Effects that name no devices use those of the malfunction") {
+  const Analysed plant =
+      line(R"({"name": "m", "of": "A", "effects": [{"stuck": true}, {"of": "S_10_CL1", "slower": 3}]})");
+  CHECK(faults(plant) == "");
+  const auto& effects = plant.model().malfunctions.at(0).effects;
+  CHECK(effects.at(0).tracks.size() == 1);
+  CHECK(effects.at(1).tracks.empty());
+  CHECK(effects.at(1).units.size() == 1);
+  CHECK(faults_in_line(R"({"name": "m", "of": "A", "effects": [{"set": {"wind": 1}}]})") ==
+        "/malfunctions/0/of: no effect of this malfunction needs `of`; remove it");
+  CHECK(faults_in_line(R"({"name": "m", "effects": [{"set": {"wind": 1}}, {"stuck": true}]})") ==
+        "/malfunctions/0/effects/1: this malfunction names no device; add `of`");
+  CHECK(faults_in_line(R"({"name": "m", "effects": [{"of": "A", "set": {"wind": 1}}]})") ==
+        "/malfunctions/0/effects/0/of: `of` is only for `slower` and `stuck`; remove it");
+}
+
+TEST_CASE("The condition of `while` is resolved where it is written") {
+  CHECK(faults_in_line(R"({"name": "m", "while": "wind > 3", "set": {"wind": 1}})") == "");
+  CHECK(contains(faults_in_line(R"({"name": "m", "while": "S_10_CL1.OPNE", "of": "A", "stuck": true})"),
+                 "/malfunctions/0/while: state `OPNE` of `S_10_CL1` not found"));
 }
 
 }  // namespace

@@ -20,6 +20,14 @@ TEST_CASE("Each notation gives its symbols a direction and a type") {
   CHECK(internal(modbus, model::InternalReason::memory) == 1);
 }
 
+TEST_CASE("A holding register is an output if its name says so, and else memory") {
+  const Analysed modbus =
+      analyse_in(Notation::modbus, {{"L_P_D_O_SPEED", "40001", "INT", "0"}, {"B", "40002", "INT", "0"}});
+  CHECK(symbol_of(modbus, "L_P_D_O_SPEED").direction == tables::Direction::operation);
+  CHECK(symbol_of(modbus, "L_P_D_O_SPEED").address->number == 0);
+  CHECK(internal(modbus, model::InternalReason::memory) == 1);
+}
+
 TEST_CASE("The type gives the size of an address whose text does not") {
   const Analysed list = analyse_in(Notation::rockwell, {{"A", "Local:4:I.Ch0Data", "INT", "0"},
                                                         {"B", "Local:4:I.Ch1Data", "REAL", "0"},

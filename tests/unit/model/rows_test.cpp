@@ -210,6 +210,8 @@ TEST_CASE("Initial values are read in every notation") {
   CHECK(value("true", DataType::boolean) == 1U);
   CHECK(value("1", DataType::boolean) == 1U);
   CHECK(value("BOOL#TRUE", DataType::boolean) == 1U);
+  for (const char* word : {"WAHR", "vrai", "Vero", "VERDADERO"}) CHECK(value(word, DataType::boolean) == 1U);
+  for (const char* word : {"FALSCH", "faux", "Falso"}) CHECK(value(word, DataType::boolean) == 0U);
   CHECK_FALSE(value("2", DataType::boolean));
   CHECK(value("-32768", DataType::int_) == static_cast<std::uint64_t>(-32768));
   CHECK_FALSE(value("-32769", DataType::int_));
@@ -233,6 +235,9 @@ TEST_CASE("Initial values are read in every notation") {
   CHECK_FALSE(value("0x1F", DataType::word));
   CHECK(value("1.5", DataType::real) == 0x3FF8'0000'0000'0000U);
   CHECK(value("E1.5", DataType::real) == 0x3FF8'0000'0000'0000U);
+  CHECK(value("1,5", DataType::real) == 0x3FF8'0000'0000'0000U);
+  CHECK_FALSE(value("1,5,0", DataType::real));
+  CHECK_FALSE(value("1.000,5", DataType::real));
   CHECK(value("-1e3", DataType::lreal).has_value());
   CHECK_FALSE(value("inf", DataType::lreal));
   CHECK_FALSE(value("nan", DataType::lreal));

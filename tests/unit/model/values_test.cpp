@@ -1,6 +1,7 @@
 // Values and signals: their names, their order, and what of them contradicts the plant.
 #include "elements/value/resolve.hpp"
 #include "material_support.hpp"
+#include "support/strings.hpp"
 
 namespace symplant::test {
 namespace {
@@ -123,6 +124,18 @@ TEST_CASE("A signal drives a numeric input that no device drives") {
         "value has `follow`");
 }
 
+TEST_CASE("The limits of a signal leave numbers of its type") {
+  const auto with = [](const std::string& limit) {
+    return faults(
+        tank(R"("values": {"x": {}}, "signals": {"S_10_TANK_I_LEVEL": {"of": "x", "limit": )" + limit + "}}"));
+  };
+  const std::string none =
+      "/signals/S_10_TANK_I_LEVEL/limit: no number of INT is within `limit`; write limits from -32768 to 32767";
+  CHECK(with("[-1e9, -32768]") == "");
+  CHECK(with("[40000, 50000]") == none);
+  CHECK(with("[0.2, 0.8]") == none);
+}
+
 TEST_CASE("Conditions compare values") {
   const auto with = [](const std::string& condition) {
     return faults(tank(R"("values": {"x": {}}, "follow": {"S_10_TANK_I_HIGH": ")" + condition + "\"}"));
@@ -131,6 +144,40 @@ TEST_CASE("Conditions compare values") {
   CHECK(with("3 < x and x <= S_10_TANK_O_SET") == "");
   CHECK(with("x = 80 +- 1") == "");
   CHECK(with("y > 3") != "");
+}
+
+TEST_CASE("A switch with hysteresis has two conditions, each resolved where it is written") {
+  const auto follow = [](const std::string& entries) {
+    return faults(tank(R"("values": {"x": {}}, "follow": {)" + entries + "}"));
+  };
+  const Analysed plant =
+      tank(R"("values": {"x": {}}, "follow": {"S_10_TANK_I_HIGH": {"on": "x > 8", "off": "x < 7"}})");
+  CHECK(faults(plant) == "");
+  REQUIRE(plant.model().follows.size() == 1);
+  CHECK(plant.model().follows[0].off);
+  CHECK(follow(R"("S_10_TANK_I_HIGH": {"on": "y > 8", "off": "x < 7"})") ==
+        "/follow/S_10_TANK_I_HIGH/on: symbol `y` not found; did you mean `x`?");
+  CHECK(follow(R"("S_10_TANK_I_HIGH": {"on": "x > 8", "off": "y < 7"})") ==
+        "/follow/S_10_TANK_I_HIGH/off: symbol `y` not found; did you mean `x`?");
+}
+
+TEST_CASE("Patterns of one rank that switch a symbol off by different conditions contradict each other") {
+  const std::string text = faults(tank(
+      R"("values": {"x": {}}, "follow": {"S_10_TANK_I_*H": {"on": "x > 3", "off": "x < 2"},
+                                         "S_10_TANK_I_H*": {"on": "x > 3", "off": "x < 1"}})"));
+  CHECK(contains(text, "are equally specific and give `S_10_TANK_I_HIGH` different conditions"));
+}
+
+TEST_CASE("The formula of a time is resolved where it is written") {
+  const auto takes = [](const std::string& formula) {
+    return faults(tank(R"("values": {"load": {}}, "devices": {"S_10_PUMP": {"transitions": [
+        {"from": "*", "to": "RUN", "takes": {"seconds": ")" +
+                       formula + "\"}}]}}"));
+  };
+  CHECK(takes("0.1 * load + 1") == "");
+  CHECK(takes("0.1 * laod") ==
+        "/devices/S_10_PUMP/transitions/0/takes/seconds: symbol `laod` not found; did you mean `load`?");
+  CHECK(contains(takes("0.1 *"), "/devices/S_10_PUMP/transitions/0/takes/seconds: "));
 }
 
 }  // namespace symplant::test

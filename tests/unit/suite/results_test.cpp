@@ -1,9 +1,8 @@
 // Results, their files, and what is made of them.
-#include "suite/results.hpp"
-
 #include <sstream>
 
 #include "suite/report.hpp"
+#include "suite/result.hpp"
 #include "support/catch.hpp"
 #include "support/strings.hpp"
 #include "support/temporary_folder.hpp"
@@ -20,12 +19,13 @@ Result result(std::string name, Verdict verdict, std::vector<std::string> messag
 }
 
 std::string merged(const std::vector<std::string>& files) {
-  Header header;
+  batch::Header header;
   std::string names;
-  const std::string error = read_results(files, header, [&](std::size_t number, const Result& one) {
-    names += std::to_string(number) + one.title() + " ";
-    return "";
-  });
+  const std::string error =
+      batch::read_results<Result>(files, kResultKey, header, [&](std::size_t number, const Result& one) {
+        names += std::to_string(number) + one.title() + " ";
+        return "";
+      });
   return error.empty() ? names : error;
 }
 
@@ -34,31 +34,31 @@ TEST_CASE("A result is the same after it was written and read") {
   one.speed = Speed::fast;
   one.reference = Result::Reference::differs;
   one.chart = R"({"x":1})";
-  const auto again = result_of(line_of(one));
+  const auto again = Result::of_line(one.line());
   REQUIRE(again);
   CHECK(again->title() == "a \"b\" on the fast plant");
   CHECK(again->verdict == one.verdict);
   CHECK(again->reference == one.reference);
   CHECK(again->messages == one.messages);
   CHECK(again->chart == one.chart);
-  CHECK_FALSE(result_of(R"({"case":"a"})"));
-  CHECK_FALSE(result_of("text"));
-  CHECK_FALSE(result_of(""));
+  CHECK_FALSE(Result::of_line(R"({"case":"a"})"));
+  CHECK_FALSE(Result::of_line("text"));
+  CHECK_FALSE(Result::of_line(""));
 }
 
 TEST_CASE("Files of parts are one suite, what does not fit together is refused") {
   const TemporaryFolder folder;
   std::string error;
   {
-    Results first({"suite", 3}, folder / "1.jsonl", error);
+    Results first({kResultKey, "suite", 3}, folder / "1.jsonl", error);
     CHECK(first.add(2, result("c", Verdict::passed)).empty());
     CHECK(first.add(0, result("a", Verdict::passed)).empty());
     CHECK(first.read(0).name == "a");
     CHECK(first.read(2).name == "c");
     CHECK_FALSE(first.has(1));
-    Results second({"suite", 3}, folder / "2.jsonl", error);
+    Results second({kResultKey, "suite", 3}, folder / "2.jsonl", error);
     CHECK(second.add(1, result("b", Verdict::passed)).empty());
-    Results other({"suite", 4}, folder / "3.jsonl", error);
+    Results other({kResultKey, "suite", 4}, folder / "3.jsonl", error);
   }
   CHECK(error.empty());
   CHECK(merged({folder / "1.jsonl", folder / "2.jsonl"}) == "2c 0a 1b ");
@@ -67,14 +67,14 @@ TEST_CASE("Files of parts are one suite, what does not fit together is refused")
   CHECK(contains(merged({folder / "no.jsonl"}), "cannot read"));
   folder.write("text.jsonl", "text\n");
   CHECK(contains(merged({folder / "text.jsonl"}), "text.jsonl:1: these are no results"));
-  folder.write("odd.jsonl", "{\"symplant-test\":1,\"suite\":\"suite\",\"results\":3}\n{\"number\":7}\n");
+  folder.write("odd.jsonl", "{\"symplant-test\":1,\"of\":\"suite\",\"results\":3,\"more\":0}\n{\"number\":7}\n");
   CHECK(contains(merged({folder / "odd.jsonl"}), "odd.jsonl:2: this is no result"));
 }
 
 TEST_CASE("The last line of a process that was killed is left out") {
   const TemporaryFolder folder;
-  const std::string header = "{\"symplant-test\":1,\"suite\":\"suite\",\"results\":3}\n";
-  const std::string line = "{\"number\":0," + line_of(result("a", Verdict::passed)).substr(1) + "\n";
+  const std::string header = "{\"symplant-test\":1,\"of\":\"suite\",\"results\":3,\"more\":0}\n";
+  const std::string line = "{\"number\":0," + result("a", Verdict::passed).line().substr(1) + "\n";
   const std::string path = folder.write("cut.jsonl", header + line + line.substr(0, 40));
   CHECK(merged({path}) == "0a ");
 }
@@ -98,7 +98,7 @@ TEST_CASE("A suite is good only if every case has passed and none is missing") {
 
 TEST_CASE("The reports have each case with its words") {
   std::string error;
-  Results results({"suite", 3}, "", error);
+  Results results({kResultKey, "suite", 3}, "", error);
   CHECK(results.add(0, result("good", Verdict::passed)).empty());
   CHECK(results.add(1, result("late", Verdict::failed, {"at 1 s: `X` late by 1 s: on"})).empty());
   CHECK(results.add(2, result("crash", Verdict::error, {"program `cell` ended by SIGSEGV"})).empty());

@@ -42,10 +42,12 @@ struct Sample {
   std::vector<tables::RequirementRow> requirements{{tables::RequirementRow::Kind::expect, 0, 1, 9}};
   std::vector<tables::BehaviourUnit> behaviours{{0, 0, 0, 1, 0, 1}};
   std::vector<std::uint32_t> behaviour_values{3};
-  std::vector<tables::MalfunctionRow> malfunctions{
-      {tables::MalfunctionKind::slower, {0, 1}, 3000, 0, 1, 2, 0, 3, 4, 5, 0, 0}};
+  std::vector<tables::MalfunctionRow> malfunctions{{{0, 1}, 0, false, 3, 4, 5, 0, 0}};
+  std::vector<tables::EffectRow> effects{{tables::MalfunctionKind::slower, {0, 1}, {0, 1}, 3000, 0, 1, 2, 1, 0, 0}};
   std::vector<tables::MalfunctionUnit> malfunction_units{{0, 0}};
-  std::vector<tables::MalfunctionForce> malfunction_forces{{0, 1}};
+  std::vector<std::uint32_t> malfunction_tracks{0};
+  std::vector<tables::MalfunctionForce> malfunction_forces{{0, 1, false}};
+  std::vector<tables::MalfunctionSet> malfunction_sets{{0, 1}};
   std::uint8_t rest = tables::kNoState;
   tables::Actuation actuation = tables::Actuation::latched;
   std::string name = "plant";
@@ -98,7 +100,8 @@ struct Sample {
     tables.list_names = list_names;
     tables.controller_names = controller_names;
     tables.lists = lists;
-    tables.malfunctions = {malfunctions, malfunction_units, malfunction_forces, malfunction_names};
+    tables.malfunctions = {malfunctions,       effects,          malfunction_units, malfunction_tracks,
+                           malfunction_forces, malfunction_sets, malfunction_names};
     return tables::model_hash(tables);
   }
 };
@@ -203,13 +206,26 @@ TEST_CASE("Every field of every row changes the hash") {
       [](Sample& s) { s.behaviours[0].first_value = 1; },
       [](Sample& s) { s.behaviours[0].value_count = 0; },
       [](Sample& s) { s.behaviour_values[0] = 4; },
-      [](Sample& s) { s.malfunctions[0].kind = tables::MalfunctionKind::stuck; },
-      [](Sample& s) { s.malfunctions[0].of.first = 1; },
-      [](Sample& s) { s.malfunctions[0].of.count = 0; },
-      [](Sample& s) { s.malfunctions[0].factor = 2000; },
-      [](Sample& s) { s.malfunctions[0].subject = 1; },
-      [](Sample& s) { s.malfunctions[0].every = 2; },
-      [](Sample& s) { s.malfunctions[0].shows = 3; },
+      [](Sample& s) { s.effects[0].kind = tables::MalfunctionKind::stuck; },
+      [](Sample& s) { s.effects[0].of.first = 1; },
+      [](Sample& s) { s.effects[0].of.count = 0; },
+      [](Sample& s) { s.effects[0].tracks.first = 1; },
+      [](Sample& s) { s.effects[0].tracks.count = 0; },
+      [](Sample& s) { s.effects[0].factor = 2000; },
+      [](Sample& s) { s.effects[0].subject = 1; },
+      [](Sample& s) { s.effects[0].every = 2; },
+      [](Sample& s) { s.effects[0].shows = 3; },
+      [](Sample& s) { s.effects[0].gain = 2; },
+      [](Sample& s) { s.effects[0].offset = 1; },
+      [](Sample& s) { s.effects[0].drift = 1; },
+      [](Sample& s) { s.effects.push_back(s.effects[0]); },
+      [](Sample& s) { s.malfunctions[0].effects.first = 1; },
+      [](Sample& s) { s.malfunctions[0].effects.count = 0; },
+      [](Sample& s) { s.malfunctions[0].during = true; },
+      [](Sample& s) { s.malfunction_tracks[0] = 1; },
+      [](Sample& s) { s.malfunction_forces[0].holds = true; },
+      [](Sample& s) { s.malfunction_sets[0].value = 1; },
+      [](Sample& s) { s.malfunction_sets[0].number = 2; },
       [](Sample& s) { s.malfunctions[0].condition = tables::kNone; },
       [](Sample& s) { s.malfunctions[0].chance = -1; },
       [](Sample& s) { s.malfunctions[0].lasts = -1; },
@@ -275,8 +291,11 @@ TEST_CASE("A plant without malfunctions digests none of their tables") {
   Sample without;
   without.malfunctions.clear();
   const std::uint64_t hash = without.hash();
+  without.effects.clear();
   without.malfunction_units.clear();
+  without.malfunction_tracks.clear();
   without.malfunction_forces.clear();
+  without.malfunction_sets.clear();
   without.malfunction_names.clear();
   CHECK(without.hash() == hash);
 }

@@ -52,5 +52,18 @@ TEST_CASE("An invalid duration is rejected") {
   }
 }
 
+TEST_CASE("A duration in seconds is exact, and is read back") {
+  using tables::duration_text;
+  CHECK(duration_text(0) == "0s");
+  CHECK(duration_text(21'000'000'000) == "21s");
+  CHECK(duration_text(21'310'000'000) == "21.31s");
+  CHECK(duration_text(1) == "0.000000001s");
+  CHECK(duration_text(100'000'000'000) == "100s");
+  for (const tables::Time time :
+       {std::int64_t{999'999'999}, std::int64_t{1'000'000'001}, std::int64_t{9'223'372'036'000'000'000}}) {
+    CHECK(parse_duration(duration_text(time)) == time);
+  }
+}
+
 }  // namespace
 }  // namespace symplant::test

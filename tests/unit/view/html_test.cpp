@@ -1,7 +1,7 @@
 // The page for browsers: its content, and that every name stays in its element.
 #include <nlohmann/json.hpp>
 
-#include "view_support.hpp"
+#include "flow_support.hpp"
 
 namespace symplant::test {
 namespace {
@@ -68,6 +68,43 @@ TEST_CASE("The page has the drawings and lists of a material flow, and nothing o
   CHECK(material.at("work") == Json::parse(R"([["mill", "FIX", "raw", "done", "L_P_CV.RUN"]])"));
   CHECK(material.at("sources") == Json::parse(R"([["feed", "CV1", "raw", "1 s", "1 s", "", "3"]])"));
   CHECK_FALSE(data_of(render(described_cell(), "html").text).contains("material"));
+}
+
+TEST_CASE("The page has the values, the signals and the signal flow, and nothing of it without values") {
+  const Json data = data_of(render(tank_with_values(), "html").text);
+  const Json& values = data.at("values");
+  REQUIRE(values.at("list").size() == 9);
+  CHECK(values.at("list")[2] == Json::parse(R"(["leak", "l/s", "parameter, at least 0 l/s, starts at 0"])"));
+  CHECK(values.at("signals")[0] ==
+        Json::parse(R"(["S_T_TANK_I_LEVEL", "level, from 0 to 100 as 0 to 27648, each 10 ms"])"));
+  // x, y, width, height, style, lines, all lines, value, device
+  const Json& boxes = values.at("boxes");
+  const auto box = [&](const std::string& name) {
+    for (const Json& each : boxes) {
+      if (each[5][0] == name) return each;
+    }
+    FAIL("no box " << name);
+    return Json();
+  };
+  CHECK(box("level [l]")[7] == 0);
+  CHECK(box("level [l]")[8] == -1);
+  CHECK(box("level [l]")[6].empty());
+  CHECK(box("S_T_TANK_I_LEVEL")[6].size() == 3);
+  CHECK(box("S_T_PUMP")[8] == 0);
+  CHECK(values.at("arrows").size() == 25);
+  for (const Json& arrow : values.at("arrows")) {
+    CHECK(arrow[0].get<std::size_t>() < boxes.size());
+    CHECK(arrow[1].get<std::size_t>() < boxes.size());
+  }
+  CHECK_FALSE(data_of(render(described_cell(), "html").text).contains("values"));
+}
+
+TEST_CASE("A page of some devices links only to boxes that it has") {
+  const Json data = data_of(render(tank_with_values(), "html", {2}).text);
+  REQUIRE(data.at("values").at("list").size() == 1);
+  CHECK(data.at("values").at("list")[0][0] == "pos");
+  CHECK(data.at("values").at("boxes")[0][8] == 0);
+  CHECK(data.at("values").at("boxes")[1][7] == 0);
 }
 
 TEST_CASE("The title of the page is text, too") {

@@ -27,6 +27,31 @@ TEST_CASE("An event of several states, and one that outputs switch, say which") 
                  ": L_P_CLP switches it, entering CLP1 switches it on, entering UNCLP switches it off\n"));
 }
 
+TEST_CASE("The symbol of a signal shows its formula, and a number says what formulas read it") {
+  std::vector<Row> rows = with_prefix(kCell);
+  rows.push_back({"FILL", "", "INT", "0", "%IW3"});
+  rows.push_back({"SET", "", "INT", "0", "%QW3"});
+  const DescribedPlant cell(rows, R"("values": {"level": {"start": 3}, "twice": {"is": "2 * SET"}},
+      "signals": {"FILL": "level + 1"}, "requirements": [{"name": "r", "never": "level > SET"}],
+      "devices": {"L_P_MC": {"transitions": [{"from": "IDLE1", "to": "RUN2", "takes": {"seconds": "SET"}}]}})");
+  CHECK(contains(Asked(cell).why("FILL"), ": it shows level (3) + 1\n"));
+  const std::string why = Asked(cell).why("SET");
+  CHECK(contains(why, "value twice reads it\n"));
+  CHECK(contains(why, "requirement `r` reads it\n"));
+  CHECK(contains(why, "a condition of L_P_MC reads it\n"));
+}
+
+TEST_CASE("An operation that a value reads says so") {
+  const DescribedPlant cell(with_prefix(kCell), R"("values": {
+      "count": {"changes": [{"when": "L_P_MC_O_RUN2", "to": "count + 1"}]},
+      "reset": {"changes": [{"when": "count > 3", "to": "0 * L_P_MC_O_RUN2"}]},
+      "flow": {"is": "2 * L_P_MC_O_RUN2"}})");
+  const std::string why = Asked(cell).why("MC_O_RUN2");
+  CHECK(contains(why, "value count reads it\n"));
+  CHECK(contains(why, "value reset reads it\n"));
+  CHECK(contains(why, "value flow reads it\n"));
+}
+
 TEST_CASE("Inverted symbols are explained by their meaning, with the bit in brackets") {
   const DescribedPlant cell(with_prefix(kCell), R"("inverted": ["L_P_AGV_*"], "devices": {"L_P_MC": {"transitions": [
       {"from": "IDLE1", "to": "RUN2", "on": "RUN2", "when": "not L_P_AGV_I_P2"}]}})");

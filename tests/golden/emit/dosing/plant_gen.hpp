@@ -70,7 +70,7 @@ class Plant final : public symplant::plant::NamedPlant<Symbol> {
  public:
   Plant() : NamedPlant(::dosing::tables(), ::dosing::behaviours()) {}
 
-  // Its lines; processes and devices whose names nothing else has.
+  // Its lines; processes and devices whose names nothing else has; its values.
   groups::L1 l1() noexcept { return groups::L1(*this); }
   groups::L1_DOSE dose() noexcept { return groups::L1_DOSE(*this); }
   symplant::plant::Device<::dosing::HOPPER> hopper() noexcept { return {*this, 0}; }  // L1_DOSE_HOPPER

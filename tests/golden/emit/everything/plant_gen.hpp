@@ -80,7 +80,7 @@ class Plant final : public symplant::plant::MalfunctionsPlant<symplant::plant::N
  public:
   Plant() : MalfunctionsPlant(::everything::tables(), ::everything::behaviours()) {}
 
-  // Its lines; processes and devices whose names nothing else has.
+  // Its lines; processes and devices whose names nothing else has; its values.
   groups::L l() noexcept { return groups::L(*this); }
   groups::L_P p() noexcept { return groups::L_P(*this); }
   symplant::plant::Device<::everything::AGV> agv() noexcept { return {*this, 0}; }  // L_P_AGV

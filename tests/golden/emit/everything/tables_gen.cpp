@@ -129,8 +129,9 @@ constexpr tables::ConditionRow kConditions[] = {
     {0x2, 1, 1, tables::ReaderKind::requirement},  // 5: answers, expect: L_P_MC.RUN2
     {0x8, 0, 0, tables::ReaderKind::malfunction},  // 6: AGV's wheel*/ "?<U+003F>/<U+005C>, when: L_P_AGV.P2 and 'STOP?<U+003F>/'
     {0x2, 0, 1, tables::ReaderKind::malfunction},  // 7: AGV's wheel*/ "?<U+003F>/<U+005C>, unless: L_P_MC.moving
-    {0x8000000000000000, 2, 0, tables::ReaderKind::condition},  // 8: input 0 of condition 2
-    {0x80, 2, 1, tables::ReaderKind::condition},  // 9: input 1 of condition 2
+    {0x2, 3, 0, tables::ReaderKind::malfunction},  // 8: 1st, while: L_P_AGV.moving
+    {0x8000000000000000, 2, 0, tables::ReaderKind::condition},  // 9: input 0 of condition 2
+    {0x80, 2, 1, tables::ReaderKind::condition},  // 10: input 1 of condition 2
 };
 
 // A device with conditions: device, its first condition.
@@ -145,6 +146,7 @@ constexpr tables::UnitWatch kUnitWatches[] = {
     {0, 3, 1, 0},  // L_P_AGV.P2
     {0, 4, 1, 0},  // L_P_AGV.P2
     {0, 6, 1, 0},  // L_P_AGV.P2
+    {0, 8, tables::kMovingState, 0},  // L_P_AGV.moving
     {1, 3, 1, 1},  // L_P_MC.RUN2
     {1, 5, 1, 0},  // L_P_MC.RUN2
     {1, 7, tables::kMovingState, 0},  // L_P_MC.moving
@@ -153,19 +155,19 @@ constexpr tables::UnitWatch kUnitWatches[] = {
 
 // An operation that a condition watches: bit, condition, input of the condition.
 constexpr tables::BitWatch kOperationWatches[] = {
-    {0, 8, 0},  // L_P_AGV_O_P1
-    {1, 8, 1},  // L_P_AGV_O_P2
-    {2, 8, 4},  // L_P_MC_O_IDLE1
-    {3, 8, 5},  // L_P_MC_O_RUN2
+    {0, 9, 0},  // L_P_AGV_O_P1
+    {1, 9, 1},  // L_P_AGV_O_P2
+    {2, 9, 4},  // L_P_MC_O_IDLE1
+    {3, 9, 5},  // L_P_MC_O_RUN2
 };
 
 // An event that a condition watches: bit, condition, input of the condition.
 constexpr tables::BitWatch kEventWatches[] = {
-    {0, 8, 2},  // L_P_AGV_I_P1
-    {1, 8, 3},  // L_P_AGV_I_P2
-    {2, 9, 0},  // L_P_MC_I_IDLE1
-    {3, 9, 1},  // L_P_MC_I_RUN2
-    {4, 9, 2},  // L_P_MC_I_BUSY3
+    {0, 9, 2},  // L_P_AGV_I_P1
+    {1, 9, 3},  // L_P_AGV_I_P2
+    {2, 10, 0},  // L_P_MC_I_IDLE1
+    {3, 10, 1},  // L_P_MC_I_RUN2
+    {4, 10, 2},  // L_P_MC_I_BUSY3
     {9, 0, 2},  // STOP?<U+003F>/
     {9, 6, 1},  // STOP?<U+003F>/
 };
@@ -186,26 +188,38 @@ constexpr tables::RequirementRow kRequirements[] = {
     {tables::RequirementRow::Kind::expect, 4, 5, 5000000000},  // answers
 };
 
-// A malfunction: kind, its devices or symbols (first, count), how many times slower (thousandths), symbol or controller, every and for (ns), condition, chance and lasts (ns), becomes: after (ns), which one, unless (condition). Times below 0 are random.
+// A malfunction: effects (first, number), condition, whether it is active while it holds, chance and lasts (ns), becomes: after (ns), which one, unless (condition). Times below 0 are random.
 constexpr tables::MalfunctionRow kMalfunctions[] = {
-    {tables::MalfunctionKind::slower, {0, 2}, 1500, tables::kNone, 0, 0, 6, -3, 0, 20000000000, 1, 7},  // AGV's wheel*/ "?<U+003F>/<U+005C>
-    {tables::MalfunctionKind::stuck, {2, 1}, 0, tables::kNone, 0, 0, tables::kNone, 0, -4, 0, tables::kNone, tables::kNone},  // int
-    {tables::MalfunctionKind::force, {0, 2}, 0, tables::kNone, 0, 0, tables::kNone, 0, 0, 0, tables::kNone, tables::kNone},  // eye blind {{x}}
-    {tables::MalfunctionKind::flicker, {3, 0}, 0, 7, -5, 80, tables::kNone, 0, 0, 0, tables::kNone, tables::kNone},  // 1st
-    {tables::MalfunctionKind::lose, {3, 0}, 0, 0, 0, 0, tables::kNone, 0, 0, 0, tables::kNone, tables::kNone},  // <U+00FC> 1
+    {{0, 1}, 6, false, -3, 0, 20000000000, 1, 7},  // AGV's wheel*/ "?<U+003F>/<U+005C>
+    {{1, 1}, tables::kNone, false, 0, -4, 0, tables::kNone, tables::kNone},  // int
+    {{2, 1}, tables::kNone, false, 0, 0, 0, tables::kNone, tables::kNone},  // eye blind {{x}}
+    {{3, 2}, 8, true, 0, 0, 0, tables::kNone, tables::kNone},  // 1st
+    {{5, 1}, tables::kNone, false, 0, 0, 0, tables::kNone, tables::kNone},  // <U+00FC> 1
 };
 
-// A device of a malfunction: device, state.
+// What a malfunction does: kind, its devices, symbols or parameters (first, number), its tracks (first, number), how many times slower (thousandths), symbol, controller or signal, every and for (ns), gain, offset, drift. Times below 0 are random.
+constexpr tables::EffectRow kEffects[] = {
+    {tables::MalfunctionKind::slower, {0, 2}, {0, 0}, 1500, tables::kNone, 0, 0, 0.0, 0.0, 0.0},  // AGV's wheel*/ "?<U+003F>/<U+005C>
+    {tables::MalfunctionKind::stuck, {2, 1}, {0, 0}, 0, tables::kNone, 0, 0, 0.0, 0.0, 0.0},  // int
+    {tables::MalfunctionKind::force, {0, 3}, {0, 0}, 0, tables::kNone, 0, 0, 0.0, 0.0, 0.0},  // eye blind {{x}}
+    {tables::MalfunctionKind::flicker, {3, 0}, {0, 0}, 0, 7, -5, 80, 0.0, 0.0, 0.0},  // 1st
+    {tables::MalfunctionKind::stuck, {3, 1}, {0, 0}, 0, tables::kNone, 0, 0, 0.0, 0.0, 0.0},  // 1st
+    {tables::MalfunctionKind::lose, {4, 0}, {0, 0}, 0, 0, 0, 0, 0.0, 0.0, 0.0},  // <U+00FC> 1
+};
+
+// A device of an effect: device, state.
 constexpr tables::MalfunctionUnit kMalfunctionUnits[] = {
     {0, tables::kNoState},  // L_P_AGV
     {3, tables::kNoState},  // L_P_AGV2
     {0, 1},  // L_P_AGV.P2
+    {1, tables::kNoState},  // L_P_MC
 };
 
-// A symbol of a malfunction: symbol, value.
+// A symbol of an effect: symbol, value, whether it holds what it shows.
 constexpr tables::MalfunctionForce kMalfunctionForces[] = {
-    {13, 0x1},  // HALT<U+005C>
-    {14, 0xfffffffffffffffd},  // LEVEL
+    {13, 0x1, false},  // HALT<U+005C>
+    {14, 0xfffffffffffffffd, false},  // LEVEL
+    {15, 0x0, true},  // SPEED
 };
 
 // A device with a custom behavior: device, class, its inputs (first, count), its values (first, count).
@@ -304,7 +318,11 @@ constinit const tables::PlantTables kTables = [] {
   plant.operation_value_watches = kOperationValueWatches;
   plant.event_value_watches = kEventValueWatches;
   plant.requirements = kRequirements;
-  plant.malfunctions = {.rows = kMalfunctions, .units = kMalfunctionUnits, .forces = kMalfunctionForces, .names = {kMalfunctionNames, sizeof kMalfunctionNames - 1}};
+  plant.malfunctions.rows = kMalfunctions;
+  plant.malfunctions.effects = kEffects;
+  plant.malfunctions.units = kMalfunctionUnits;
+  plant.malfunctions.forces = kMalfunctionForces;
+  plant.malfunctions.names = {kMalfunctionNames, sizeof kMalfunctionNames - 1};
   plant.behaviour_units = kBehaviourUnits;
   plant.behaviour_values = kBehaviourValues;
   plant.operation_bits = 64;

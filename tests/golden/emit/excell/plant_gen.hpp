@@ -56,7 +56,7 @@ class Plant final : public symplant::plant::NamedPlant<Symbol> {
  public:
   Plant() : NamedPlant(::excell::tables(), ::excell::behaviours()) {}
 
-  // Its lines; processes and devices whose names nothing else has.
+  // Its lines; processes and devices whose names nothing else has; its values.
   groups::EXLINE exline() noexcept { return groups::EXLINE(*this); }
   groups::EXLINE_MB mb() noexcept { return groups::EXLINE_MB(*this); }
   symplant::plant::Device<::excell::AGV> agv() noexcept { return {*this, 0}; }  // EXLINE_MB_AGV

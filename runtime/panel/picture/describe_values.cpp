@@ -1,0 +1,71 @@
+// The description of values for the panel's clients.
+#include "symplant/panel/picture/describe_values.hpp"
+
+#include <bit>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "symplant/panel/picture/json_text.hpp"
+#include "symplant/tables/names.hpp"
+#include "symplant/trace/value_traces.hpp"
+
+namespace symplant::panel {
+namespace {
+
+/// The units by their names; a device with several units by its own name, too, as its first unit.
+std::map<std::string_view, std::uint32_t> units_by_name(const trace::PlantNames& names) {
+  std::map<std::string_view, std::uint32_t> units;
+  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) units.emplace(names.unit(unit), unit);
+  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) {
+    const std::string_view name = names.unit(unit);
+    if (const std::size_t dot = name.find('.'); dot != name.npos) units.emplace(name.substr(0, dot), unit);
+  }
+  return units;
+}
+
+/// The unit with the longest name with which a value's name begins, before a dot; otherwise kNone.
+std::uint32_t unit_of(std::string_view value, const std::map<std::string_view, std::uint32_t>& units) {
+  for (std::size_t dot = value.rfind('.'); dot != value.npos && dot != 0; dot = value.rfind('.', dot - 1)) {
+    if (const auto found = units.find(value.substr(0, dot)); found != units.end()) return found->second;
+  }
+  return tables::kNone;
+}
+
+std::string number_or_null(double number) {
+  return std::isfinite(number) ? trace::json_value(tables::DataType::lreal, std::bit_cast<std::uint64_t>(number))
+                               : "null";
+}
+
+}  // namespace
+
+void put_values(std::string& json, const trace::PlantNames& names) {
+  const tables::ValueTables& values = names.tables().values;
+  const auto units = values.rows.empty() ? std::map<std::string_view, std::uint32_t>() : units_by_name(names);
+  const std::vector<std::string_view> texts = tables::split_names(values.formula_texts);
+  const std::vector<tables::Time> traces = trace::traces_of(values);
+  put_key(json, "values");
+  json += '[';
+  for (std::uint32_t value = 0; value < values.rows.size(); ++value) {
+    const tables::ValueRow& row = values.rows[value];
+    for (std::uint32_t output = row.output; output < row.output + row.outputs; ++output) {
+      put_comma(json);
+      json += '{';
+      put_member(json, "name", names.output(output));
+      put_member(json, "unit", names.unit_of_value(value));
+      put_member(json, "kind", tables::value_kind_name(row.kind));
+      put(json, R"(,"min":{},"max":{},"settable":{},"formulas":[)", number_or_null(row.min), number_or_null(row.max),
+          tables::keeps_its_output(row.kind));
+      for (std::uint32_t formula = row.formula; formula < row.formula + row.formulas; ++formula) {
+        put_comma(json);
+        put_text(json, texts[formula]);
+      }
+      put(json, R"(],"device":{},"trace":{}}})", index_or_null(unit_of(names.value(value), units), tables::kNone),
+          traces[output] == 0 ? "null" : std::to_string(traces[output]));
+    }
+  }
+  json += ']';
+}
+
+}  // namespace symplant::panel
