@@ -138,8 +138,8 @@ says 2 "excludes" "$symplant" campaign "$plant_file" --merge "$work/part1.jsonl"
 says 2 "did you mean \`DR_S1_BELT stuck\`?" "$symplant" run "$plant_file" --program "$drill" --fault "DR_S1_BELD stuck" --until 1s
 
 # Ctrl-C leaves the results that are there.
-echo '{ "symplant-scenario": 1, "steps": [ { "at": "100h" } ] }' >"$work/long.json"
-"$symplant" campaign "$examples/excell/excell.csv" --base "$work/long.json" --limit 200h --program "$cell" --jobs 1 -o "$work/cut.jsonl" \
+echo '{ "symplant-scenario": 1, "steps": [ { "at": "10h" } ] }' >"$work/long.json"
+"$symplant" campaign "$examples/excell/excell.csv" --base "$work/long.json" --limit 20h --program "$cell" --jobs 1 -o "$work/cut.jsonl" \
   --html "$work/cut.html" >"$work/cut" 2>&1 &
 plant=$!
 some_results() { [[ -e $work/cut.jsonl ]] && (($(wc -l <"$work/cut.jsonl") >= 3)); }
