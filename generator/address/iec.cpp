@@ -36,7 +36,7 @@ struct IecText {
   bool assigned = true;
   std::array<std::uint64_t, 8> parts{};
   std::size_t count = 0;
-  std::string_view channel;  ///< of a module of B&R: `."IF3.ST1".DigitalInput01`
+  std::string_view channel;  ///< of a module of B&R: `."IF3.ST1".DigitalInput01`, `.IF3.ST1.DigitalInput01`
 };
 
 const auto kIecSize = [](auto& context) {
@@ -58,8 +58,9 @@ const auto kIecChannel = [](auto& context) {
   const auto& written = x3::_attr(context);
   x3::get<IecText>(context).channel = {written.begin(), static_cast<std::size_t>(written.end() - written.begin())};
 };
-const auto kChannelName = +(x3::ascii::alnum | x3::char_('_'));
-const auto kChannel = x3::raw['.' >> x3::lit('"') >> +(x3::char_ - '"') >> '"' >> +('.' >> kChannelName)];
+const auto kChannelName = x3::ascii::alpha >> *(x3::ascii::alnum | x3::char_('_'));
+const auto kModule = x3::lit('"') >> +(x3::char_ - '"') >> '"' | kChannelName;
+const auto kChannel = x3::raw['.' >> kModule >> +('.' >> kChannelName)];
 
 const auto kIec = '%' >> OneOf<kAreas>()[kIecArea] >> -OneOf<kSizes>()[kIecSize] >>
                   (kDecimal[kIecPart] % '.' | x3::lit('*')[kUnassigned] | kChannel[kIecChannel]);

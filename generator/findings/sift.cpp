@@ -110,8 +110,7 @@ class Sieve {
       if (own != nullptr) {
         ignore(std::move(consequence), own->given.why);
       } else if (is_reported(consequence)) {
-        const bool independent = (entry == nullptr && not_selected) || consequence.severity > finding.severity ||
-                                 is_binding(*consequence.rule);
+        const bool independent = (entry == nullptr && not_selected) || consequence.severity > finding.severity;
         if (reported || !independent) {
           finding.consequences.push_back(std::move(consequence));
         } else {

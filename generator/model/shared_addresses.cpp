@@ -71,6 +71,7 @@ std::vector<std::array<std::uint32_t, 2>> find_shared_addresses(PlantModel& plan
       driven_twice.push_back({i, leader});
     }
   }
+  for (const auto& [second, first] : driven_twice) plant.symbols[second].address.reset();
   if (!any) return driven_twice;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];

@@ -6,6 +6,7 @@
 namespace symplant::read {
 
 extern const ReaderInfo kAnyTable;
+extern const ReaderInfo kAutomationMl;
 extern const ReaderInfo kBrIoMapping;
 extern const ReaderInfo kCodesysExp;
 extern const ReaderInfo kCodesysIoMapping;

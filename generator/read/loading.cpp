@@ -13,6 +13,7 @@
 #include "read/rules/recognized_format.hpp"
 #include "read/rules/undecodable_text.hpp"
 #include "read/rules/unreadable_workbook.hpp"
+#include "read/xml/package.hpp"
 
 namespace symplant::read {
 
@@ -125,6 +126,20 @@ std::vector<LoadedText> load_sheets(const std::string& path, std::string_view by
   return loaded;
 }
 
+std::optional<LoadedText> load_package(const std::string& path, std::string_view bytes, const ReadOptions& options,
+                                       diag::Diagnostics& diagnostics) {
+  auto document = xml::read_automationml_package(bytes);
+  if (!document) {
+    diagnostics.add(kUnreadableWorkbook,
+                    document.error().what + "; export the project again, or as a plain AutomationML file (.aml)",
+                    whole_file(path));
+    return std::nullopt;
+  }
+  auto text = load_text(path, std::move(document->bytes), options, diagnostics);
+  if (text) text->decisions.push_back(fmt::format("document: `{}` of the package", document->path));
+  return text;
+}
+
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
 }  // namespace
@@ -137,6 +152,10 @@ std::vector<LoadedText> load_texts(const std::string& path, std::string bytes, c
   if (is_workbook(bytes)) {
     texts = load_sheets(path, bytes, options, diagnostics);
     if (texts.empty()) return {};
+  } else if (xml::is_automationml_package(bytes)) {
+    auto text = load_package(path, bytes, options, diagnostics);
+    if (!text) return {};
+    texts.push_back(std::move(*text));
   } else if (const auto known = has_magic(bytes) ? recognize_bytes(path, bytes) : std::nullopt) {
     add_recognized(path, *known, diagnostics);
     return {};

@@ -28,6 +28,7 @@ constexpr std::array kReaders{
     &kGxIec,             //
     &kGxWorksLabels,     //
     &kGxWorksComments,   //
+    &kAutomationMl,      //
     &kBrIoMapping,       //
     &kCodesysExp,        //
     &kCodesysIoMapping,  //

@@ -134,7 +134,6 @@ constexpr std::array kTexts{
               {"an object of TwinCAT without global variables",
                "give the global variable lists (.TcGVL) of its PLC project"}},
     Signature{"<FEFExchangeFile", false, "", {"an application of Control Expert (XEF)", kSchneiderAdvice}},
-    Signature{"<CAEXFile", false, "", {"an AutomationML file", kListAdvice}},
     Signature{"<UANodeSet", false, "", {"an OPC UA node set", kListAdvice}},
     Signature{"<ISO15745Profile", false, "", {"a device description (GSDML)", kListAdvice}},
     Signature{"<EtherCATInfo", false, "", {"a device description (EtherCAT ESI)", kListAdvice}},

@@ -1,6 +1,8 @@
 // Rules: addresses, how they are counted, and which symbols share them.
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string>
 #include <tuple>
 
 #include "address/bits.hpp"
@@ -10,9 +12,14 @@
 namespace symplant::check {
 namespace {
 
+/// The cell of a symbol's address, also if the symbol lost it.
+std::string_view written_cell(const Symbol& symbol) {
+  return symbol.address_is_iec ? symbol.row->iec_address : symbol.row->vendor_address;
+}
+
 /// Two symbols of one location.
 Finding at_shared(const Find& find, const Symbol& symbol, const Symbol& other, std::string text) {
-  Finding finding = find.at(symbol, symbol.address_cell());
+  Finding finding = find.at(symbol, written_cell(symbol));
   finding.also(Kind::symbol, other.name()).see(*other.row, other.address_cell(), std::move(text));
   return finding.follows(Kind::address, symbol.name()).follows(Kind::address, other.name());
 }
@@ -30,12 +37,28 @@ void address_used_twice(const Find& find, const Symbol& symbol) {
 }
 
 void event_driven_twice(const Find& find) {
-  for (const auto& [second, first] : find.evidence.driven_twice) {
+  const auto& twice = find.evidence.driven_twice;
+  for (auto pair = twice.begin(); pair != twice.end();) {
+    const auto& [second, first] = *pair;
     const Symbol& a = find.symbols[first];
     const Symbol& b = find.symbols[second];
-    at_shared(find, b, a, "the other one")
-        .say("`{}` has the address `{}`, as `{}` has, and the plant drives each of them: correct one address", b.name(),
-             b.address_cell(), a.name());
+    const auto follows = [&](const auto& other) {
+      return other[1] == first && b.unit != kNone && find.symbols[other[0]].unit == b.unit;
+    };
+    const auto end = std::find_if_not(pair + 1, twice.end(), follows);
+    Finding finding = at_shared(find, b, a, "the other one");
+    std::string names = fmt::format("`{}`", b.name());
+    for (const auto& other : std::span(pair + 1, end)) {
+      const Symbol& symbol = find.symbols[other[0]];
+      finding.also(Kind::symbol, symbol.name()).follows(Kind::address, symbol.name());
+      names += fmt::format(" and `{}`", symbol.name());
+    }
+    const bool one = end - pair == 1;
+    finding.say(
+        "{} {} the address `{}`, as `{}` has, and the plant drives each of them: {} on no link; correct one "
+        "address",
+        names, one ? "has" : "have", written_cell(b), a.name(), one ? fmt::format("{} is", names) : "they are");
+    pair = end;
   }
 }
 
@@ -147,9 +170,10 @@ constexpr Rule kAddressRules[] = {
      "This may be intended (two names for one signal). Most often a row was copied and its address not changed.",
      "The symbols are kept equal: writing one writes all.",
      "Give the symbol the address that it has in the wiring, or remove the second name."},
-    {"SP304", "event-driven-twice", kError, event_driven_twice, "two devices drive events on one address",
+    {"SP304", "event-driven-twice", kWarning, event_driven_twice, "two devices drive events on one address",
      "Devices, conditions (`follow`) or sensors of parts drive two events of one address.",
-     "The plant cannot be built: the PLC reads one bit there.", "Correct the address of one of them."},
+     "The PLC reads one bit there. It gets the event of the first row; the later one runs, but is on no link.",
+     "Correct the address of one of them."},
     {"SP307", "address-not-understood", kWarning, address_not_understood, "an address cell has no valid address",
      "It is no IEC 61131-3 address (`%IX1`, `%QX0.5`, `%IW5`) and none of the list's tool: `X1F`, `%I0.0`, `E2.6`, "
      "`PIW64`, `Local:1:I.Data.0`, `1052.02`, `10001`.",

@@ -215,7 +215,7 @@ void several_lists(const Find& find) {
     for (const std::string_view name : followers[i]) finding.explains(Kind::address, name);
     finding.say("this text holds {} lists ({}), read as one: give each `\"part\"` its `\"controller\"` in plant.json",
                 finding.as.related.size() + 1,
-                table.parts.empty() ? "the addresses start over" : "the header occurs again");
+                table.parts.empty() ? "the addresses start over" : "a header or a PLC begins again");
   }
 }
 

@@ -171,7 +171,9 @@ void add_comment(const std::vector<CsvRow>& rows, const std::vector<Look>& looks
       std::max_element(texts.begin(), texts.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
   if (most == texts.end() || most->empty()) return;
   const auto column = static_cast<std::size_t>(most - texts.begin());
-  if (looks[column].texts * 2 > looks[column].filled) columns.set(Field::comment, column);
+  const Look& look = looks[column];
+  const bool one_word = look.distinct == 1 && look.filled > 3;  // `GLOBAL` in each row
+  if (look.texts * 2 > look.filled && !one_word) columns.set(Field::comment, column);
 }
 
 /// Takes the column that serves best, if it is clearly better than the second.

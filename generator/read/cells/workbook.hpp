@@ -1,4 +1,4 @@
-// Reads the sheets of a workbook (.xlsx) as text. The only file that uses libzip.
+// Reads the sheets of a workbook (.xlsx) as text.
 #pragma once
 
 #include <string>

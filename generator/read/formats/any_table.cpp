@@ -18,11 +18,22 @@ namespace {
 constexpr int kByHeader = 35;
 constexpr int kByContent = 20;
 constexpr int kRivals = 35;
+constexpr int kWithoutAddress = 25;  ///< a name and a type
+
+/// Columns of names and addresses; else, by the words of a header, one of names.
+LayoutSearch find_layout(std::string_view text) {
+  LayoutSearch search = find_any_layout(text);
+  if (search.layout || search.unclosed_quote) return search;
+  LayoutSearch named = find_gx_layout(text);
+  const bool found = named.layout && named.layout->header_line && !named.layout->columns.has(Field::klass);
+  return found ? std::move(named) : std::move(search);
+}
 
 int any_table_likelihood(std::string_view text) {
-  const LayoutSearch search = find_any_layout(text);
+  const LayoutSearch search = find_layout(text);
   if (!search.layout) return 0;
   if (search.layout->rivals) return kRivals;
+  if (!search.layout->columns.has_address()) return kWithoutAddress;
   return search.layout->header_line ? kByHeader : kByContent;
 }
 
@@ -66,7 +77,7 @@ std::optional<Layout> any_table_layout(const Reading& reading) {
     reading.diagnostics.add(kMissingColumn, given.error(), {reading.source, first});
     return std::nullopt;
   }
-  LayoutSearch search = find_any_layout(text);
+  LayoutSearch search = find_layout(text);
   if (search.layout && !search.layout->rivals) return std::move(search.layout);
   if (search.layout) {
     report_rivals(reading, *search.layout);
@@ -101,7 +112,6 @@ std::optional<SymbolTable> read_any_table(const Reading& reading) {
 
 }  // namespace
 
-const ReaderInfo kAnyTable{"table", "table with a column of names and one of addresses", any_table_likelihood,
-                           read_any_table};
+const ReaderInfo kAnyTable{"table", "table of symbols", any_table_likelihood, read_any_table};
 
 }  // namespace symplant::read

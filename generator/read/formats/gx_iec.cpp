@@ -9,8 +9,7 @@ namespace symplant::read {
 
 namespace {
 
-constexpr int kAsAnyTable = 30;      ///< a name and an address: the reader of any table looks at the cells, too
-constexpr int kWithoutAddress = 25;  ///< a name and a type: addresses may be below a header that is not known
+constexpr int kAsAnyTable = 30;  ///< a name and an address: the reader of any table looks at the cells, too
 
 int gx_iec_likelihood(std::string_view text) {
   const LayoutSearch search = find_gx_layout(text);
@@ -19,7 +18,7 @@ int gx_iec_likelihood(std::string_view text) {
   const Columns& columns = search.layout->columns;
   if (columns.has(Field::vendor_address) && columns.has(Field::iec_address)) return 90;
   if (columns.has(Field::klass)) return 60;
-  return columns.has_address() ? kAsAnyTable : kWithoutAddress;
+  return columns.has_address() ? kAsAnyTable : 0;
 }
 
 void report_no_list(const Reading& reading, const LayoutSearch& search) {

@@ -9,10 +9,10 @@ inline constexpr diag::RuleInfo kUnreadableWorkbook{
     .id = "SP123",
     .slug = "unreadable-workbook",
     .severity = diag::Severity::error,
-    .summary = "a workbook cannot be read",
+    .summary = "a workbook or package cannot be read",
     .page =
-        R"page(The file is a workbook (.xlsx), but it is damaged, encrypted, or too large: at most 1,000 parts, 128 MB of text, 2 GB unpacked, and
-100 times its packed size. Or it has several sheets with symbols, or not the sheet that was asked for. The message gives the reason.
+        R"page(The file is a workbook (.xlsx) or an AutomationML package (.amlx), but it is damaged, encrypted, or too large: at most 1,000 parts,
+128 MB of text, 2 GB unpacked, and 100 times its packed size. Or a workbook has several sheets with symbols, or not the sheet that was asked for. The message gives the reason.
 
 **What the model loses.** It cannot be built, and nothing is written.
 

@@ -89,6 +89,8 @@ TEST_CASE("An address with too many parts for a link is not plain, but stays dis
   CHECK(parse_iec("%IX.\"IF3.ST1\".DigitalInput01") != parse_iec("%IX.\"IF3.ST1\".DigitalInput02"));
   CHECK(parse_iec("%IX.\"IF3.ST1\".DigitalInput01") != parse_iec("%QX.\"IF3.ST1\".DigitalInput01"));
   CHECK(parse_iec("%QW.\"IF3.ST1\".AnalogOutput01")->size == Size::word);
+  CHECK(parse_iec("%IX.IF3.ST1.DigitalInput01")->area == Area::input);
+  CHECK_FALSE(parse_iec("%IX.1.2"));
   CHECK_FALSE(parse_iec("%QW.\"IF3.ST1\".AnalogOutput01")->plain);
   for (const char* text : {"%IX.\"IF3.ST1\"", "%IX.\"\".A", "%IX.\"A", "%IX\"A\".B", "%IX.\"A\".B C", "%IX.\"A\".B."}) {
     INFO(text);

@@ -33,7 +33,8 @@ TEST_CASE("check: Equal addresses of two controllers are no finding, and the res
 }
 
 TEST_CASE("check: The same lists on one controller clash") {
-  const ToolRun run = run_two({"check", "plant.json"}, R"({"symplant": 1, "symbols": ["press.csv", "robot.csv"]})");
+  const ToolRun run = run_two({"check", "plant.json", "--fail-on", "warning"},
+                              R"({"symplant": 1, "symbols": ["press.csv", "robot.csv"]})");
   CHECK(run.code == 1);
   CHECK(contains(run.out, "robot.csv:"));
   CHECK(contains(run.out, "event-driven-twice"));

@@ -69,10 +69,10 @@ TEST_CASE("The more exact word of --select and --ignore counts, --ignore if they
 
 TEST_CASE("An error that leaves no valid plant is always reported, and cannot be ignored by its name") {
   CHECK(verdict({"SP5"}, {"SP1"}, "cannot-read-file") == "reported");
-  CHECK(verdict({"SP5"}, {"SP3"}, "event-driven-twice") == "reported");
-  CHECK(fault({}, {"SP304"}) ==
-        "`event-driven-twice` cannot be ignored: with this error there is no valid plant; fix its cause");
-  CHECK(fault({"SP304"}, {}).empty());
+  CHECK(verdict({"SP5"}, {"SP3"}, "symbols-overlap") == "reported");
+  CHECK(fault({}, {"SP316"}) ==
+        "`symbols-overlap` cannot be ignored: with this error there is no valid plant; fix its cause");
+  CHECK(fault({"SP316"}, {}).empty());
   CHECK(verdict({}, {"SP302"}, "SP302") == "ignored");  // the first of two rows counts
 }
 

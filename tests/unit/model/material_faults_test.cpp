@@ -228,7 +228,7 @@ TEST_CASE("A description that names the task of a sensor is an error") {
         "another name");
 }
 
-TEST_CASE("A sensor and a device on one address are an error") {
+TEST_CASE("A sensor and a device on one address are a finding") {
   std::vector<Row> rows = line_rows();
   rows[12].iec = rows[1].iec;  // PE1 and the feedback of CV1
   const Analysed list = line_with(

@@ -176,6 +176,39 @@ TEST_CASE("A workbook cut at any byte is read or refused") {
   }
 }
 
+TEST_CASE("A package cut at any byte is read or refused") {
+  const std::string package = test::read_bytes(test::kGoldens + "formats/two_plcs.amlx");
+  for (std::size_t size = 0; size < package.size(); ++size) {
+    const test::Reading reading = test::read_text(package.substr(0, size), "two_plcs.amlx");
+    CHECK(reading.table.has_value() != reading.diagnostics.has_errors());
+  }
+}
+
+TEST_CASE("A package whose document is damaged is refused by what is wrong") {
+  std::string package = test::read_bytes(test::kGoldens + "formats/two_plcs.amlx");
+  const std::size_t name = package.find("two.aml");
+  REQUIRE(name != std::string::npos);
+  for (std::size_t i = 40; i < 80; ++i) package[name + i] = '\x55';
+  const std::string message = first_message(test::read_text(package, "two_plcs.amlx"));
+  CHECK(
+      message ==
+      "the part `two.aml` of the package is damaged; export the project again, or as a plain AutomationML file (.aml)");
+}
+
+TEST_CASE("A list of variables with channels of modules is a table, whatever the scope") {
+  std::string text = "\"Scope\";\"Variable\";\"Type\";\"I/O channel\";\"Task\"\n";
+  for (const std::string n : {"01", "02", "03", "04"}) {
+    text += "\"GLOBAL\";\"gDi" + n + "\";\"BOOL\";\"%IX.IF3.ST1.DigitalInput" + n + "\";\"Main\"\n";
+  }
+  const test::Reading reading = test::read_text(text);
+  REQUIRE(reading.table);
+  CHECK(reading.table->title == "table of symbols");
+  REQUIRE(reading.table->rows.size() == 4);
+  CHECK(reading.table->rows[1].name == "gDi02");
+  CHECK(reading.table->rows[1].vendor_address == "%IX.IF3.ST1.DigitalInput02");
+  CHECK(reading.table->rows[1].comment == "");
+}
+
 TEST_CASE("A repeated header, or addresses that start over, begin another list") {
   std::string one;
   for (int i = 0; i < 12; ++i) one += "A" + std::to_string(i) + ",%IX" + std::to_string(i) + ",BOOL\n";

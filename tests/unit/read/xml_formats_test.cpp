@@ -164,3 +164,43 @@ TEST_CASE("No reader takes a symbol configuration of CODESYS, because it has no 
       "<Header/><NodeList><Node name=\"Application\"/></NodeList></Symbolconfiguration>";
   for (const read::ReaderInfo* reader : read::readers()) CHECK(reader->likelihood(text) == 0);
 }
+
+TEST_CASE("An AutomationML project has the rows of the workbook of the same project") {
+  const test::Reading project = test::read_golden(kGoldens + "formats/PLCTags.aml");
+  const test::Reading book = test::read_golden(kGoldens + "formats/PLCTags.xlsx");
+  REQUIRE(project.table);
+  REQUIRE(book.table);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const read::ListRow& row = project.table->rows.at(i);
+    const read::ListRow& same = book.table->rows.at(i);
+    CHECK(row.name == same.name);
+    CHECK(row.vendor_address == same.vendor_address);
+    CHECK(row.type == same.type);
+    CHECK(row.comment == same.comment);
+    CHECK(project.table->extra_of(row).scope == book.table->extra_of(same).scope);
+  }
+}
+
+TEST_CASE("Tags of several PLCs in one AutomationML project are several lists, whatever folders their tables are in") {
+  const test::Reading reading = test::read_golden(kGoldens + "formats/two_plcs.amlx");
+  REQUIRE(reading.table);
+  CHECK(reading.table->parts == std::vector<std::size_t>{2});
+  read::ReadOptions second;
+  second.part = 2;
+  const test::Reading part = test::read_text(test::read_bytes(kGoldens + "formats/two_plcs.amlx"), "a.amlx", second);
+  REQUIRE(part.table);
+  CHECK(part.table->rows.size() == 2);
+  CHECK(part.table->rows[0].name == "L_P_E_I_OPEN");
+}
+
+TEST_CASE("An AutomationML project without tags is refused by what it has") {
+  const auto refusal = [](const std::string& element) {
+    return test::read_soon("<CAEXFile><InstanceHierarchy>" + element + "</InstanceHierarchy></CAEXFile>", "a.aml")
+        .diagnostics.all()
+        .front()
+        .message;
+  };
+  CHECK(refusal("<InternalElement/>") == "the file has no PLC tags; export the project with its PLC tag tables");
+  CHECK(refusal("<InternalElement><ExternalInterface RefBaseClassPath='A/Channel'/></InternalElement>") ==
+        "the file has channels of modules, but no PLC tags; export the PLC tags, too");
+}
