@@ -1,10 +1,15 @@
 // Makes samples of the symbols of lists.
 #include "app/infer_samples.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
+#include "diag/visible_text.hpp"
 #include "model/derive.hpp"
+#include "read/readers.hpp"
+#include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
 namespace {
@@ -25,6 +30,30 @@ infer::Sample sample_of(const model::PlantModel& plant, const model::Symbol& sym
   return sample;
 }
 
+/// A file itself; of a folder, the files directly in it that are symbol lists, sorted. Empty, with an error, if it has
+/// none.
+std::vector<std::string> lists_of(Context& context, const std::string& path, const PlantOptions& options) {
+  const std::vector<std::string> names = context.files.list(path);
+  if (names.empty()) return {path};
+  std::vector<std::string> lists;
+  for (const std::string& name : names) {
+    const std::string file = (std::filesystem::path(path) / name).string();
+    diag::Diagnostics unread;
+    if (name.starts_with('.') || !context.files.list(file).empty()) continue;
+    if (read::read_symbol_list(file, options.read, context.files, unread)) {
+      lists.push_back(file);
+    } else if (options.verbose) {
+      context.err << "decided: left out " << diag::visible(file) << ", which is no symbol list\n";
+    }
+  }
+  std::sort(lists.begin(), lists.end());
+  if (lists.empty()) {
+    context.err << "error: no file in the folder `" << diag::visible(path) << "` is a symbol list\n";
+    context.exit_code = host::kBadInput;
+  }
+  return lists;
+}
+
 }  // namespace
 
 std::optional<InferInputs> read_samples(Context& context, const std::vector<std::string>& files,
@@ -32,7 +61,12 @@ std::optional<InferInputs> read_samples(Context& context, const std::vector<std:
   InferInputs read;
   std::vector<ReadList> lists;
   name::IoRows io;
-  for (const std::string& file : files) {
+  for (const std::string& path : files) {
+    const std::vector<std::string> of_path = lists_of(context, path, options);
+    if (of_path.empty()) return std::nullopt;
+    read.plant.insert(read.plant.end(), of_path.begin(), of_path.end());
+  }
+  for (const std::string& file : read.plant) {
     auto inputs = read_for(context, file, options);
     if (!inputs) return std::nullopt;
     if (inputs->source != nullptr) read.files.push_back(inputs->source->path());
@@ -47,7 +81,7 @@ std::optional<InferInputs> read_samples(Context& context, const std::vector<std:
                  std::make_move_iterator(inputs->lists.end()));
   }
   const auto reader = std::make_shared<name::SymbolReader>(naming::strict_naming());
-  read.derived = model::derive(parse_names(lists, *reader, io), files.front(), reader);
+  read.derived = model::derive(parse_names(lists, *reader, io), read.plant.front(), reader);
   const model::PlantModel& plant = read.derived.plant;
   read.samples.reserve(plant.symbols.size());
   for (const model::Symbol& symbol : plant.symbols) read.samples.push_back(sample_of(plant, symbol));

@@ -17,9 +17,11 @@ struct InferInputs {
   std::vector<infer::Sample> samples;  ///< its I/O symbols, in list order
   std::vector<name::Naming> given;     ///< naming rules of --naming or of a plant.json
   std::vector<std::string> files;      ///< the files that were read
+  std::vector<std::string> plant;      ///< those that are the plant: the given ones, with the lists in folders
 };
 
-/// Reads lists, or the lists of a plant.json, as one plant. Messages and exit code are those of read_for().
+/// Reads lists, the lists in folders, or those of a plant.json, as one plant. Messages and exit code are those of
+/// read_for().
 std::optional<InferInputs> read_samples(Context& context, const std::vector<std::string>& files,
                                         const PlantOptions& options);
 

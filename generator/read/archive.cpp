@@ -1,6 +1,8 @@
 // The parts of a zip archive.
 #include "read/archive.hpp"
 
+#include <zip.h>
+
 #include <algorithm>
 #include <utility>
 

@@ -1,8 +1,6 @@
 // The parts of a zip archive, with limits against damaged and hostile ones. The only user of libzip.
 #pragma once
 
-#include <zip.h>
-
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,6 +10,8 @@
 #include <vector>
 
 #include "base/result.hpp"
+
+struct zip;
 
 namespace symplant::read {
 
@@ -38,7 +38,7 @@ class Archive {
   std::optional<ArchiveFault> stream(const std::string& path, const Sink& sink);
 
  private:
-  using Handle = std::unique_ptr<zip_t, decltype(&zip_discard)>;
+  using Handle = std::unique_ptr<zip, void (*)(zip*)>;
 
   Archive(Handle handle, std::string noun, std::size_t packed);
 

@@ -87,7 +87,7 @@ constexpr std::array kThirdParties = {
     ThirdParty{"<kainjow/", {"generator/emit/"}},
     ThirdParty{"<uchardet", {"generator/text/"}},
     ThirdParty{"<zlib.h>", {"runtime/panel/web/"}},
-    ThirdParty{"<zip.h>", {"generator/read/cells/", "generator/convert/"}},
+    ThirdParty{"<zip.h>", {"generator/read/archive.cpp", "generator/convert/"}},
     ThirdParty{"<pugixml", {"generator/read/xml/", "generator/read/cells/"}},
 };
 

@@ -20,6 +20,7 @@
 #include "app/infer_samples.hpp"
 #include "app/infer_text.hpp"
 #include "app/options.hpp"
+#include "app/own_file.hpp"
 #include "diag/visible_text.hpp"
 #include "naming/naming_file.hpp"
 #include "naming/naming_text.hpp"
@@ -39,6 +40,7 @@ struct InferOptions {
   std::string output;
   std::vector<std::size_t> accept;
   std::vector<std::size_t> refuse;
+  bool force = false;
   PlantOptions plant;
 };
 
@@ -86,7 +88,7 @@ class Infer {
       return;
     }
     if (!write(proposal.naming, report, read->files)) return;
-    report_out_ << infer_score_text(score) << "; next: " << next_command() << "\n";
+    report_out_ << infer_score_text(score) << "; next: " << next_command(read->plant) << "\n";
   }
 
  private:
@@ -164,12 +166,16 @@ class Infer {
 
   bool write(const name::Naming& naming, const infer::Report& report, const std::vector<std::string>& inputs) {
     const bool links = !naming.links.empty() || !report.open_links.empty();
-    if (options_.output.empty() || !links) {
-      return write_result(context_, options_.output, base::whole(naming::naming_text(naming)), inputs);
-    }
+    if (options_.output.empty()) return write_result(context_, "", base::whole(naming::naming_text(naming)), inputs);
     if (overwrites(context_, options_.output, inputs)) return false;
-    if (!write_links(naming, report, inputs)) return false;
-    return write_result(context_, options_.output, base::whole(naming::naming_text(naming, kLinksFile)), inputs);
+    const std::string text = with_mark(links ? naming::naming_text(naming, kLinksFile) : naming::naming_text(naming));
+    const auto before = context_.files.read(options_.output);
+    if (before && !options_.force && !is_unedited(*before)) {
+      fail("`" + options_.output + "` already exists, and may contain your work: name another file, or use --force");
+      return false;
+    }
+    if (links && !write_links(naming, report, inputs)) return false;
+    return write_result(context_, options_.output, base::whole(text), inputs);
   }
 
   /// An existing file of links may have rows that a person has filled in: it is kept.
@@ -196,9 +202,9 @@ class Infer {
     return true;
   }
 
-  std::string next_command() const {
+  std::string next_command(const std::vector<std::string>& files) const {
     std::string command = "symplant check";
-    for (const std::string& file : options_.files) command += " " + text::shell_word(diag::visible(file));
+    for (const std::string& file : files) command += " " + text::shell_word(diag::visible(file));
     const std::string naming = options_.output.empty() ? "naming.json" : options_.output;
     return command + " --naming " + text::shell_word(diag::visible(naming));
   }
@@ -215,7 +221,9 @@ void add_infer(CLI::App& app, Context& context) {
   auto options = std::make_shared<InferOptions>();
   CLI::App* command =
       app.add_subcommand("infer", "Propose a naming rule for symbol lists, and report what it explains");
-  command->add_option("FILE", options->files, "symbol lists of one plant, or its plant.json: all its lists")
+  command
+      ->add_option("FILE", options->files,
+                   "symbol lists of one plant, folders with them, or its plant.json: all its lists")
       ->required();
   command
       ->add_option("-o,--output", options->output,
@@ -230,6 +238,7 @@ void add_infer(CLI::App& app, Context& context) {
                    "inputs to make constant, or interlocks to pair, by the numbers of the questions")
       ->delimiter(',')
       ->type_name("N,..");
+  command->add_flag("--force", options->force, "replace a naming rule that was edited");
   add_plant_options(*command, options->plant);
   command->footer(
       "On a terminal, infer asks about each line of the report unless --accept or --refuse is given. The result never\n"

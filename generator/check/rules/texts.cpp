@@ -27,6 +27,25 @@ void visit_words(std::string_view text, Visit visit) {
   }
 }
 
+/// Calls `visit` with each word of Latin letters, as visit_words() does: in `LevelL` and `BBlower` these are `Level`
+/// and `L`, `B` and `Blower`.
+template <class Visit>
+void visit_latin_words(std::string_view text, Visit visit) {
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  visit_words(text, [&](std::string_view run, std::size_t at) {
+    if (has_foreign(run)) return;
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= run.size(); ++i) {
+      const bool ends = i == run.size() ||
+                        (is_capital(run[i]) && (is_small(run[i - 1]) || (i + 1 < run.size() && is_small(run[i + 1]))));
+      if (!ends) continue;
+      visit(run.substr(begin, i - begin), at + begin);
+      begin = i;
+    }
+  });
+}
+
 /// A text with Latin capitals for the letters of Cyrillic and Greek that look like them.
 std::string with_latin_letters(std::string_view text) {
   constexpr std::u32string_view kAlike = U"АВЕКМНОРСТУХΑΒΕΖΗΙΚΜΝΟΡΤΥΧ";
@@ -84,13 +103,13 @@ text::ByName<Word> words_of(const PlantModel& plant) {
       const bool is_io = next != plant.symbols.end() && next->row == &row;
       const Symbol* symbol = is_io ? &*next++ : nullptr;
       const auto add = [&](std::string_view run, std::size_t) {
-        if (run.size() < 5 || run.size() > 32 || has_foreign(run)) return;
+        if (run.size() < 5 || run.size() > 32) return;
         Word& word = words[run];
         const bool first_use = word.used_by == nullptr && symbol != nullptr;
         if (word.count++ == 0 || first_use) word = {word.count, &row, run, symbol};
       };
-      if (!row.is_named_by_address()) visit_words(row.name, add);
-      visit_words(row.comment, add);
+      if (!row.is_named_by_address()) visit_latin_words(row.name, add);
+      visit_latin_words(row.comment, add);
     }
   }
   return words;
@@ -128,7 +147,7 @@ void two_spellings(const Find& find) {
   }
   for (const Symbol& symbol : find.symbols) {
     if (found.empty()) break;
-    visit_words(symbol.name(), [&](std::string_view word, std::size_t at) {
+    visit_latin_words(symbol.name(), [&](std::string_view word, std::size_t at) {
       const auto known = found.find(text::to_upper(word));
       if (known == found.end()) return;
       known->second.second.rename(symbol, std::string(symbol.name()).replace(at, word.size(), known->second.first));

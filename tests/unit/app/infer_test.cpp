@@ -99,7 +99,7 @@ TEST_CASE("infer: Without a file the naming rule goes to standard output, and th
   CHECK(nlohmann::json::parse(run.out).at("symplant-naming") == 1);
   CHECK(contains(run.err, "correspondences"));
   const ToolRun written = run_tool({"infer", "list.csv", "-o", "naming.json"}, files);
-  CHECK(files.files["naming.json"] == run.out);
+  CHECK(files.files["naming.json"].ends_with("\n" + run.out));
 }
 
 TEST_CASE("infer: A refused correspondence is left out of the naming rule") {
@@ -233,6 +233,40 @@ TEST_CASE("infer: An input is never overwritten") {
   CHECK(run.code == 2);
   CHECK(contains(run.err, "is an input"));
   CHECK(*disk.read(list) == before);
+}
+
+TEST_CASE("infer: A naming rule that was edited is replaced only with --force, one that was not, at any time") {
+  MemoryFileSystem files = stations();
+  const std::vector<std::string> infer{"infer", "list.csv", "-o", "naming.json"};
+  REQUIRE(run_tool(infer, files).code == 0);
+  const std::string first = files.files["naming.json"];
+  std::vector<std::string> refusing = infer;
+  refusing.insert(refusing.end(), {"--refuse", "1"});
+  CHECK(run_tool(refusing, files).code == 0);
+  CHECK(files.files["naming.json"] != first);
+  files.files["naming.json"].append("// mine\n");
+  const std::string edited = files.files["naming.json"];
+  const ToolRun refused = run_tool(infer, files);
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.err, "`naming.json` already exists, and may contain your work"));
+  CHECK(files.files["naming.json"] == edited);
+  std::vector<std::string> forced = infer;
+  forced.push_back("--force");
+  CHECK(run_tool(forced, files).code == 0);
+  CHECK(files.files["naming.json"] == first);
+}
+
+TEST_CASE("infer: A folder means the symbol lists in it") {
+  MemoryFileSystem files = stations();
+  const std::string list = files.files["list.csv"];
+  files.files = {{"lists/a.csv", list}, {"lists/readme.txt", "No list at all.\n"}, {"empty/readme.txt", "No list.\n"}};
+  const ToolRun run = run_tool({"infer", "lists", "-o", "naming.json", "--verbose"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.err, "decided: left out lists/readme.txt, which is no symbol list"));
+  CHECK(contains(run.out, "next: symplant check lists/a.csv --naming naming.json"));
+  const ToolRun none = run_tool({"infer", "empty"}, files);
+  CHECK(none.code == 2);
+  CHECK(contains(none.err, "error: no file in the folder `empty` is a symbol list"));
 }
 
 MemoryFileSystem series() {

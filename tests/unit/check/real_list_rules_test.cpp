@@ -31,6 +31,9 @@ TEST_CASE("Two spellings differ within the word, and one of them is used twice")
   CHECK(found({"TOWER A", "TOWER B", "POWER C"}) == 0);  // another word
   CHECK(found({"GATE A", "GATE B", "GTE C"}) == 0);      // too short
   CHECK(found({"SAFETY A", "SAFETY B", "한SAFTY C"}) == 0);
+  CHECK(found({"tankLevel", "siloLevel", "tankLevelL"}) == 0);  // low
+  CHECK(found({"OvenBlower", "PressBlower", "BBlower"}) == 0);  // a prefix of the type
+  CHECK(found({"tankLevel", "siloLevel", "tankLveel"}) == 1);
 }
 
 TEST_CASE("Comments are cut if several of the longest end within a word that the list has") {
