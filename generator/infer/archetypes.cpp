@@ -225,7 +225,9 @@ std::optional<Role> work_role(const FoundTexts& found) {
   const name::BuiltInWords& known = name::built_in_words();
   if (!found.operation_words.empty()) {
     if (is_one_of(found.operation_words.back(), known.echo)) return Role::ack;
-    if (is_one_of(found.operation_words.back(), known.reset) && found.event_words.empty()) return Role::reset;
+    if (is_one_of(found.operation_words.back(), known.reset) && !ends_in(without_x(found.texts.event), known.reset)) {
+      return Role::reset;
+    }
   }
   const bool work =
       ends_in(without_x(found.texts.event), known.done) && ends_in(without_x(found.texts.operation), known.start);

@@ -172,6 +172,7 @@ Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> kn
   name::Naming frame = frame_of(all_some);
   add_abbreviations(frame, all_some);
   std::vector<name::SymbolRule> apart = panel_rules(frame, all_some);
+  for (name::SymbolRule& rule : indicator_rules(frame, all_some)) apart.push_back(std::move(rule));
   if (interlocks == Interlocks::apart) {
     for (name::SymbolRule& rule : interlock_rules(frame, all_some)) apart.push_back(std::move(rule));
   }

@@ -51,6 +51,34 @@ std::vector<std::string> found_words(const RoleWords& role, const std::vector<Sa
   return found;
 }
 
+/// Rules for the words that symbols of both sides with one text have: for half of these texts of a side, at least.
+std::vector<name::SymbolRule> mirrored_words(const name::Naming& frame, std::span<const Sample> samples,
+                                             const RoleWords& role) {
+  const name::Vocabulary vocabulary(frame.tasks, {});
+  std::vector<name::SymbolRule> rules;
+  for (const name::Source source : {name::Source::comment, name::Source::name}) {
+    const std::vector<SampleWords> texts = words_of(samples, source, frame, vocabulary);
+    const std::vector<SampleWords> sideless = without_sides(texts, vocabulary);
+    name::SymbolRule rule;
+    for (const std::string_view word : role.words) {
+      std::array<std::set<std::vector<std::string>>, 2> sides;  // events, operations
+      for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (contains(texts[i].words, word, vocabulary)) sides[texts[i].operation ? 1 : 0].insert(sideless[i].words);
+      }
+      const auto both = static_cast<std::size_t>(
+          std::count_if(sides[0].begin(), sides[0].end(), [&](const auto& words) { return sides[1].contains(words); }));
+      if (both > 0 && 2 * both >= std::min(sides[0].size(), sides[1].size())) rule.has.emplace_back(word);
+    }
+    if (rule.has.empty()) continue;
+    rule.name = role.name;
+    rule.patterns.push_back({source, "*"});
+    rule.side = role.side;
+    rule.role = role.role;
+    rules.push_back(std::move(rule));
+  }
+  return rules;
+}
+
 /// Contacts that are on in a healthy plant are asked for: no other word decides on them. Nothing without such contacts.
 std::optional<name::SymbolRule> healthy_contacts(name::Source source, const std::vector<SampleWords>& texts,
                                                  const Applied& applied, const name::Vocabulary& vocabulary) {
@@ -94,25 +122,18 @@ std::vector<name::SymbolRule> panel_rules(const name::Naming& frame, std::span<c
 }
 
 std::vector<name::SymbolRule> interlock_rules(const name::Naming& frame, std::span<const Sample> samples) {
-  const name::Vocabulary vocabulary(frame.tasks, {});
-  std::vector<name::SymbolRule> rules;
-  for (const name::Source source : {name::Source::comment, name::Source::name}) {
-    const std::vector<SampleWords> texts = words_of(samples, source, frame, vocabulary);
-    const std::vector<SampleWords> sideless = without_sides(texts, vocabulary);
-    name::SymbolRule rule;
-    for (const std::string_view word : name::built_in_words().mutual) {
-      std::array<std::set<std::vector<std::string>>, 2> sides;  // events, operations
-      for (std::size_t i = 0; i < texts.size(); ++i) {
-        if (contains(texts[i].words, word, vocabulary)) sides[texts[i].operation ? 1 : 0].insert(sideless[i].words);
-      }
-      const auto both = static_cast<std::size_t>(
-          std::count_if(sides[0].begin(), sides[0].end(), [&](const auto& words) { return sides[1].contains(words); }));
-      if (both > 0 && 2 * both >= std::min(sides[0].size(), sides[1].size())) rule.has.emplace_back(word);
-    }
-    if (rule.has.empty()) continue;
-    rule.name = "interlocks";
-    rule.patterns.push_back({source, "*"});
-    rule.role = name::Role::interlock;
+  const name::BuiltInWords& known = name::built_in_words();
+  return mirrored_words(frame, samples,
+                        {"interlocks", known.mutual, std::nullopt, name::Role::interlock, std::nullopt});
+}
+
+std::vector<name::SymbolRule> indicator_rules(const name::Naming& frame, std::span<const Sample> samples) {
+  const name::BuiltInWords& known = name::built_in_words();
+  std::vector<name::SymbolRule> rules = mirrored_words(
+      frame, samples,
+      {"alarm lamps", known.alarm, name::Direction::operation, name::Role::operator_panel, std::nullopt});
+  for (name::SymbolRule& rule : mirrored_words(
+           frame, samples, {"reset lamps", known.reset, std::nullopt, name::Role::operator_panel, std::nullopt})) {
     rules.push_back(std::move(rule));
   }
   return rules;

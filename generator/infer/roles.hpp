@@ -16,6 +16,10 @@ std::vector<name::SymbolRule> panel_rules(const name::Naming& frame, std::span<c
 /// causes the other. O(samples * words).
 std::vector<name::SymbolRule> interlock_rules(const name::Naming& frame, std::span<const Sample> samples);
 
+/// Rules for the words of alarms and resets that list one text on both sides: an overload has a contact and a lamp, a
+/// reset a button and a lamp, and the lamp moves nothing. O(samples * words).
+std::vector<name::SymbolRule> indicator_rules(const name::Naming& frame, std::span<const Sample> samples);
+
 /// Adds rules for what nothing links. O(samples * words).
 name::Naming with_roles(const name::Naming& naming, std::span<const Sample> samples);
 

@@ -178,8 +178,8 @@ class TaskMiner {
     };
     if (std::any_of(operation.begin(), operation.end(), in_both)) return;
     const Task& commanding = tasks_[operation_cut.task];
-    if (has_word(words_of(tasks_[event_cut.task]), known_.interlock, vocabulary_) && !permits(commanding)) return;
-    if (resets(operation, tasks_[event_cut.task])) return;
+    if (!may_answer(words_of(tasks_[event_cut.task]), commanding)) return;
+    if (resets(operation, tasks_[event_cut.task]) && !may_be_reset(event)) return;
     const bool causal = is_causal(operation, event);
     if ((!causal && common) || !is_specific(key, commanding, causal)) return;
     TaskDifference& difference = tally_[{operation, event}];
@@ -189,15 +189,26 @@ class TaskMiner {
     difference.links.push_back({operation_cut.task, event_cut.task});
   }
 
-  /// Whether an operation resets what the event shows: it switches it off, so the event does not follow it.
+  /// Whether an operation resets what the event shows: it switches it off.
   bool resets(const std::vector<std::string>& operation, const Task& event) const {
     return has_word(operation, known_.reset, vocabulary_) && !has_word(words_of(event), known_.reset, vocabulary_);
   }
 
-  /// Whether an operation gives a permission, which an interlock of the other side may answer.
-  bool permits(const Task& task) const {
-    const std::vector<std::string> words = words_of(task);
-    return ends_in(joined_words(words), known_.start) || has_word(words, known_.interlock, vocabulary_);
+  /// Whether words that only the event has name what a reset of the same text ends: an alarm, or the last work.
+  bool may_be_reset(const std::vector<std::string>& event) const {
+    return std::all_of(event.begin(), event.end(), [&](const std::string& word) {
+      return has_word({word}, known_.alarm, vocabulary_) || has_word({word}, known_.done, vocabulary_) ||
+             word == "last";
+    });
+  }
+
+  /// Whether an event may answer an operation: an interlock answers a permission of the other side. A permission and
+  /// `non intf` are two interlocks: neither follows the other.
+  bool may_answer(const std::vector<std::string>& event, const Task& operation) const {
+    const std::vector<std::string> words = words_of(operation);
+    if (has_word(event, known_.mutual, vocabulary_)) return has_word(words, known_.mutual, vocabulary_);
+    return !has_word(event, known_.interlock, vocabulary_) || ends_in(joined_words(words), known_.start) ||
+           has_word(words, known_.interlock, vocabulary_);
   }
 
   using BuiltIn = name::BuiltInWords;

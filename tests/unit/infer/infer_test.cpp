@@ -158,11 +158,33 @@ TEST_CASE("A word of interlocks that only one side has sets nothing apart") {
   CHECK(inferred(lines).score.of(name::Account::interlock) == 0);
 }
 
-TEST_CASE("A reset switches off what the event shows, so it does not drive it") {
+TEST_CASE("A reset switches off what the event shows: it does not drive it, and nothing switches it on") {
   const Lines lines = stations({"Q S1_Q_RB%_WORK_COMP_RST", "I S1_I_RB%_LAST_WORK_COMP", "Q S1_Q_RB%_PROG_SELECT_1",
                                 "I S1_I_RB%_PROG_ECHO_1", "Q S1_Q_RB%_PROG_SELECT_2", "I S1_I_RB%_PROG_ECHO_2"});
   CHECK(has_pair(lines, "S1_Q_RB3_PROG_SELECT_2>S1_I_RB3_PROG_ECHO_2"));
-  CHECK_FALSE(has_pair(lines, "S1_Q_RB3_WORK_COMP_RST>S1_I_RB3_LAST_WORK_COMP"));
+  const std::vector<name::Archetype> archetypes = inferred(lines).naming.archetypes;
+  const auto reset = std::find_if(archetypes.begin(), archetypes.end(),
+                                  [](const name::Archetype& one) { return one.name == "last-work-comp"; });
+  REQUIRE(reset != archetypes.end());
+  CHECK(reset->model == name::ArchetypeModel::handshake);
+  using Text = std::pair<name::ArchetypeRole, std::string>;
+  CHECK(reset->texts == std::vector<Text>{{name::ArchetypeRole::done, "last work comp"},
+                                          {name::ArchetypeRole::reset, "work comp rst"}});
+}
+
+TEST_CASE("A lamp and the contact or button of one text are no pair") {
+  const Lines lines = stations(
+      {"Q L%_OVERLOAD", "I L%_OVERLOAD", "Q L%_RESET", "I L%_RESET", "Q L%_UP", "I L%_UP", "Q L%_DOWN", "I L%_DOWN"});
+  CHECK(has_pair(lines, "L3_UP>L3_UP"));
+  CHECK_FALSE(has_pair(lines, "L3_OVERLOAD>L3_OVERLOAD"));
+  CHECK_FALSE(has_pair(lines, "L3_RESET>L3_RESET"));
+}
+
+TEST_CASE("A permission and an interlock of another text are no pair, unlike a permission and what it starts") {
+  const Lines lines = stations({"Q S1_Q_RB%_PLT2_IN_OK", "I S1_I_RB%_PLT2_NON_INTF", "Q S1_Q_RB%_1ST_IN_OK",
+                                "I S1_I_RB%_1ST_WORK_COMP", "Q S1_Q_RB%_PROG_SELECT_1", "I S1_I_RB%_PROG_ECHO_1"});
+  CHECK(has_pair(lines, "S1_Q_RB3_1ST_IN_OK>S1_I_RB3_1ST_WORK_COMP"));
+  CHECK_FALSE(has_pair(lines, "S1_Q_RB3_PLT2_IN_OK>S1_I_RB3_PLT2_NON_INTF"));
 }
 
 TEST_CASE("Program 1 of robot 4 is not program 4 of robot 1") {
