@@ -231,6 +231,7 @@ CompileOptions compile_options(const Context& context, const std::string& plant,
   CompileOptions compiled{plant, options.read, options.xy, context.today};
   compiled.naming = options.naming;
   compiled.malfunctions = options.malfunctions;
+  compiled.conventions = options.conventions;
   compiled.io = options.io;
   return compiled;
 }

@@ -17,6 +17,7 @@ struct PlantOptions {
   std::optional<address::Radix> xy;
   std::string naming;
   std::string malfunctions;  ///< a file with more malfunctions; empty: none
+  std::string conventions;   ///< a file with more naming conventions; empty: none
   name::IoRows io;
   bool verbose = false;
 };

@@ -29,8 +29,7 @@ class InputReader {
     inputs_.name = fs::path(options_.plant).stem().string();
     auto bytes = files_.read(options_.plant);
     if (bytes && description::is_plant_file(options_.plant, *bytes)) {
-      return read_description(std::move(*bytes)) && read_more_malfunctions() ? std::optional(std::move(inputs_))
-                                                                             : std::nullopt;
+      return read_description(std::move(*bytes)) && read_more() ? std::optional(std::move(inputs_)) : std::nullopt;
     }
     read::ReadOptions how = options_.read;
     how.xy = options_.xy;
@@ -41,7 +40,7 @@ class InputReader {
     inputs_.io = options_.io;
     naming::NamingReference given;
     given.file = options_.naming;
-    if (!read_naming(given) || !read_more_malfunctions()) return std::nullopt;
+    if (!read_naming(given) || !read_more()) return std::nullopt;
     return std::move(inputs_);
   }
 
@@ -109,29 +108,62 @@ class InputReader {
     return false;
   }
 
-  /// Adds the malfunctions of another file to the description. False if it cannot be read.
+  /// Adds what other files have to the description. False if one cannot be read.
+  bool read_more() { return read_more_malfunctions() && read_more_conventions(); }
+
   bool read_more_malfunctions() {
     if (inputs_.description != nullptr) inputs_.own_malfunctions = inputs_.description->malfunctions.size();
-    const std::string& path = options_.malfunctions;
-    if (path.empty()) return true;
+    if (options_.malfunctions.empty()) return true;
+    inputs_.malfunctions = read_text(options_.malfunctions);
+    if (inputs_.malfunctions == nullptr) return false;
+    description::MalfunctionsReading reading = description::read_malfunctions(inputs_.malfunctions->text());
+    if (!is_valid(inputs_.malfunctions, reading)) return false;
+    extend_description([&](description::Description& all) {
+      all.malfunctions.insert(all.malfunctions.end(), std::make_move_iterator(reading.malfunctions.begin()),
+                              std::make_move_iterator(reading.malfunctions.end()));
+    });
+    return true;
+  }
+
+  bool read_more_conventions() {
+    if (options_.conventions.empty()) return true;
+    const auto source = read_text(options_.conventions);
+    if (source == nullptr) return false;
+    description::ConventionsReading reading = description::read_conventions(source->text());
+    if (!is_valid(source, reading)) return false;
+    extend_description([&](description::Description& all) {
+      std::vector<description::GivenCheck::Convention>& own = all.check.conventions;
+      own.insert(own.end(), reading.conventions.begin(), reading.conventions.end());
+    });
+    return true;
+  }
+
+  /// The text of a file that is given next to the plant; null, with an error, if it cannot be read.
+  std::shared_ptr<const text::SourceFile> read_text(const std::string& path) {
     auto bytes = files_.read(path);
     if (!bytes) {
       diagnostics_.add(description::rule_of(description::FaultKind::shape), bytes.error().message,
                        read::whole_file(path));
-      return false;
+      return nullptr;
     }
     auto text = read::decode_file(path, std::move(*bytes), diagnostics_, "save it as UTF-8");
-    if (!text) return false;
-    inputs_.malfunctions = std::make_shared<text::SourceFile>(path, std::move(text->text));
-    description::MalfunctionsReading reading = description::read_malfunctions(inputs_.malfunctions->text());
-    description::add_findings(inputs_.malfunctions, reading.syntax, diagnostics_);
-    description::add_findings(inputs_.malfunctions, reading.faults, diagnostics_);
-    if (!reading.syntax.empty() || !reading.faults.empty()) return false;
+    if (!text) return nullptr;
+    return std::make_shared<text::SourceFile>(path, std::move(text->text));
+  }
+
+  /// Reports the faults of a part of a description.
+  template <class Reading>
+  bool is_valid(const std::shared_ptr<const text::SourceFile>& source, const Reading& reading) {
+    description::add_findings(source, reading.syntax, diagnostics_);
+    description::add_findings(source, reading.faults, diagnostics_);
+    return reading.syntax.empty() && reading.faults.empty();
+  }
+
+  template <class Change>
+  void extend_description(Change change) {
     description::Description all = inputs_.description != nullptr ? *inputs_.description : description::Description();
-    all.malfunctions.insert(all.malfunctions.end(), std::make_move_iterator(reading.malfunctions.begin()),
-                            std::make_move_iterator(reading.malfunctions.end()));
+    change(all);
     inputs_.description = std::make_shared<const description::Description>(std::move(all));
-    return true;
   }
 
   /// False if a list cannot be read, or there is no list.

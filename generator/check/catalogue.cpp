@@ -16,8 +16,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::array kSubjects{name_rules,     spelling_rules, text_rules,        row_rules,  address_rules,
-                               feedback_rules, device_rules,   description_rules, value_rules};
+constexpr std::array kSubjects{name_rules,    convention_rules, spelling_rules, text_rules,        row_rules,
+                               address_rules, feedback_rules,   device_rules,   description_rules, value_rules};
 
 /// The ids and slugs of earlier versions whose findings a rule reports now; without a rule: none does.
 struct Former {

@@ -127,6 +127,7 @@ std::span<const Rule> row_rules();
 std::span<const Rule> spelling_rules();
 std::span<const Rule> text_rules();
 std::span<const Rule> value_rules();
+std::span<const Rule> convention_rules();
 
 /// Whether a unit only reports a state and nothing leads to it, because the state has no operation.
 bool is_left_alone(const Unit& unit, std::uint32_t state);

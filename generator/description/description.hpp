@@ -163,8 +163,20 @@ struct GivenCheck {
     std::string until;         ///< a date; empty: without end
     std::string finding = {};  ///< `started on enabling`
   };
+  /// How the names of some symbols are to look.
+  struct Convention {
+    std::vector<std::string> types;  ///< as lists write them, compared without regard to case; empty: all
+    std::string symbols;             ///< a pattern; empty: all
+    std::optional<bool> operation;   ///< only outputs, or only inputs
+    std::vector<std::string> prefix;
+    std::vector<std::string> suffix;
+    std::string letters;      ///< upper, lower, camel or pascal; empty: any
+    std::uint32_t least = 0;  ///< code points
+    std::uint32_t most = 0;   ///< code points; 0: any number
+  };
   std::vector<Ignore> ignore;
   std::vector<std::pair<std::string, std::string>> severity;  ///< rule, severity
+  std::vector<Convention> conventions;
 };
 
 struct Description {

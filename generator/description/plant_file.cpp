@@ -286,6 +286,27 @@ class PlantFileReader {
         if (value.is_string()) file_.description.check.severity.emplace_back(rule, value.get<std::string>());
       }
     }
+    if (const Json* conventions = member(*check, "conventions"); conventions != nullptr && conventions->is_array()) {
+      for (const Json& one : *conventions) file_.description.check.conventions.push_back(convention_of(one));
+    }
+  }
+
+  static GivenCheck::Convention convention_of(const Json& entry) {
+    GivenCheck::Convention convention;
+    convention.types = texts_member(entry, "types");
+    convention.symbols = text_or_empty(entry, "symbols");
+    if (const std::string side = text_or_empty(entry, "side"); !side.empty())
+      convention.operation = side == "operation";
+    convention.prefix = texts_member(entry, "prefix");
+    convention.suffix = texts_member(entry, "suffix");
+    convention.letters = text_or_empty(entry, "letters");
+    const auto number = [&](const char* key) {
+      const Json* const given = member(entry, key);
+      return given != nullptr && given->is_number_unsigned() ? given->get<std::uint32_t>() : 0;
+    };
+    convention.least = number("least");
+    convention.most = number("most");
+    return convention;
   }
 
   Json& root_;
@@ -320,6 +341,25 @@ std::string no_such_encoding(std::string_view name) {
   }
   return "unknown encoding " + ticked(name) + "; choose one of " + known +
          (nearest.name().empty() ? "" : "; did you mean " + ticked(nearest.name()) + "?");
+}
+
+ConventionsReading read_conventions(std::string_view text) {
+  constexpr std::string_view kKey = "/check/conventions";
+  ConventionsReading reading;
+  json::Document document = json::parse(text);
+  reading.syntax = std::move(document.faults);
+  if (document.root == nullptr) return reading;
+  if (!document.root->is_array()) {
+    reading.faults.push_back(
+        {"", "this is no list of naming conventions, as `conventions` of a plant.json", 0, FaultKind::shape});
+    return reading;
+  }
+  // As part of a plant description, so that there is one schema.
+  Json plant{{"symplant", 1}, {"symbols", {"-"}}, {"check", {{"conventions", std::move(*document.root)}}}};
+  PlantFile file = PlantFileReader(plant, reading.faults).read("");
+  for (DescriptionFault& fault : reading.faults) fault.pointer = fault.pointer.substr(kKey.size());
+  reading.conventions = std::move(file.description.check.conventions);
+  return reading;
 }
 
 bool is_plant_file(std::string_view path, std::string_view bytes) {

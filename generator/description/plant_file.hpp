@@ -47,6 +47,15 @@ struct PlantFileReading {
 /// are not resolved here but by the derivation of the plant (model). O(text).
 PlantFileReading read_plant_file(std::string_view text, std::string_view stem);
 
+struct ConventionsReading {
+  std::vector<GivenCheck::Convention> conventions;
+  std::vector<json::Placed> syntax;      ///< faults of the JSON syntax
+  std::vector<DescriptionFault> faults;  ///< where it does not fit the format; pointers into this file
+};
+
+/// Reads a file with naming conventions: an array, as `conventions` in the section `check` of plant.json. O(text).
+ConventionsReading read_conventions(std::string_view text);
+
 /// Whether a file is read as plant.json: its name ends in .json or .jsonc, or its text begins with `{`.
 bool is_plant_file(std::string_view path, std::string_view bytes);
 

@@ -329,6 +329,10 @@ void add_check(CLI::App& app, Context& context) {
       ->type_name("SCORE,..")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command
+      ->add_option("--conventions", options->plant.conventions,
+                   "a file with naming conventions by type, direction or pattern, besides those of plant.json (SP22)")
+      ->type_name("FILE");
   CLI::Option* baseline =
       command->add_option("--baseline", options->baseline, "report only findings that this file does not have")
           ->type_name("FILE");

@@ -337,6 +337,32 @@ TEST_CASE(
   CHECK_FALSE(contains(cause, "operation-without-event"));
 }
 
+TEST_CASE("check: Naming conventions of a file report each convention once for a type, and propose names") {
+  MemoryFileSystem files;
+  files.files["list.csv"] =
+      list_text({{"L_P_D_O_A", "Y1"}, {"L_P_D_I_A", "X1"}, {"L_P_E_O_A", "Y2"}, {"L_P_E_I_A", "X2"}});
+  files.files["names.json"] = R"([{ "types": ["bool"], "side": "event", "prefix": ["x"] }, { "most": 5 }])";
+  const std::vector<std::string> check{"check", "list.csv", "--conventions", "names.json"};
+  std::vector<std::string> with_map = check;
+  with_map.insert(with_map.end(), {"--rename-map", "renames.csv", "--fail-on", "warning"});
+  const ToolRun run = run_tool(with_map, files);
+  CHECK(run.code == 1);
+  CHECK(contains(
+      run.out, "`L_P_D_I_A` of the type `BOOL` does not begin with `x`; a convention wants that: write `xL_P_D_I_A`"));
+  CHECK(contains(run.out, "1 more like `convention #1, BOOL`: `L_P_E_I_A`"));
+  CHECK(contains(run.out, "3 more like `convention #2, BOOL`"));
+  CHECK(contains(run.out, "2 warnings"));
+  CHECK(contains(files.files["renames.csv"], "L_P_E_I_A,xL_P_E_I_A"));
+  files.files["names.json"] = R"([{ "letters": "upper", "prefx": ["x"] }])";
+  const ToolRun unknown = run_tool(check, files);
+  CHECK(unknown.code == 2);
+  CHECK(contains(unknown.err + unknown.out,
+                 "names.json:1:24: error: the key `prefx` is unknown here; did you mean `prefix`?"));
+  files.files["names.json"] = "{}";
+  CHECK(contains(run_tool(check, files).out + run_tool(check, files).err, "this is no list of naming conventions"));
+  CHECK(run_tool({"check", "list.csv", "--conventions", "none.json"}, files).code == 2);
+}
+
 TEST_CASE("check: An unknown rule, or one that cannot be ignored, is a usage error with a hint") {
   const ToolRun unknown = run_lists({"check", "clean.csv", "--select", "event-not-drven"});
   CHECK(unknown.code == 2);
