@@ -54,6 +54,12 @@ std::vector<name::Naming> known_rules(const InferInputs& read) {
   return known;
 }
 
+/// Whether a file is a ready naming rule, as `symplant naming NAME -o FILE` writes it.
+bool is_profile(std::string_view file) {
+  return std::ranges::any_of(naming::profiles(),
+                             [&](const naming::Profile& profile) { return profile.text() == file; });
+}
+
 /// Runs the command.
 class Infer {
  public:
@@ -170,7 +176,7 @@ class Infer {
     if (overwrites(context_, options_.output, inputs)) return false;
     const std::string text = with_mark(links ? naming::naming_text(naming, kLinksFile) : naming::naming_text(naming));
     const auto before = context_.files.read(options_.output);
-    if (before && !options_.force && !is_unedited(*before)) {
+    if (before && !options_.force && !is_unedited(*before) && !is_profile(*before)) {
       fail("`" + options_.output + "` already exists, and may contain your work: name another file, or use --force");
       return false;
     }

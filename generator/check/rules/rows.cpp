@@ -5,6 +5,8 @@
 #include "check/rule.hpp"
 #include "model/classify.hpp"
 #include "read/parts.hpp"
+#include "read/types/data_types.hpp"
+#include "symplant/tables/nearest.hpp"
 
 namespace symplant::check {
 namespace {
@@ -139,13 +141,42 @@ NameLevels name_levels(const PlantModel& plant, std::string_view name) {
           *reading.direction->says};
 }
 
+/// Whether a type is a typing mistake of an elementary one. Else it is a structure, as of PROFIdrive.
+bool is_misspelled(std::string_view type) {
+  tables::NearestName nearest(type);
+  for (int i = 0; i <= static_cast<int>(tables::DataType::lreal); ++i) {
+    nearest.offer(read::data_type_name(static_cast<tables::DataType>(i)));
+  }
+  return !nearest.name().empty();
+}
+
 void type_of_no_io(const Find& find) {
+  std::vector<const model::TypelessIo*> structures;
   for (const model::TypelessIo& io : find.evidence.typeless_io) {
+    if (!is_misspelled(io.row->type)) {
+      structures.push_back(&io);
+      continue;
+    }
     find.at(*io.row, io.row->type)
         .lacks(io.row->name, name_levels(find.plant, io.row->name).path)
         .say("`{}` is no type of an input or output, so `{}` on `{}` is left out; write BOOL, or the number's type",
              io.row->type, io.row->name, io.address_cell);
   }
+  if (structures.empty()) return;
+  const model::TypelessIo& first = *structures.front();
+  Finding finding = find.at(*first.row, first.row->type);
+  std::vector<std::string_view> types;
+  for (const model::TypelessIo* io : structures) {
+    finding.lacks(io->row->name, name_levels(find.plant, io->row->name).path);
+    if (io != &first && finding.as.related.size() < 8) finding.see(*io->row, io->row->type, "another one");
+    if (std::ranges::find(types, io->row->type) == types.end()) types.push_back(io->row->type);
+  }
+  const bool one = structures.size() == 1;
+  finding.say(
+      "`{}` on `{}`{} {} a structure as type (`{}`{}), and {} left out; list the elements, each with its address",
+      first.row->name, first.address_cell, one ? "" : fmt::format(" and {} more", structures.size() - 1),
+      one ? "has" : "have", types.front(), types.size() == 1 ? "" : fmt::format(" and {} more", types.size() - 1),
+      one ? "is" : "are");
 }
 
 void io_name_in_memory(const Find& find) {
@@ -243,8 +274,11 @@ constexpr Rule kRowRules[] = {
     {"SP311", "operation-initial-ignored", kNote, operation_initial_ignored, "an operation has an initial value",
      "The PLC writes operations (its outputs): they start off until a PLC, a scenario or a person sets them."},
     {"SP313", "type-of-no-io", kWarning, type_of_no_io, "an input or output has a type that no I/O symbol has",
-     "It is not one of BOOL, SINT to LINT, USINT to ULINT, BYTE to LWORD, REAL and LREAL. Most often it is misspelled.",
-     "The symbol: the row counts as internal.", "Correct the type, or move the cells back.", Rank::row},
+     "It is not one of BOOL, SINT to LINT, USINT to ULINT, BYTE to LWORD, REAL and LREAL: it is misspelled, or a "
+     "structure, "
+     "as of a PROFIdrive telegram. All structures of a plant are one finding.",
+     "The symbol: the row counts as internal.",
+     "Correct the type, or move the cells back. List the elements of a structure.", Rank::row},
     {"SP318", "no-io", kError, no_io, "no row of the plant's lists is an input or output",
      "A row is I/O if it has an address of inputs or outputs (X, Y, `%I`, `%Q`), or no address and a name with a "
      "direction. Constants, memory (M, D, `%M`) and types such as TIME are internal.",
