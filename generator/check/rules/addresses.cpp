@@ -39,9 +39,9 @@ void address_used_twice(const Find& find, const Symbol& symbol) {
 void event_driven_twice(const Find& find) {
   const auto& twice = find.evidence.driven_twice;
   for (auto pair = twice.begin(); pair != twice.end();) {
-    const auto& [second, first] = *pair;
+    const std::uint32_t first = (*pair)[1];
     const Symbol& a = find.symbols[first];
-    const Symbol& b = find.symbols[second];
+    const Symbol& b = find.symbols[(*pair)[0]];
     const auto follows = [&](const auto& other) {
       return other[1] == first && b.unit != kNone && find.symbols[other[0]].unit == b.unit;
     };

@@ -24,7 +24,7 @@ constexpr std::array kKindKeys{
 /// A duration; a fault if it is 0 or may be 0.
 std::optional<Duration> time_above_zero(const Json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults) {
-  const auto time = duration_member(object, key, here, faults);
+  auto time = duration_member(object, key, here, faults);
   if (time && time->kind != Duration::Kind::normal && time->a == 0) {
     faults.add(here / key, "this time is 0; write at least `1ns`", FaultKind::contradiction);
   }

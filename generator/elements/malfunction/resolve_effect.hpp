@@ -14,7 +14,7 @@ namespace symplant::model {
 struct GivenDevices {
   const std::vector<std::string>& names;
   description::Pointer here;
-  bool is_list;
+  bool is_list = false;
 };
 
 /// Whether an effect of this kind acts on devices or tracks.

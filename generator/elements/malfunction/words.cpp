@@ -48,7 +48,7 @@ std::string sets(const model::Effect& effect, const model::PlantModel& plant) {
 std::string distort(const model::Effect& effect, const model::PlantModel& plant) {
   const description::GivenDistort& given = effect.distort;
   std::string text;
-  const auto add = [&](std::string part) { text.append(text.empty() ? "" : ", ").append(part); };
+  const auto add = [&](std::string_view part) { text.append(text.empty() ? "" : ", ").append(part); };
   if (given.gain != 1) add(fmt::format("gain {}", given.gain));
   if (given.offset != 0) add(fmt::format("offset {}", given.offset));
   if (given.drift != 0) add(fmt::format("drift {} a second", given.drift));
