@@ -344,7 +344,7 @@ std::string no_such_encoding(std::string_view name) {
 }
 
 ConventionsReading read_conventions(std::string_view text) {
-  constexpr std::string_view kKey = "/check/conventions";
+  constexpr std::string_view kConventionsKey = "/check/conventions";
   ConventionsReading reading;
   json::Document document = json::parse(text);
   reading.syntax = std::move(document.faults);
@@ -357,7 +357,7 @@ ConventionsReading read_conventions(std::string_view text) {
   // As part of a plant description, so that there is one schema.
   Json plant{{"symplant", 1}, {"symbols", {"-"}}, {"check", {{"conventions", std::move(*document.root)}}}};
   PlantFile file = PlantFileReader(plant, reading.faults).read("");
-  for (DescriptionFault& fault : reading.faults) fault.pointer = fault.pointer.substr(kKey.size());
+  for (DescriptionFault& fault : reading.faults) fault.pointer = fault.pointer.substr(kConventionsKey.size());
   reading.conventions = std::move(file.description.check.conventions);
   return reading;
 }
