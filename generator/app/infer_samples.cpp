@@ -2,6 +2,7 @@
 #include "app/infer_samples.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <utility>
@@ -30,6 +31,14 @@ infer::Sample sample_of(const model::PlantModel& plant, const model::Symbol& sym
   return sample;
 }
 
+/// Whether the errors of a file say that it is something else than a list, or is empty.
+bool is_no_list(const diag::Diagnostics& errors) {
+  constexpr std::array<std::string_view, 5> kNoList{"SP102", "SP103", "SP104", "SP105", "SP124"};
+  return std::ranges::all_of(errors.all(), [&](const diag::Diagnostic& error) {
+    return std::ranges::find(kNoList, error.rule->id) != kNoList.end();
+  });
+}
+
 /// A file itself; of a folder, the files directly in it that are symbol lists, sorted. Empty, with an error, if it has
 /// none.
 std::vector<std::string> lists_of(Context& context, const std::string& path, const PlantOptions& options) {
@@ -40,10 +49,10 @@ std::vector<std::string> lists_of(Context& context, const std::string& path, con
     const std::string file = (std::filesystem::path(path) / name).string();
     diag::Diagnostics unread;
     if (name.starts_with('.') || !context.files.list(file).empty()) continue;
-    if (read::read_symbol_list(file, options.read, context.files, unread)) {
-      lists.push_back(file);
-    } else if (options.verbose) {
-      context.err << "decided: left out " << diag::visible(file) << ", which is no symbol list\n";
+    if (read::read_symbol_list(file, options.read, context.files, unread) || !is_no_list(unread)) {
+      lists.push_back(file);  // a list with an error is read again, and reported
+    } else {
+      context.err << "left out " << diag::visible(file) << ", which is no symbol list\n";
     }
   }
   std::sort(lists.begin(), lists.end());
@@ -64,7 +73,9 @@ std::optional<InferInputs> read_samples(Context& context, const std::vector<std:
   for (const std::string& path : files) {
     const std::vector<std::string> of_path = lists_of(context, path, options);
     if (of_path.empty()) return std::nullopt;
-    read.plant.insert(read.plant.end(), of_path.begin(), of_path.end());
+    std::ranges::copy_if(of_path, std::back_inserter(read.plant), [&](const std::string& file) {
+      return std::ranges::find(read.plant, file) == read.plant.end();
+    });
   }
   for (const std::string& file : read.plant) {
     auto inputs = read_for(context, file, options);

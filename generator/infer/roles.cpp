@@ -51,9 +51,12 @@ std::vector<std::string> found_words(const RoleWords& role, const std::vector<Sa
   return found;
 }
 
-/// Rules for the words that symbols of both sides with one text have: for half of these texts of a side, at least.
+/// Which of the two sides' texts with a word have to be, half of them at least, texts of the other side.
+enum class Half : std::uint8_t { of_one_side, of_each_side };
+
+/// Rules for the words that symbols of both sides with one text have.
 std::vector<name::SymbolRule> mirrored_words(const name::Naming& frame, std::span<const Sample> samples,
-                                             const RoleWords& role) {
+                                             const RoleWords& role, Half half) {
   const name::Vocabulary vocabulary(frame.tasks, {});
   std::vector<name::SymbolRule> rules;
   for (const name::Source source : {name::Source::comment, name::Source::name}) {
@@ -67,7 +70,8 @@ std::vector<name::SymbolRule> mirrored_words(const name::Naming& frame, std::spa
       }
       const auto both = static_cast<std::size_t>(
           std::count_if(sides[0].begin(), sides[0].end(), [&](const auto& words) { return sides[1].contains(words); }));
-      if (both > 0 && 2 * both >= std::min(sides[0].size(), sides[1].size())) rule.has.emplace_back(word);
+      const auto [fewer, more] = std::minmax({sides[0].size(), sides[1].size()});
+      if (both > 0 && 2 * both >= (half == Half::of_one_side ? fewer : more)) rule.has.emplace_back(word);
     }
     if (rule.has.empty()) continue;
     rule.name = role.name;
@@ -123,17 +127,19 @@ std::vector<name::SymbolRule> panel_rules(const name::Naming& frame, std::span<c
 
 std::vector<name::SymbolRule> interlock_rules(const name::Naming& frame, std::span<const Sample> samples) {
   const name::BuiltInWords& known = name::built_in_words();
-  return mirrored_words(frame, samples,
-                        {"interlocks", known.mutual, std::nullopt, name::Role::interlock, std::nullopt});
+  return mirrored_words(frame, samples, {"interlocks", known.mutual, std::nullopt, name::Role::interlock, std::nullopt},
+                        Half::of_one_side);
 }
 
 std::vector<name::SymbolRule> indicator_rules(const name::Naming& frame, std::span<const Sample> samples) {
   const name::BuiltInWords& known = name::built_in_words();
-  std::vector<name::SymbolRule> rules = mirrored_words(
-      frame, samples,
-      {"alarm lamps", known.alarm, name::Direction::operation, name::Role::operator_panel, std::nullopt});
+  std::vector<name::SymbolRule> rules =
+      mirrored_words(frame, samples,
+                     {"alarm lamps", known.alarm, name::Direction::operation, name::Role::operator_panel, std::nullopt},
+                     Half::of_each_side);
   for (name::SymbolRule& rule : mirrored_words(
-           frame, samples, {"reset lamps", known.reset, std::nullopt, name::Role::operator_panel, std::nullopt})) {
+           frame, samples, {"reset lamps", known.reset, std::nullopt, name::Role::operator_panel, std::nullopt},
+           Half::of_each_side)) {
     rules.push_back(std::move(rule));
   }
   return rules;

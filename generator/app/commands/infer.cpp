@@ -176,7 +176,7 @@ class Infer {
     if (overwrites(context_, options_.output, inputs)) return false;
     const std::string text = with_mark(links ? naming::naming_text(naming, kLinksFile) : naming::naming_text(naming));
     const auto before = context_.files.read(options_.output);
-    if (before && !options_.force && !is_unedited(*before) && !is_profile(*before)) {
+    if (before && !before->empty() && !options_.force && !is_unedited(*before) && !is_profile(*before)) {
       fail("`" + options_.output + "` already exists, and may contain your work: name another file, or use --force");
       return false;
     }

@@ -55,9 +55,9 @@ void event_driven_twice(const Find& find) {
     }
     const bool one = end - pair == 1;
     finding.say(
-        "{} {} the address `{}`, as `{}` has, and the plant drives each of them: {} on no link; correct one "
-        "address",
-        names, one ? "has" : "have", written_cell(b), a.name(), one ? fmt::format("{} is", names) : "they are");
+        "{} {} the address `{}`, as `{}` has, and the plant drives each of them: the address counts for `{}` alone; "
+        "correct {}",
+        names, one ? "has" : "have", written_cell(b), a.name(), a.name(), one ? "one of them" : "them");
     pair = end;
   }
 }
@@ -172,7 +172,8 @@ constexpr Rule kAddressRules[] = {
      "Give the symbol the address that it has in the wiring, or remove the second name."},
     {"SP304", "event-driven-twice", kWarning, event_driven_twice, "two devices drive events on one address",
      "Devices, conditions (`follow`) or sensors of parts drive two events of one address.",
-     "The PLC reads one bit there. It gets the event of the first row; the later one runs, but is on no link.",
+     "The PLC reads one bit there. It gets the event of the first row; the later one runs, but has no address: without "
+     "`map` in `links` it is on no link.",
      "Correct the address of one of them."},
     {"SP307", "address-not-understood", kWarning, address_not_understood, "an address cell has no valid address",
      "It is no IEC 61131-3 address (`%IX1`, `%QX0.5`, `%IW5`) and none of the list's tool: `X1F`, `%I0.0`, `E2.6`, "

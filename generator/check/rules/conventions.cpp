@@ -1,4 +1,6 @@
 // Rules: naming conventions that the user gives. Without them these rules report nothing.
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <string>
 
@@ -18,7 +20,7 @@ bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 /// The part of a name that a person has chosen: without the program or structure in front, and without an index.
 std::string_view own_part(std::string_view name) {
-  name = name.substr(0, name.find('['));
+  if (name.ends_with(']')) name = name.substr(0, name.rfind('['));
   return name.substr(name.rfind('.') + 1);
 }
 
@@ -48,11 +50,21 @@ void visit_rows(const Find& find, Visit visit) {
   }
 }
 
+/// "prefix x b, 3 to 24".
+std::string content_of(const Convention& convention) {
+  std::string content;
+  const auto add = [&](std::string_view text) { content.append(content.empty() ? "" : ", ").append(text); };
+  if (!convention.prefix.empty()) add(fmt::format("prefix {}", fmt::join(convention.prefix, " ")));
+  if (!convention.suffix.empty()) add(fmt::format("suffix {}", fmt::join(convention.suffix, " ")));
+  if (!convention.letters.empty()) add(convention.letters);
+  if (convention.least != 0 || convention.most != 0) add(fmt::format("{} to {}", convention.least, convention.most));
+  return content;
+}
+
 /// Findings of one convention and one type are shown as one.
 Finding at(const Find& find, const read::ListRow& row, const Convention& convention) {
   Finding finding = find.at(row, row.name);
-  const auto number = &convention - find.plant.description->check.conventions.data() + 1;
-  finding.as.subjects.shape = fmt::format("convention #{}, {}", number, text::shape_of(row.type));
+  finding.as.subjects.shape = fmt::format("convention # ({}), {}", content_of(convention), text::shape_of(row.type));
   return finding;
 }
 

@@ -1,5 +1,6 @@
 // Rules: cells of rows: names that repeat, directions, types and initial values, and lists without inputs and outputs.
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "check/rule.hpp"
@@ -7,6 +8,7 @@
 #include "read/parts.hpp"
 #include "read/types/data_types.hpp"
 #include "symplant/tables/nearest.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 namespace {
@@ -141,8 +143,16 @@ NameLevels name_levels(const PlantModel& plant, std::string_view name) {
           *reading.direction->says};
 }
 
-/// Whether a type is a typing mistake of an elementary one. Else it is a structure, as of PROFIdrive.
-bool is_misspelled(std::string_view type) {
+/// Whether a type is an elementary one that no I/O symbol has, or a typing mistake of one. Else it is a structure, as
+/// of PROFIdrive.
+bool is_elementary(std::string_view type) {
+  constexpr auto kOthers = std::to_array<std::string_view>(
+      {"TIME", "LTIME",         "S5TIME", "DATE",    "LDATE", "TOD",   "LTOD",    "TIME_OF_DAY", "DT",  "LDT",
+       "DTL",  "DATE_AND_TIME", "STRING", "WSTRING", "WCHAR", "TIMER", "COUNTER", "POINTER",     "ANY", "VARIANT"});
+  const std::string_view word = type.substr(0, type.find_first_of("[( "));
+  if (std::ranges::any_of(kOthers, [&](std::string_view other) { return text::equal_ignoring_case(other, word); })) {
+    return true;
+  }
   tables::NearestName nearest(type);
   for (int i = 0; i <= static_cast<int>(tables::DataType::lreal); ++i) {
     nearest.offer(read::data_type_name(static_cast<tables::DataType>(i)));
@@ -153,7 +163,7 @@ bool is_misspelled(std::string_view type) {
 void type_of_no_io(const Find& find) {
   std::vector<const model::TypelessIo*> structures;
   for (const model::TypelessIo& io : find.evidence.typeless_io) {
-    if (!is_misspelled(io.row->type)) {
+    if (!is_elementary(io.row->type)) {
       structures.push_back(&io);
       continue;
     }

@@ -37,29 +37,32 @@ xml::Element plc_of(xml::Element table) {
   return table;
 }
 
-/// The value of an attribute, which CAEX writes as an element.
+/// The value of an attribute, which CAEX writes as an element. If it is empty, the first one of the attributes in it:
+/// texts in several languages are there.
 xml::Element value_of(const xml::Element& tag, std::string_view name) {
   xml::Element attribute = tag.child("Attribute");
   while (attribute && (attribute.name() != "Attribute" || attribute.attribute("Name").text != name)) {
     attribute = attribute.next_sibling();
   }
-  return attribute.child("Value");
+  std::string joined;
+  const auto is_filled = [&](const xml::Element& value) { return value && !value.content(joined).text.empty(); };
+  if (is_filled(attribute.child("Value"))) return attribute.child("Value");
+  for (xml::Element inner = attribute.first_child(); inner; inner = inner.next_sibling()) {
+    const bool is_text = inner.attribute("Name").text.starts_with("aml-lang");
+    if (is_text && is_filled(inner.child("Value"))) return inner.child("Value");
+  }
+  return {};
 }
 
-/// The letter between area and number of a Siemens address: none for a bit.
-std::string_view size_letter(std::string_view type) {
+/// A Siemens address of the area `%I` or `%Q` for a number without a bit: a structure begins at a bit, as a BOOL does.
+std::string sized_address(std::string_view area, std::string_view number, std::string_view type) {
   const std::optional<tables::DataType> known = data_type(type);
-  if (!known) return "W";
-  switch (data_type_bits(*known)) {
-    case 1:
-      return "";
-    case 8:
-      return "B";
-    case 16:
-      return "W";
-    default:
-      return "D";
-  }
+  const auto is_of = [&](std::string_view other) { return text::equal_ignoring_case(type, other); };
+  const bool is_word = is_of("DATE") || is_of("S5TIME");
+  const bool is_double_word = is_of("TIME") || is_of("TOD") || is_of("TIME_OF_DAY");
+  const int bits = known ? data_type_bits(*known) : is_word ? 16 : is_double_word ? 32 : 1;
+  if (bits == 1) return fmt::format("{}{}.0", area, number);
+  return fmt::format("{}{}{}", area, bits == 8 ? 'B' : bits == 16 ? 'W' : 'D', number);
 }
 
 class AutomationMlReading {
@@ -120,8 +123,9 @@ class AutomationMlReading {
     if (number.empty() || !text::is_digit(number.front())) return number;
     const bool input = text::equal_ignoring_case(io, "Input");
     if (!input && !text::equal_ignoring_case(io, "Output")) return number;
-    return builder_.keep(fmt::format("%{}{}{}", input ? 'I' : 'Q',
-                                     number.find('.') == std::string_view::npos ? size_letter(type) : "", number));
+    const std::string_view area = input ? "%I" : "%Q";
+    if (number.find('.') != std::string_view::npos) return builder_.keep(fmt::format("{}{}", area, number));
+    return builder_.keep(sized_address(area, number, type));
   }
 
   TableBuilder builder_;

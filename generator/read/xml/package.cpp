@@ -2,6 +2,7 @@
 #include "read/xml/package.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <pugixml.hpp>
 #include <utility>
 #include <vector>
@@ -15,9 +16,29 @@ namespace {
 constexpr std::string_view kExtension = ".aml";
 const std::string kRelations = "_rels/.rels";
 
+/// Archives of macOS have a second, binary file for each.
 bool is_document(std::string_view path) {
-  return path.size() > kExtension.size() &&
+  return path.size() > kExtension.size() && !path.starts_with("__MACOSX/") &&
          text::equal_ignoring_case(path.substr(path.size() - kExtension.size()), kExtension);
+}
+
+/// The path that a relation names: a URI, relative to the package.
+std::string path_of(std::string_view uri) {
+  if (uri.starts_with("./")) uri.remove_prefix(2);
+  if (uri.starts_with('/')) uri.remove_prefix(1);
+  std::string path;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    int code = 0;
+    const std::string_view digits = uri.substr(i + 1, 2);
+    const char* const end = digits.data() + digits.size();
+    if (uri[i] == '%' && digits.size() == 2 && std::from_chars(digits.data(), end, code, 16).ptr == end) {
+      path += static_cast<char>(code);
+      i += 2;
+    } else {
+      path += uri[i];
+    }
+  }
+  return path;
 }
 
 /// The root that the relations name; empty if they name none.
@@ -26,8 +47,7 @@ std::string named_root(const std::string& relations) {
   if (!document.load_buffer(relations.data(), relations.size())) return {};
   for (const pugi::xml_node& relation : document.document_element().children()) {
     if (!std::string_view(relation.attribute("Type").value()).ends_with("/RootDocument")) continue;
-    const std::string_view target = relation.attribute("Target").value();
-    return std::string(target.substr(target.starts_with('/') ? 1 : 0));
+    return path_of(relation.attribute("Target").value());
   }
   return {};
 }
@@ -35,7 +55,7 @@ std::string named_root(const std::string& relations) {
 }  // namespace
 
 bool is_automationml_package(std::string_view bytes) {
-  if (!Archive::is_one(bytes) || bytes.find(kExtension) == std::string_view::npos) return false;
+  if (!Archive::is_one(bytes)) return false;
   const auto archive = Archive::open(bytes, "package");
   return archive && std::ranges::any_of(archive->paths(), is_document);
 }
@@ -43,16 +63,16 @@ bool is_automationml_package(std::string_view bytes) {
 base::Result<PackedDocument, ArchiveFault> read_automationml_package(std::string_view bytes) {
   auto archive = Archive::open(bytes, "package");
   if (!archive) return archive.error();
-  const std::vector<std::string> paths = archive->paths();
-  const auto first = std::ranges::find_if(paths, is_document);
-  if (first == paths.end()) return ArchiveFault{"the package has no AutomationML document"};
+  std::vector<std::string> paths = archive->paths();
+  std::erase_if(paths, [](const std::string& path) { return !is_document(path); });
   std::string root;
   if (archive->has(kRelations)) {
     const auto relations = archive->whole(kRelations);
     if (!relations) return relations.error();
     root = named_root(*relations);
   }
-  if (!archive->has(root)) root = *first;
+  if (root.empty() && paths.size() == 1) root = paths.front();
+  if (root.empty()) return ArchiveFault{"the package has several documents, and no relation names the root"};
   auto document = archive->whole(root);
   if (!document) return document.error();
   return PackedDocument{std::move(root), std::move(*document)};

@@ -18,7 +18,7 @@ struct PackedDocument {
 /// Whether the bytes are those of a package with an AutomationML document.
 bool is_automationml_package(std::string_view bytes);
 
-/// The document that the relations of the package name as its root, else the first one. O(unpacked bytes).
+/// The document that the relations of the package name as its root, else the only one. O(unpacked bytes).
 base::Result<PackedDocument, ArchiveFault> read_automationml_package(std::string_view bytes);
 
 }  // namespace symplant::read::xml

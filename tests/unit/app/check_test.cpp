@@ -349,8 +349,8 @@ TEST_CASE("check: Naming conventions of a file report each convention once for a
   CHECK(run.code == 1);
   CHECK(contains(
       run.out, "`L_P_D_I_A` of the type `BOOL` does not begin with `x`; a convention wants that: write `xL_P_D_I_A`"));
-  CHECK(contains(run.out, "1 more like `convention #1, BOOL`: `L_P_E_I_A`"));
-  CHECK(contains(run.out, "3 more like `convention #2, BOOL`"));
+  CHECK(contains(run.out, "1 more like `convention # (prefix x), BOOL`: `L_P_E_I_A`"));
+  CHECK(contains(run.out, "3 more like `convention # (0 to 5), BOOL`"));
   CHECK(contains(run.out, "2 warnings"));
   CHECK(contains(files.files["renames.csv"], "L_P_E_I_A,xL_P_E_I_A"));
   files.files["names.json"] = R"([{ "letters": "upper", "prefx": ["x"] }])";

@@ -262,8 +262,13 @@ TEST_CASE("infer: A folder means the symbol lists in it") {
   files.files = {{"lists/a.csv", list}, {"lists/readme.txt", "No list at all.\n"}, {"empty/readme.txt", "No list.\n"}};
   const ToolRun run = run_tool({"infer", "lists", "-o", "naming.json", "--verbose"}, files);
   CHECK(run.code == 0);
-  CHECK(contains(run.err, "decided: left out lists/readme.txt, which is no symbol list"));
+  CHECK(contains(run.err, "left out lists/readme.txt, which is no symbol list"));
   CHECK(contains(run.out, "next: symplant check lists/a.csv --naming naming.json"));
+  CHECK(contains(run_tool({"infer", "lists", "lists/a.csv"}, files).err, "check lists/a.csv --naming"));
+  files.files["lists/b.csv"] = list.substr(0, list.size() / 2) + "\n\"unclosed,X1,BOOL\n";
+  const ToolRun damaged = run_tool({"infer", "lists"}, files);
+  CHECK(damaged.code == 2);
+  CHECK(contains(damaged.err, "lists/b.csv:"));
   const ToolRun none = run_tool({"infer", "empty"}, files);
   CHECK(none.code == 2);
   CHECK(contains(none.err, "error: no file in the folder `empty` is a symbol list"));

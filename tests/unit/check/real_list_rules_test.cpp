@@ -39,13 +39,14 @@ TEST_CASE("Two spellings differ within the word, and one of them is used twice")
 TEST_CASE("Structures as types are one finding, a misspelled type is one for each row") {
   const Analysed list = analyse_text(
       "Name,Data Type,Logical Address\nA_In,PD_TEL1_IN,%I256.0\nA_Out,PD_TEL1_OUT,%Q256.0\nB_In,PD_TEL1_IN,%I260.0\n"
-      "S1_Q_X,Bool,%Q0.0\nS1_I_X,Bol,%I0.0\n");
-  CHECK(list.count("type-of-no-io") == 2);
+      "S1_Q_X,Bool,%Q0.0\nS1_I_X,Bol,%I0.0\nT1,Time,%ID300\n");
+  CHECK(list.count("type-of-no-io") == 3);
   std::string messages;
   for (const diag::Diagnostic& finding : list.diagnostics.all()) messages += finding.message + "\n";
   CHECK(messages.find("`A_In` on `%I256.0` and 2 more have a structure as type (`PD_TEL1_IN` and 1 more), and are left "
                       "out; list the elements, each with its address") != std::string::npos);
   CHECK(messages.find("`Bol` is no type of an input or output") != std::string::npos);
+  CHECK(messages.find("`Time` is no type of an input or output") != std::string::npos);
 }
 
 TEST_CASE("Comments are cut if several of the longest end within a word that the list has") {

@@ -180,6 +180,15 @@ TEST_CASE("A lamp and the contact or button of one text are no pair") {
   CHECK_FALSE(has_pair(lines, "L3_RESET>L3_RESET"));
 }
 
+TEST_CASE("One lamp of a reset button leaves the resets of robots as they are") {
+  Lines lines = stations({"Q S1_Q_RB%_WORK_COMP_RST", "I S1_I_RB%_LAST_WORK_COMP", "Q S1_Q_RB%_PROG_SELECT_1",
+                          "I S1_I_RB%_PROG_ECHO_1", "Q S1_Q_RB%_PROG_SELECT_2", "I S1_I_RB%_PROG_ECHO_2"});
+  lines.emplace_back("Q S1_Q_PANEL_RST");
+  lines.emplace_back("I S1_I_PANEL_RST");
+  const auto accounts = inferred(lines).score;
+  CHECK(accounts.of(name::Account::operator_panel) == 0);
+}
+
 TEST_CASE("A permission and an interlock of another text are no pair, unlike a permission and what it starts") {
   const Lines lines = stations({"Q S1_Q_RB%_PLT2_IN_OK", "I S1_I_RB%_PLT2_NON_INTF", "Q S1_Q_RB%_1ST_IN_OK",
                                 "I S1_I_RB%_1ST_WORK_COMP", "Q S1_Q_RB%_PROG_SELECT_1", "I S1_I_RB%_PROG_ECHO_1"});

@@ -107,8 +107,8 @@ TEST_CASE("Of two events on one address that different units drive, the first ke
   CHECK(symbol_of(list, "L_P_E_I_A").leader == model::kNone);
   const diag::Diagnostic& finding = finding_of(list, "event-driven-twice");
   CHECK(finding.message ==
-        "`L_P_E_I_A` has the address `X1`, as `L_P_D_I_A` has, and the plant drives each of them: `L_P_E_I_A` is on no "
-        "link; correct one address");
+        "`L_P_E_I_A` has the address `X1`, as `L_P_D_I_A` has, and the plant drives each of them: the address "
+        "counts for `L_P_D_I_A` alone; correct one of them");
   CHECK(finding.location.source->position(finding.location.span.begin).line == 4);
 }
 
