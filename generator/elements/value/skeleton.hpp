@@ -8,7 +8,7 @@
 namespace symplant::emit {
 
 /// `values` and `signals` for numeric inputs that nothing drives, one of those whose names differ in numbers only; what
-/// a value is follows from words of its name. Null if there are none, or if the plant has values. `left_out` is how
+/// a value is follows from words of its name. Null without one, or if the plant has values. `left_out` is how
 /// many such inputs have no entry. O(symbols).
 nlohmann::ordered_json proposed_values(const model::PlantModel& plant, std::size_t& left_out);
 
