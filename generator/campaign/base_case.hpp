@@ -35,7 +35,7 @@ struct BaseCase {
   std::vector<std::string> programs;  ///< `drill (drill.so, 9c554e4d4920d30f)`
   std::vector<bool> operations;       ///< by symbol
   std::vector<bool> paced;            ///< those that count for pauses: not heartbeats and lamps that always blink
-  compare::Recorded recorded;         ///< changes of operations
+  recording::Recording recorded;      ///< changes of operations
   std::unordered_map<std::string_view, std::uint32_t> symbol_of;  ///< operations by name
   tables::Time case_end = 0;            ///< when its scenario is over; the log ends with the longest pause after that
   tables::Time pause = 0;               ///< the longest time without a change of an operation, over the whole log

@@ -257,7 +257,7 @@ class Judge {
   const Fault& fault_;
   Result& result_;
   std::optional<Seen> seen_;
-  compare::Recorded actual_;
+  recording::Recording actual_;
   compare::Comparison comparison_;
   std::vector<Raised> raised_;
   const std::optional<Time> goes_on_;

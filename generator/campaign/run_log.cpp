@@ -38,9 +38,9 @@ double number_of(const tables::SymbolRow& symbol, std::uint64_t value) {
                                          : static_cast<double>(value);
 }
 
-compare::Recorded recorded(const RunLog& log, const trace::PlantNames& names, const std::vector<bool>& chosen,
-                           const char* name) {
-  compare::Recorded recorded;
+recording::Recording recorded(const RunLog& log, const trace::PlantNames& names, const std::vector<bool>& chosen,
+                              const char* name) {
+  recording::Recording recorded;
   recorded.name = name;
   recorded.end = log.end;
   std::vector<std::uint32_t> series_of(chosen.size(), tables::kNone);
@@ -60,7 +60,7 @@ compare::Recorded recorded(const RunLog& log, const trace::PlantNames& names, co
     if (series == tables::kNone) {
       series = static_cast<std::uint32_t>(recorded.series.size());
       const auto kind =
-          row.type() == tables::DataType::boolean ? compare::Series::Kind::boolean : compare::Series::Kind::number;
+          row.type() == tables::DataType::boolean ? recording::Series::Kind::boolean : recording::Series::Kind::number;
       recorded.series.push_back({std::string(names.symbol(change.of)), kind, {}, {}, names.is_operation(change.of)});
       recorded.index.emplace(recorded.series.back().key(), series);
     }

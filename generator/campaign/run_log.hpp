@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "compare/recorded.hpp"
+#include "recording/recording.hpp"
 #include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/record.hpp"
 
@@ -39,7 +39,7 @@ struct RunLog {
 double number_of(const tables::SymbolRow& symbol, std::uint64_t value);
 
 /// The changes of the symbols that are chosen, for comparisons. O(symbols + changes).
-compare::Recorded recorded(const RunLog& log, const trace::PlantNames& names, const std::vector<bool>& chosen,
-                           const char* name);
+recording::Recording recorded(const RunLog& log, const trace::PlantNames& names, const std::vector<bool>& chosen,
+                              const char* name);
 
 }  // namespace symplant::campaign

@@ -72,8 +72,8 @@ std::optional<Seen> first_scan(const RunLog& base, const RunLog& log, const Read
 /// The first difference of what a PLC may read at any time.
 std::optional<Seen> first_difference(const BaseCase& base, const RunLog& log, const Reader& reader,
                                      const trace::PlantNames& names) {
-  const compare::Recorded expected = recorded(base.log, names, reader.events, "expected");
-  const compare::Recorded actual = recorded(log, names, reader.events, "actual");
+  const recording::Recording expected = recorded(base.log, names, reader.events, "expected");
+  const recording::Recording actual = recorded(log, names, reader.events, "actual");
   compare::Options how;
   how.window = base.window;
   how.align = compare::Align::follow;

@@ -29,7 +29,7 @@ bool matches_any(const std::vector<std::string>& patterns, const std::string& na
 }
 
 /// A warning of a pattern of `--only` that no element matches, which may be a mistake.
-std::string unmatched(const std::vector<std::string>& patterns, const Recorded& expected, const Recorded& actual) {
+std::string unmatched(const std::vector<std::string>& patterns, const Recording& expected, const Recording& actual) {
   for (const std::string& pattern : patterns) {
     const auto matches = [&](const Series& series) { return tables::matches_pattern(series.name, pattern); };
     if (std::none_of(expected.series.begin(), expected.series.end(), matches) &&
@@ -41,7 +41,7 @@ std::string unmatched(const std::vector<std::string>& patterns, const Recorded& 
 }
 
 /// When a symbol comes on for the first time; nothing if it does not.
-std::optional<Time> first_on(const Recorded& recorded, const std::string& name) {
+std::optional<Time> first_on(const Recording& recorded, const std::string& name) {
   const Series* const series = recorded.find({name, Series::Kind::boolean, {}, {}, {}});
   if (series == nullptr) return std::nullopt;
   for (const Series::Change& change : series->changes) {
@@ -50,7 +50,7 @@ std::optional<Time> first_on(const Recorded& recorded, const std::string& name) 
   return std::nullopt;
 }
 
-std::string never_on(const Recorded& recorded, const std::string& name) {
+std::string never_on(const Recording& recorded, const std::string& name) {
   if (recorded.find({name, Series::Kind::boolean, {}, {}, {}}) != nullptr) {
     return fmt::format("`{}` never comes on in {}", name, recorded.name);
   }
@@ -233,8 +233,8 @@ class Walk {
   void add(const Difference& difference) { result_.differences.push_back(difference); }
 
   Comparison& result_;
-  const Recorded& expected_;
-  const Recorded& actual_;
+  const Recording& expected_;
+  const Recording& actual_;
   bool follows_;
   Offsets offsets_;
   std::vector<Place> places_;
@@ -250,7 +250,7 @@ std::size_t changes_after(const Series& series, Time time) {
 
 class Comparer {
  public:
-  Comparer(const Recorded& expected, const Recorded& actual, const Options& options) : options_(options) {
+  Comparer(const Recording& expected, const Recording& actual, const Options& options) : options_(options) {
     result_.expected = &expected;
     result_.actual = &actual;
     result_.window =
@@ -279,7 +279,7 @@ class Comparer {
     if (options_.align != Align::symbol) return 0;
     std::array<Time, 2> times{};
     for (std::size_t i = 0; i < 2; ++i) {
-      const Recorded& recorded = i == 0 ? *result_.expected : *result_.actual;
+      const Recording& recorded = i == 0 ? *result_.expected : *result_.actual;
       const auto on = first_on(recorded, options_.align_symbol);
       if (!on && result_.error.empty()) result_.error = never_on(recorded, options_.align_symbol);
       times[i] = on.value_or(0);
@@ -294,8 +294,8 @@ class Comparer {
   }
 
   void choose(Walk& walk) {
-    const Recorded& expected = *result_.expected;
-    const Recorded& actual = *result_.actual;
+    const Recording& expected = *result_.expected;
+    const Recording& actual = *result_.actual;
     for (std::size_t s = 0; s < expected.series.size(); ++s) {
       const Series& series = expected.series[s];
       if (!chosen(series)) continue;
@@ -322,8 +322,8 @@ class Comparer {
   }
 
   void compare_numbers(const Walk& walk) {
-    const Recorded& expected = *result_.expected;
-    const Recorded& actual = *result_.actual;
+    const Recording& expected = *result_.expected;
+    const Recording& actual = *result_.actual;
     const Time until = std::min(expected.end, actual.end - walk.offsets().last()) + result_.window;
     const Limits limits{result_.window, options_.tolerance, until};
     for (const Series* const series : result_.compared) {
@@ -364,7 +364,7 @@ class Comparer {
 
 }  // namespace
 
-Comparison compare(const Recorded& expected, const Recorded& actual, const Options& options) {
+Comparison compare(const Recording& expected, const Recording& actual, const Options& options) {
   return Comparer(expected, actual, options).run();
 }
 

@@ -8,10 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/recorded.hpp"
+#include "recording/recording.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::compare {
+
+using recording::kLatestTime;
+using recording::Recording;
+using recording::Series;
 
 struct Difference {
   enum class Kind : std::uint8_t {
@@ -55,8 +59,8 @@ std::optional<double> parse_tolerance(std::string_view text);
 
 /// The result of compare(). Both traces must outlive it.
 struct Comparison {
-  const Recorded* expected = nullptr;
-  const Recorded* actual = nullptr;
+  const Recording* expected = nullptr;
+  const Recording* actual = nullptr;
   tables::Time window = 0;
   std::vector<const Series*> compared;      ///< EXPECTED's, then those that only ACTUAL has
   std::vector<const Series*> not_recorded;  ///< elements that one trace, a recording, does not have
@@ -70,6 +74,6 @@ struct Comparison {
 void drop_unsure(Comparison& comparison);
 
 /// Compares two traces. O(changes * log(differences)).
-Comparison compare(const Recorded& expected, const Recorded& actual, const Options& options);
+Comparison compare(const Recording& expected, const Recording& actual, const Options& options);
 
 }  // namespace symplant::compare

@@ -66,7 +66,7 @@ class Page {
     chosen_.push_back(&series);
   }
 
-  void trace(std::string_view key, const Recorded& recorded) {
+  void trace(std::string_view key, const Recording& recorded) {
     json_.key(key);
     json_.begin_object();
     json_.member("file", diag::visible(recorded.name));

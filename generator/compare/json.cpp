@@ -51,7 +51,7 @@ void write_difference(view::JsonWriter& json, const Difference& difference) {
   json.end_object();
 }
 
-void write_trace(view::JsonWriter& json, std::string_view key, const Recorded& recorded) {
+void write_trace(view::JsonWriter& json, std::string_view key, const Recording& recorded) {
   json.key(key);
   json.begin_object();
   json.member("file", recorded.name);

@@ -12,6 +12,7 @@
 
 #include "compare/formats.hpp"
 #include "compare/words.hpp"
+#include "recording/read.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/run.hpp"
 #include "symplant/tables/pattern.hpp"
@@ -116,7 +117,7 @@ class CaseRun {
   }
 
   void compare_with(std::istream& file, const std::string& path, const std::string& text) {
-    const compare::ReadRecorded expected = compare::read_recorded(file, path);
+    const recording::ReadRecording expected = recording::read_recording(file, path);
     if (!expected.error.empty()) {
       if (setup_.update) return write(path, text, Reference::updated);
       return fail(expected.error + "; `--update` writes it again");
@@ -125,15 +126,15 @@ class CaseRun {
     if (!other.empty() && setup_.update) return write(path, text, Reference::updated);
     if (!other.empty()) return fail(other);
     std::istringstream stream(text);
-    const compare::ReadRecorded actual = compare::read_recorded(stream, "this run");
+    const recording::ReadRecording actual = recording::read_recording(stream, "this run");
     if (!actual.error.empty()) return fail(actual.error);
-    if (expected.recorded.series.empty() && actual.recorded.series.empty()) {  // a program that does nothing
+    if (expected.recording.series.empty() && actual.recording.series.empty()) {  // a program that does nothing
       result_.reference = Reference::same;
       return;
     }
     compare::Options how = setup_.suite.how;
     how.only.clear();  // both have what is chosen
-    compare::Comparison comparison = compare::compare(expected.recorded, actual.recorded, how);
+    compare::Comparison comparison = compare::compare(expected.recording, actual.recording, how);
     if (!comparison.error.empty()) return fail(comparison.error);
     compare::drop_unsure(comparison);
     result_.reference = comparison.differences.empty() ? Reference::same : Reference::differs;

@@ -21,7 +21,7 @@
 #include "app/options.hpp"
 #include "compare/difference.hpp"
 #include "compare/formats.hpp"
-#include "compare/recorded.hpp"
+#include "recording/read.hpp"
 #include "compare/words.hpp"
 #include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
@@ -40,8 +40,8 @@ struct CompareOptions {
 
 /// What is compared, kept until the program ends.
 struct ComparedTraces {
-  compare::Recorded expected;
-  compare::Recorded actual;
+  recording::Recording expected;
+  recording::Recording actual;
   compare::Comparison comparison;
 };
 
@@ -55,7 +55,7 @@ constexpr std::array<CompareFormat, 4> kCompareFormats{{{"text", compare::write_
                                                         {"html", compare::write_html}}};
 
 /// Nothing, with a message and the exit code, if the trace cannot be read.
-std::optional<compare::Recorded> read_compared(const std::string& path, Context& context) {
+std::optional<recording::Recording> read_compared(const std::string& path, Context& context) {
   const auto fail = [&](const std::string& message) {
     context.err << "error: " << diag::visible(message) << "\n";
     context.exit_code = host::kBadInput;
@@ -67,10 +67,10 @@ std::optional<compare::Recorded> read_compared(const std::string& path, Context&
   if (!file || std::filesystem::is_directory(path, unknown)) {
     return fail(fmt::format("cannot read the trace `{}`: {}", path, file ? "it is a directory" : std::strerror(errno)));
   }
-  compare::ReadRecorded read = compare::read_recorded(file, path);
+  recording::ReadRecording read = recording::read_recording(file, path);
   if (!read.error.empty()) return fail(read.error);
-  if (!read.warning.empty()) context.err << "warning: " << diag::visible(read.warning) << "\n";
-  return std::move(read.recorded);
+  for (const std::string& warning : read.warnings) context.err << "warning: " << diag::visible(warning) << "\n";
+  return std::move(read.recording);
 }
 
 void compare_traces(const CompareOptions& options, Context& context) {

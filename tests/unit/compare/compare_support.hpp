@@ -5,8 +5,8 @@
 #include <string>
 
 #include "compare/difference.hpp"
-#include "compare/recorded.hpp"
 #include "compare/words.hpp"
+#include "recording/read.hpp"
 #include "support/catch.hpp"
 #include "support/strings.hpp"
 
@@ -35,12 +35,12 @@ inline std::string trace_text(const std::string& changes, const std::string& mor
   return text;
 }
 
-inline compare::Recorded recorded(const std::string& text, const std::string& name = "trace") {
+inline recording::Recording recorded(const std::string& text, const std::string& name = "trace") {
   std::istringstream file(text);
-  compare::ReadRecorded read = compare::read_recorded(file, name);
+  recording::ReadRecording read = recording::read_recording(file, name);
   INFO(read.error);
   REQUIRE(read.error.empty());
-  return std::move(read.recorded);
+  return std::move(read.recording);
 }
 
 struct Compared {
@@ -61,8 +61,8 @@ struct Compared {
     return text;
   }
 
-  compare::Recorded expected;
-  compare::Recorded actual;
+  recording::Recording expected;
+  recording::Recording actual;
   compare::Comparison comparison;
 };
 

@@ -1,5 +1,5 @@
-// What a trace holds for a comparison: the changes of each symbol, and where parts arrive.
-#include "compare/recorded.hpp"
+// Reads traces as JSON lines, as symplant writes them.
+#include "recording/read_json_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 
 #include "symplant/trace/trace_lines.hpp"
 
-namespace symplant::compare {
+namespace symplant::recording {
 namespace {
 
 using Json = nlohmann::json;
@@ -32,22 +32,22 @@ std::optional<double> number_of(const Json& value) {
 
 class Reader {
  public:
-  Reader(std::istream& file, const std::string& name) : lines_(file) { read_.recorded.name = name; }
+  Reader(std::istream& file, const std::string& name) : lines_(file) { read_.recording.name = name; }
 
-  ReadRecorded run() {
+  ReadRecording run() {
     std::string wrong;
     Json json;
     while (wrong.empty() && lines_.next(json)) wrong = take(json);
     if (wrong.empty()) wrong = lines_.error();
     if (!wrong.empty()) read_.error = at_line(wrong);
     put_operations_first();
-    if (lines_.cut_off()) read_.warning = at_line("the last line is cut off, and is left out");
+    if (lines_.cut_off()) read_.warnings.push_back(at_line("the last line is cut off, and is left out"));
     return std::move(read_);
   }
 
  private:
   std::string at_line(std::string_view text) const {
-    return fmt::format("{}:{}: {}", read_.recorded.name, lines_.number(), text);
+    return fmt::format("{}:{}: {}", read_.recording.name, lines_.number(), text);
   }
 
   std::string take(const Json& json) {
@@ -55,7 +55,7 @@ class Reader {
     if (lines_.is_set_back()) set_back();
     if (lines_.time() > kLatestTime)
       return fmt::format("the time {} is out of range: at most {} ns", lines_.time(), kLatestTime);
-    read_.recorded.end = std::max(read_.recorded.end, lines_.time());
+    read_.recording.end = std::max(read_.recording.end, lines_.time());
     if (lines_.is_set_back()) return values(json);
     if (json.contains("symbol")) return symbol(json);
     return json.contains("part") ? part(json) : std::string();
@@ -65,15 +65,15 @@ class Reader {
     if (json.contains("part")) {
       return "this is a later part of a trace: record it without `--trace-limit`, so that it has its beginning";
     }
-    Recorded& recorded = read_.recorded;
-    recorded.of_plant = json.value("recorded", Json()) != true;
+    Recording& recording = read_.recording;
+    recording.of_plant = json.value("recorded", Json()) != true;
     for (const char* const key : {"every", "cycle", "end"}) {
       const auto found = json.find(key);
       if (found == json.end()) continue;
       if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kLatestTime) {
         return fmt::format("the key `{}` is no time in ns up to {}", key, kLatestTime);
       }
-      (key == std::string_view("end") ? recorded.end : recorded.resolution) = found->get<tables::Time>();
+      (key == std::string_view("end") ? recording.end : recording.resolution) = found->get<tables::Time>();
     }
     const auto programs = json.find("programs");
     if (programs == json.end()) return "";
@@ -91,14 +91,14 @@ class Reader {
 
   /// What was before the plant was reset or restored does not count.
   void set_back() {
-    Recorded& recorded = read_.recorded;
-    if (!recorded.order.empty()) {
-      read_.warning = at_line("the plant was set back here: what follows is compared");
+    Recording& recording = read_.recording;
+    if (!recording.order.empty()) {
+      read_.warnings.push_back(at_line("the plant was set back here: only what follows counts"));
     }
-    recorded.series.clear();
-    recorded.index.clear();
-    recorded.order.clear();
-    recorded.has_parts = false;
+    recording.series.clear();
+    recording.index.clear();
+    recording.order.clear();
+    recording.has_parts = false;
     times_.clear();
   }
 
@@ -127,7 +127,7 @@ class Reader {
   }
 
   std::string part(const Json& json) {
-    read_.recorded.has_parts = true;
+    read_.recording.has_parts = true;
     const auto kind = json.find("kind");
     if (kind == json.end() || !kind->is_string()) return "a part has a `kind`";
     const auto to = json.find("to");
@@ -137,46 +137,43 @@ class Reader {
   }
 
   Series& series_of(Series wanted) {
-    Recorded& recorded = read_.recorded;
-    const auto [found, added] = recorded.index.emplace(wanted.key(), recorded.series.size());
+    Recording& recording = read_.recording;
+    const auto [found, added] = recording.index.emplace(wanted.key(), recording.series.size());
     if (added) {
       wanted.is_operation = wanted.name.find("_O_") != wanted.name.npos || written_.contains(wanted.name);
-      recorded.series.push_back(std::move(wanted));
+      recording.series.push_back(std::move(wanted));
     }
-    return recorded.series[found->second];
+    return recording.series[found->second];
   }
 
   void add(Series& series, double value) {
     series.changes.push_back({lines_.time(), value});
-    read_.recorded.order.push_back(static_cast<std::uint32_t>(&series - read_.recorded.series.data()));
+    read_.recording.order.push_back(static_cast<std::uint32_t>(&series - read_.recording.series.data()));
     if (times_.empty() || times_.back().first != lines_.time()) {
-      times_.push_back({lines_.time(), read_.recorded.order.size() - 1});
+      times_.push_back({lines_.time(), read_.recording.order.size() - 1});
     }
   }
 
   void put_operations_first() {
-    std::vector<std::uint32_t>& order = read_.recorded.order;
+    std::vector<std::uint32_t>& order = read_.recording.order;
     for (std::size_t i = 0; i < times_.size(); ++i) {
       const auto begin = order.begin() + static_cast<std::ptrdiff_t>(times_[i].second);
       const auto end =
           i + 1 < times_.size() ? order.begin() + static_cast<std::ptrdiff_t>(times_[i + 1].second) : order.end();
-      std::stable_partition(begin, end, [&](std::uint32_t s) { return read_.recorded.series[s].is_operation; });
+      std::stable_partition(begin, end, [&](std::uint32_t s) { return read_.recording.series[s].is_operation; });
     }
   }
 
   trace::TraceLines lines_;
-  ReadRecorded read_;
+  ReadRecording read_;
   std::unordered_set<std::string> written_;                  ///< by programs
   std::vector<std::pair<tables::Time, std::size_t>> times_;  ///< each, with its first change in the order
 };
 
 }  // namespace
 
-const Series* Recorded::find(const Series& same) const {
-  const auto found = index.find(same.key());
-  return found == index.end() ? nullptr : &series[found->second];
+ReadRecording read_json_lines(std::istream& file, const std::string& name, const ReadOptions&) {
+  return Reader(file, name).run();
 }
 
-ReadRecorded read_recorded(std::istream& file, const std::string& name) { return Reader(file, name).run(); }
-
-}  // namespace symplant::compare
+}  // namespace symplant::recording

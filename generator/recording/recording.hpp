@@ -1,9 +1,8 @@
-// What a trace holds for a comparison: the changes of each symbol, and where parts arrive.
+// What a trace or a recording holds: the changes of each symbol, and where parts arrive.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <istream>
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -11,7 +10,7 @@
 
 #include "symplant/tables/time.hpp"
 
-namespace symplant::compare {
+namespace symplant::recording {
 
 /// The latest time and the longest window, in ns (73 years): their sums do not overflow.
 inline constexpr tables::Time kLatestTime = std::numeric_limits<tables::Time>::max() / 4;
@@ -37,8 +36,14 @@ struct Series {
   std::string key() const { return kind == Kind::parts ? "@" + name + "@" + part : name; }
 };
 
-/// A trace, for comparisons.
-struct Recorded {
+/// A time in which nothing was read: the link was lost, or a column had no cells.
+struct Gap {
+  tables::Time begin;
+  tables::Time length;
+};
+
+/// A trace of a run, or a recording of a real plant, in any of the formats that read_recording() reads.
+struct Recording {
   std::string name;                                    ///< of the file, for messages
   std::vector<Series> series;                          ///< by their first change
   std::unordered_map<std::string, std::size_t> index;  ///< of series, by key()
@@ -48,21 +53,10 @@ struct Recorded {
   tables::Time resolution = 0;  ///< what times are exact to: an interval of reading, a cycle; 0: virtual time
   bool of_plant = true;         ///< else recorded from a PLC: a symbol without lines was not recorded
   bool has_parts = false;
+  std::vector<Gap> gaps;  ///< by time
 
   /// The series of the same element; null if there is none. O(1).
   const Series* find(const Series& same) const;
 };
 
-/// What was read, or why it could not be.
-struct ReadRecorded {
-  Recorded recorded;
-  std::string error;    ///< `FILE:4: ...`; empty: the whole file could be read
-  std::string warning;  ///< as error: something was left out
-};
-
-/// Reads a trace. If the plant was reset or restored, only what follows the last time counts. A trace does not have the
-/// directions of symbols: an operation is what a program of its header writes, or what has the level `O` in its name.
-/// O(file).
-ReadRecorded read_recorded(std::istream& file, const std::string& name);
-
-}  // namespace symplant::compare
+}  // namespace symplant::recording

@@ -1,16 +1,16 @@
 // What is read of a trace for a comparison.
-#include "compare_support.hpp"
+#include "../compare/compare_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-compare::ReadRecorded read(const std::string& text) {
+recording::ReadRecording read(const std::string& text) {
   std::istringstream file(text);
-  return compare::read_recorded(file, "t.jsonl");
+  return recording::read_recording(file, "t.jsonl");
 }
 
 TEST_CASE("Changes have their symbol, and operations of one time come first") {
-  const compare::Recorded trace = recorded(trace_text("10 X_I_A 1; 10 Y_O_B 1; 20 X_I_A 0"));
+  const recording::Recording trace = recorded(trace_text("10 X_I_A 1; 10 Y_O_B 1; 20 X_I_A 0"));
   REQUIRE(trace.series.size() == 2);
   CHECK(trace.series[0].name == "X_I_A");
   CHECK(trace.series[0].changes.size() == 2);
@@ -19,13 +19,13 @@ TEST_CASE("Changes have their symbol, and operations of one time come first") {
 }
 
 TEST_CASE("What a program of the header writes is an operation, whatever its name") {
-  const compare::Recorded trace =
+  const recording::Recording trace =
       recorded(trace_text("10 X 1; 10 Y 1", R"(,"programs":[{"name":"cell","writes":["Y"]}])"));
   CHECK(trace.order == std::vector<std::uint32_t>{1, 0});
 }
 
 TEST_CASE("Numbers are read as text, too") {
-  const compare::Recorded trace = recorded(trace_text("10 N \"18446744073709551615\"; 20 N \"-inf\"; 30 N -5"));
+  const recording::Recording trace = recorded(trace_text("10 N \"18446744073709551615\"; 20 N \"-inf\"; 30 N -5"));
   REQUIRE(trace.series[0].changes.size() == 3);
   CHECK(trace.series[0].changes[0].value == 18446744073709551615.0);
   CHECK(std::isinf(trace.series[0].changes[1].value));
@@ -34,11 +34,11 @@ TEST_CASE("Numbers are read as text, too") {
 
 TEST_CASE("What was before the plant was set back does not count") {
   const std::string text = trace_text("10 X 1") + "{\"t\":0,\"reset\":\"\",\"values\":{\"Y\":true}}\n{\"t\":5000000}\n";
-  const compare::ReadRecorded reset = read(text);
+  const recording::ReadRecording reset = read(text);
   CHECK(reset.error == "");
-  CHECK(reset.warning == "t.jsonl:3: the plant was set back here: what follows is compared");
-  REQUIRE(reset.recorded.series.size() == 1);
-  CHECK(reset.recorded.series[0].name == "Y");
+  CHECK(reset.warnings == std::vector<std::string>{"t.jsonl:3: the plant was set back here: only what follows counts"});
+  REQUIRE(reset.recording.series.size() == 1);
+  CHECK(reset.recording.series[0].name == "Y");
 }
 
 TEST_CASE("What cannot be read is reported with its line") {
@@ -46,7 +46,8 @@ TEST_CASE("What cannot be read is reported with its line") {
         "t.jsonl:1: this is a later part of a trace: record it without `--trace-limit`, so that it has its beginning");
   CHECK(read(trace_text("10 N \"high\"")).error == "t.jsonl:2: `N` cannot have the value \"high\"");
   CHECK(read(trace_text("10 N 1; 20 N true")).error == "t.jsonl:3: `N` is a BOOL and a number");
-  CHECK(read(trace_text("10 X 1") + "{\"t\":1,").warning == "t.jsonl:3: the last line is cut off, and is left out");
+  CHECK(read(trace_text("10 X 1") + "{\"t\":1,").warnings ==
+        std::vector<std::string>{"t.jsonl:3: the last line is cut off, and is left out"});
   const char* const no_writes = "t.jsonl:1: an entry of `programs` is no object with an array `writes`";
   CHECK(read(trace_text("10 X 1", R"(,"programs":["cell"])")).error == no_writes);
   CHECK(read(trace_text("10 X 1", R"(,"programs":[{"writes":"X"}])")).error == no_writes);

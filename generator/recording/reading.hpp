@@ -1,0 +1,26 @@
+// What the readers of all formats take and return.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "recording/recording.hpp"
+
+namespace symplant::recording {
+
+/// How files of other tools are read. Traces of symplant need none of it.
+struct ReadOptions {
+  std::string time_column;  ///< the name of the column of times; empty: by its header
+  std::string time_unit;    ///< s, ms, us, ns, filetime or iso; empty: by the header or the cells
+  std::vector<std::pair<std::string, std::string>> renames;  ///< a name in the file, the symbol
+};
+
+/// What was read, or why it could not be.
+struct ReadRecording {
+  Recording recording;
+  std::string error;                  ///< `FILE:4: ...`; empty: the whole file could be read
+  std::vector<std::string> warnings;  ///< as error: what was left out
+};
+
+}  // namespace symplant::recording
