@@ -1,0 +1,37 @@
+// Lets an observer follow a recording.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/plant_model.hpp"
+#include "observe/observer.hpp"
+#include "recording/recording.hpp"
+
+namespace symplant::observe {
+
+/// Which symbol of a plant each series of a recording is.
+struct Matched {
+  struct Unknown {
+    std::string name;
+    std::string nearest;  ///< a symbol with a similar name that the recording does not have; empty: none
+  };
+  std::vector<std::uint32_t> symbols;  ///< by series; kNone: no symbol of the plant, or parts
+  std::vector<bool> recorded;          ///< by symbol of the plant
+  std::vector<Unknown> unknown;        ///< series that are no symbol, by name
+};
+
+/// O(series + symbols, and unknown series * symbols for the nearest names of the first 20).
+Matched match(const model::PlantModel& plant, const recording::Recording& recording);
+
+/// Feeds a recording to an observer, time by time, and passes each step on. A gap makes the observer forget. O(changes).
+void play(const recording::Recording& recording, const Matched& matched, Observer& observer,
+          const std::function<void(Time, const Step&)>& step);
+
+/// All moves that the recording shows, in the order of their ends. O(changes).
+std::vector<Move> moves_of(const model::PlantModel& plant, const recording::Recording& recording,
+                           const Matched& matched);
+
+}  // namespace symplant::observe
