@@ -24,10 +24,12 @@ struct Move {
   std::uint32_t to = kNone;          ///< kNone: left, and not yet arrived
   std::uint32_t transition = kNone;  ///< whose cause held; kNone: nothing that is known caused it, or a spring's return
   bool spring_return = false;        ///< caused by the end of the command
-  Time cause = kUnknown;             ///< when the cause began to hold with the unit in `from`
-  Time left = kUnknown;              ///< kUnknown: no event shows it, since `from` has no event that is on
-  Time arrived = kUnknown;           ///< kUnknown: no event shows it, since `to` has no event that is on
-  Time stopped = 0;                  ///< between leaving and arriving: how long the model does not let it move
+  Time since = kUnknown;    ///< when the unit came to `from`, or left the state before if no event shows `from`
+  Time cause = kUnknown;    ///< when the cause began to hold with the unit in `from`
+  Time left = kUnknown;     ///< kUnknown: no event shows it, since `from` has no event that is on
+  Time arrived = kUnknown;  ///< kUnknown: no event shows it, since `to` has no event that is on
+  Time stopped = 0;         ///< how long the model did not let it move meanwhile
+  bool turned = false;      ///< commanded back or without a command meanwhile: its times say little
 
   bool is_caused() const { return cause != kUnknown; }
 };
@@ -37,10 +39,11 @@ struct Step {
   enum class Kind : std::uint8_t {
     caused,         ///< `move`: a cause began to hold; it has no times but `cause`
     canceled,       ///< `move`: that cause ended before its unit left the state
-    left,           ///< `move`: the unit left the state
-    arrived,        ///< `move` is complete; also from an unknown state, and back to the state that it left
+    left,           ///< `move`: the unit left the state; complete if no event can show the arrival in `to`
+    arrived,        ///< `move` is complete; also from an unknown state, and back to the state that it left (`to` is
+                    ///< `from`); after a contradiction it has arrived when that began
     contradiction,  ///< its events are on in a combination that no state has; `move.from` is its last state
-    settled,        ///< after a contradiction its events are those of state `move.to` again
+    settled,        ///< after a contradiction its events are those of state `move.to` again; kNone: none is on
   };
   Kind kind = Kind::arrived;
   Move move;
@@ -60,9 +63,10 @@ struct View {
 /// what is not recorded. Not thread-safe.
 class Observer {
  public:
-  /// `recorded`: by index in PlantModel::symbols, whether changes of the symbol will be given. The plant must outlive
-  /// the observer. O(plant).
-  Observer(const model::PlantModel& plant, const std::vector<bool>& recorded);
+  /// `recorded`: by index in PlantModel::symbols, whether changes of the symbol will be given. `resolution`: the
+  /// interval of reading; a cause that ended up to two intervals ago is still one. The plant must outlive the observer.
+  /// O(plant).
+  Observer(const model::PlantModel& plant, const std::vector<bool>& recorded, Time resolution);
   Observer(const Observer&) = delete;
   Observer& operator=(const Observer&) = delete;
   ~Observer();

@@ -26,7 +26,8 @@ struct Matched {
 /// O(series + symbols, and unknown series * symbols for the nearest names of the first 20).
 Matched match(const model::PlantModel& plant, const recording::Recording& recording);
 
-/// Feeds a recording to an observer, time by time, and passes each step on. A gap makes the observer forget. O(changes).
+/// Feeds a recording to an observer, time by time, and passes each step on. A gap makes the observer forget.
+/// O(changes).
 void play(const recording::Recording& recording, const Matched& matched, Observer& observer,
           const std::function<void(Time, const Step&)>& step);
 
