@@ -5,18 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "recording/recording.hpp"
+#include "recording/of_run.hpp"
 #include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/record.hpp"
 
 namespace symplant::campaign {
 
-/// A change of a symbol, an output of a value, or a device.
-struct Change {
-  tables::Time time;
-  std::uint64_t value;  ///< as trace::Record has it
-  std::uint32_t of;
-};
+using Change = recording::RunChange;
+using recording::number_of;
 
 struct Violation {
   tables::Time time;
@@ -34,9 +30,6 @@ struct RunLog {
 
   void take(const trace::Record& record);
 };
-
-/// The number in a symbol's slot; of a BOOL symbol 0 or 1.
-double number_of(const tables::SymbolRow& symbol, std::uint64_t value);
 
 /// The changes of the symbols that are chosen, for comparisons. O(symbols + changes).
 recording::Recording recorded(const RunLog& log, const trace::PlantNames& names, const std::vector<bool>& chosen,
