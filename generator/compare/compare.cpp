@@ -289,8 +289,7 @@ class Comparer {
 
   bool chosen(const Series& series) const {
     if (series.kind == Series::Kind::parts && !(result_.expected->has_parts && result_.actual->has_parts)) return false;
-    return (options_.only.empty() || matches_any(options_.only, series.name)) &&
-           !matches_any(options_.ignore, series.name);
+    return is_chosen(options_, series.name);
   }
 
   void choose(Walk& walk) {
@@ -366,6 +365,10 @@ class Comparer {
 
 Comparison compare(const Recording& expected, const Recording& actual, const Options& options) {
   return Comparer(expected, actual, options).run();
+}
+
+bool is_chosen(const Options& options, const std::string& name) {
+  return (options.only.empty() || matches_any(options.only, name)) && !matches_any(options.ignore, name);
 }
 
 void drop_unsure(Comparison& comparison) {

@@ -54,6 +54,8 @@ struct Options {
 
 /// `none`, `follow`; any other text is the name of a symbol.
 Align align_of(std::string_view text);
+/// Whether the patterns choose a symbol or location. O(patterns).
+bool is_chosen(const Options& options, const std::string& name);
 /// Reads a share: `2.5%` is 0.025. Only `0` needs no `%`. Nothing for any other text.
 std::optional<double> parse_tolerance(std::string_view text);
 

@@ -132,19 +132,23 @@ std::string chart_data(const Comparison& comparison) {
   return base::text_of([&](base::TextSink& json) { Page(comparison, json).write(); });
 }
 
-void write_chart_page(const std::string& title, const base::TextSource& data, base::TextSink& sink) {
+void write_chart_page(const std::string& title, const base::TextSource& data, base::TextSink& sink,
+                      const std::string& section) {
   base::put_framed(chart_frame(),
                    {{"@title@", base::whole(diag::markup_text(title))},
                     {"@style@", [](base::TextSink& out) { out.put(chart_style()); }},
+                    {"@section@", base::whole(section)},
                     {"@data@", data},
                     {"@script@", [](base::TextSink& out) { out.put(chart_script()); }}},
                    sink);
 }
 
-void write_html(const Comparison& comparison, base::TextSink& sink) {
+void write_html(const Comparison& comparison, base::TextSink& sink) { write_html(comparison, {}, sink); }
+
+void write_html(const Comparison& comparison, const std::string& section, base::TextSink& sink) {
   write_chart_page(
       comparison.actual->name + " compared with " + comparison.expected->name,
-      [&](base::TextSink& out) { out.put(diag::script_json(chart_data(comparison))); }, sink);
+      [&](base::TextSink& out) { out.put(diag::script_json(chart_data(comparison))); }, sink, section);
 }
 
 }  // namespace symplant::compare

@@ -63,6 +63,12 @@ void write_trace(view::JsonWriter& json, std::string_view key, const Recording& 
 }  // namespace
 
 void write_json(const Comparison& comparison, base::TextSink& sink) {
+  write_json(
+      comparison, [](view::JsonWriter&) {}, sink);
+}
+
+void write_json(const Comparison& comparison, const std::function<void(view::JsonWriter&)>& more,
+                base::TextSink& sink) {
   view::JsonWriter json(sink, view::JsonWriter::Form::indented);
   json.begin_object();
   json.member("symplant-compare", kJsonVersion);
@@ -76,6 +82,7 @@ void write_json(const Comparison& comparison, base::TextSink& sink) {
   json.array(comparison.differences, [&](const Difference& difference) { write_difference(json, difference); });
   json.key("not_recorded");
   json.array(comparison.not_recorded, [&](const Series* series) { json.value(name_of(*series)); });
+  more(json);
   json.end_object();
   json.finish();
 }

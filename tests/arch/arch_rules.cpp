@@ -21,10 +21,10 @@ constexpr std::size_t kMostLines = 500;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 27> kGenerator = {
+constexpr std::array<std::string_view, 28> kGenerator = {
     "base",  "text",  "diag",      "address", "read",    "name",  "description", "naming",   "pairing",
     "infer", "model", "score",     "convert", "lower",   "check", "findings",    "emit",     "view",
-    "diff",  "map",   "recording", "compare", "observe", "batch", "suite",       "campaign", "app"};
+    "diff",  "map",   "recording", "compare", "observe", "study", "batch", "suite",       "campaign", "app"};
 constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "plant", "condition", "json",
                                                        "share",    "exec",    "link",  "trace",     "why",
                                                        "scenario", "program", "panel", "host"};
@@ -69,6 +69,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"recording", " tables trace "},
     RuntimeUse{"compare", " tables trace "},
     RuntimeUse{"observe", " tables condition "},
+    RuntimeUse{"study", " tables condition plant trace "},
     RuntimeUse{"batch", " program "},
     RuntimeUse{"suite", " tables json trace why host "},
     RuntimeUse{"campaign", " tables trace plant program host "},

@@ -1,4 +1,4 @@
-// symplant compare: how one recorded run differs from another.
+// symplant compare: how one recorded run differs from another, or from the run of a plant.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -21,9 +21,11 @@
 #include "app/options.hpp"
 #include "compare/difference.hpp"
 #include "compare/formats.hpp"
-#include "recording/read.hpp"
 #include "compare/words.hpp"
 #include "diag/visible_text.hpp"
+#include "recording/read.hpp"
+#include "study/formats.hpp"
+#include "study/study.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/tables/duration.hpp"
 
@@ -32,7 +34,9 @@ namespace {
 
 struct CompareOptions {
   std::string expected;
-  std::string actual;
+  std::string actual;  ///< empty: the run of `plant`
+  std::string plant;
+  PlantOptions plant_options;
   compare::Options how;
   std::string format = "text";
   std::string output;
@@ -43,16 +47,22 @@ struct ComparedTraces {
   recording::Recording expected;
   recording::Recording actual;
   compare::Comparison comparison;
+  std::optional<study::Study> study;  ///< of the run of a plant, which is `actual`
 };
 
 struct CompareFormat {
   const char* name;
   void (*write)(const compare::Comparison&, base::TextSink&);
+  void (*write_study)(const study::Study&, const compare::Comparison&, base::TextSink&);
 };
-constexpr std::array<CompareFormat, 4> kCompareFormats{{{"text", compare::write_text},
-                                                        {"json", compare::write_json},
-                                                        {"junit", compare::write_junit},
-                                                        {"html", compare::write_html}}};
+constexpr std::array<CompareFormat, 4> kCompareFormats{
+    {{"text", compare::write_text, study::write_text},
+     {"json", compare::write_json, study::write_json},
+     {"junit", compare::write_junit,
+      [](const study::Study&, const compare::Comparison& comparison, base::TextSink& sink) {
+        compare::write_junit(comparison, sink);
+      }},
+     {"html", compare::write_html, study::write_html}}};
 
 /// Nothing, with a message and the exit code, if the trace cannot be read.
 std::optional<recording::Recording> read_compared(const std::string& path, Context& context) {
@@ -73,15 +83,9 @@ std::optional<recording::Recording> read_compared(const std::string& path, Conte
   return std::move(read.recording);
 }
 
-void compare_traces(const CompareOptions& options, Context& context) {
-  auto expected = read_compared(options.expected, context);
-  if (!expected) return;
-  auto actual = read_compared(options.actual, context);
-  if (!actual) return;
-  const auto compared = std::make_shared<ComparedTraces>(ComparedTraces{std::move(*expected), std::move(*actual), {}});
-  context.kept = compared;
-  compared->comparison = compare::compare(compared->expected, compared->actual, options.how);
-  const compare::Comparison& comparison = compared->comparison;
+/// Writes what was compared, and sets the exit code.
+void report(const CompareOptions& options, const ComparedTraces& compared, Context& context) {
+  const compare::Comparison& comparison = compared.comparison;
   if (!comparison.error.empty()) {
     context.err << "error: " << diag::visible(comparison.error) << "\n";
     context.exit_code = host::kBadInput;
@@ -90,10 +94,59 @@ void compare_traces(const CompareOptions& options, Context& context) {
   if (!comparison.warning.empty()) context.err << "warning: " << diag::visible(comparison.warning) << "\n";
   const auto format = std::find_if(kCompareFormats.begin(), kCompareFormats.end(),
                                    [&](const CompareFormat& one) { return options.format == one.name; });
-  const base::TextSource text = [&](base::TextSink& sink) { format->write(comparison, sink); };
-  if (!write_result(context, options.output, text, {options.expected, options.actual})) return;
+  const base::TextSource text = [&](base::TextSink& sink) {
+    compared.study ? format->write_study(*compared.study, comparison, sink) : format->write(comparison, sink);
+  };
+  std::vector<std::string> inputs{options.expected};
+  if (!options.actual.empty()) inputs.push_back(options.actual);
+  if (!options.plant.empty()) inputs.push_back(options.plant);
+  if (!write_result(context, options.output, text, inputs)) return;
   if (!options.output.empty()) context.out << diag::visible(compare::summary(comparison)) << "\n";
   if (!comparison.differences.empty()) context.exit_code = host::kFindings;
+}
+
+/// The run of the plant with the operations of the recording; nothing, with the exit code, if it cannot run.
+std::optional<study::Study> study_of(const CompareOptions& options, const recording::Recording& recorded,
+                                     Context& context) {
+  const auto compiled = compile_for(context, options.plant, options.plant_options);
+  if (!compiled) return std::nullopt;
+  study::Study study =
+      study::study(compiled->plant, compiled->tables.tables(), recorded, options.plant,
+                   [&](std::string_view name) { return compare::is_chosen(options.how, std::string(name)); });
+  constexpr std::size_t kMostNames = 20;
+  for (std::size_t i = 0; i < std::min(kMostNames, study.unmatched.size()); ++i) {
+    context.err << "warning: no symbol of " << diag::visible(options.plant) << " has the name "
+                << diag::visible(study.unmatched[i]) << "\n";
+  }
+  if (study.unmatched.size() > kMostNames) {
+    context.err << "warning: ... and " << study.unmatched.size() - kMostNames << " other names\n";
+  }
+  return study;
+}
+
+void compare_traces(const CompareOptions& options, Context& context) {
+  if (options.actual.empty() == options.plant.empty()) {
+    context.err << (options.plant.empty() ? "error: give the second trace, or a plant to run with `--plant`\n"
+                                          : "error: `--plant` replaces the second trace: give one of them\n");
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  auto expected = read_compared(options.expected, context);
+  if (!expected) return;
+  const auto compared = std::make_shared<ComparedTraces>();
+  context.kept = compared;
+  compared->expected = std::move(*expected);
+  if (options.plant.empty()) {
+    auto actual = read_compared(options.actual, context);
+    if (!actual) return;
+    compared->actual = std::move(*actual);
+  } else {
+    compared->study = study_of(options, compared->expected, context);
+    if (!compared->study) return;
+    compared->actual = std::move(compared->study->run);
+  }
+  compared->comparison = compare::compare(compared->expected, compared->actual, options.how);
+  report(options, *compared, context);
 }
 
 void read_window(const std::string& text, CompareOptions& options) {
@@ -122,9 +175,16 @@ void read_align(const std::string& text, CompareOptions& options) {
 
 void add_compare(CLI::App& app, Context& context) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "Compare two traces: what is missing, unexpected, late or early");
-  command->add_option("EXPECTED", options->expected, "the trace of a run that is right")->required();
-  command->add_option("ACTUAL", options->actual, "the trace of another run")->required();
+  CLI::App* command = app.add_subcommand("compare", "Compare two traces, or a recording with the run of a plant");
+  command->add_option("EXPECTED", options->expected, "the trace of a run that is right, or a recording")->required();
+  command->add_option("ACTUAL", options->actual, "the trace of another run");
+  CLI::Option* const plant =
+      command
+          ->add_option(
+              "--plant", options->plant,
+              "run this plant.json or symbol list with the operations of EXPECTED, in place of ACTUAL, and show "
+              "how accurate each movement is")
+          ->type_name("PLANT");
   command
       ->add_option_function<std::string>(
           "--window", [options](const std::string& text) { read_window(text, *options); },
@@ -158,10 +218,16 @@ void add_compare(CLI::App& app, Context& context) {
           "html: both as one chart")
       ->check(CLI::IsMember(names));
   command->add_option("-o,--output", options->output, "write the result to this file")->type_name("FILE");
+  const std::vector<CLI::Option*> own = command->get_options();
+  add_plant_options(*command, options->plant_options);
+  for (CLI::Option* const option : command->get_options()) {
+    if (std::find(own.begin(), own.end(), option) == own.end()) option->needs(plant);
+  }
   command->footer(
       "Exit codes: 0 no difference; 1 differences; 2 bad input or usage.\n"
       "Examples:\n  symplant compare good.jsonl run.jsonl --only '*_O_*'\n"
-      "  symplant compare good.jsonl beside-the-plc.jsonl --align follow --window 30ms --format html -o run.html");
+      "  symplant compare good.jsonl beside-the-plc.jsonl --align follow --window 30ms --format html -o run.html\n"
+      "  symplant compare recording.jsonl --plant plant.json --only '*_I_*'");
   command->callback([options, &context] { compare_traces(*options, context); });
 }
 
