@@ -66,6 +66,7 @@ std::vector<Movement> movements_of(const model::PlantModel& plant, const std::ve
           found == moves_of_run.end() ? nullptr : repeated(move, next, found->second, of.resolution);
       const model::Unit& unit = plant.units[u];
       const Time duration = move.arrived - move.cause;
+      if (run == nullptr && of.end - move.arrived <= duration + of.resolution) continue;  // the run may arrive later
       movements.push_back(
           {fmt::format("{} {} -> {}", unit.path, unit.states[move.from].name, unit.states[move.to].name), move.cause,
            move.arrived, run == nullptr ? 0 : accuracy_of_time(duration, run->arrived - run->cause, of.resolution)});

@@ -49,7 +49,8 @@ Time rest_time(Time resolution);
 std::vector<Movement> movements_of(const Curve& curve, const Recorded& of);
 
 /// The movements of devices: each move of the recording with a known cause and a known arrival, compared with the move
-/// of the run to the same state. Those whose cause is not after `begin` are left out, as it may be older.
+/// of the run to the same state. Those whose cause is not after `begin` are left out, as it may be older, and those
+/// that the run does not have but may have soon after the end. A move that the run does not have has the accuracy 0.
 /// O(moves * log(moves)).
 std::vector<Movement> movements_of(const model::PlantModel& plant, const std::vector<observe::Move>& recorded,
                                    const std::vector<observe::Move>& actual, Time begin, const Recorded& of);

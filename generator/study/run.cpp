@@ -77,6 +77,7 @@ class Run {
   /// Runs what is due before a time, instant by instant, so that the records have room.
   void go_before(Time time) {
     if (plant_.now() >= time) return;
+    advance_to(plant_.now());  // what was written last takes effect at its time
     for (Time due = plant_.next_due(); due < time; due = plant_.next_due()) advance_to(due);
     plant_.advance_before(time, &recorder_);
   }
@@ -113,15 +114,32 @@ class Run {
   std::vector<recording::RunChange> changes_;
 };
 
+/// A recording begins with a line of each symbol, a run with a line of those that are on or not 0.
+void add_first_lines(std::vector<recording::RunChange>& changes, std::size_t symbols, Time begin) {
+  std::vector<bool> has_line(symbols);
+  for (const recording::RunChange& change : changes) {
+    if (change.time > begin) break;
+    has_line[change.of] = true;
+  }
+  std::vector<recording::RunChange> first;
+  for (std::uint32_t symbol = 0; symbol < symbols; ++symbol) {
+    if (!has_line[symbol]) first.push_back({begin, 0, symbol});
+  }
+  changes.insert(changes.begin(), first.begin(), first.end());
+}
+
 }  // namespace
 
 recording::Recording run_with(const model::PlantModel& plant, const tables::PlantTables& tables,
                               const recording::Recording& recording, const observe::Matched& matched,
                               const Start& start, std::string name) {
-  const std::vector<recording::RunChange> changes = Run(tables, recording, matched, start).run();
+  std::vector<recording::RunChange> changes = Run(tables, recording, matched, start).run();
+  if (!recording.of_plant) add_first_lines(changes, plant.symbols.size(), start.begin);
   const trace::PlantNames names(tables);
   const std::vector<bool> all(plant.symbols.size(), true);
-  return recording::of_run(changes, recording.end, names, all, std::move(name));
+  recording::Recording run = recording::of_run(changes, recording.end, names, all, std::move(name));
+  run.of_plant = recording.of_plant;
+  return run;
 }
 
 }  // namespace symplant::study

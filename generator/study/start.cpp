@@ -2,18 +2,21 @@
 #include "study/start.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "elements/value/readers.hpp"
 #include "observe/observer.hpp"
 #include "study/shown.hpp"
+#include "symplant/condition/type_info.hpp"
 
 namespace symplant::study {
 namespace {
 
 /// The first lines of a recording, one a symbol, have different times if the symbols were read by several requests.
-constexpr Time kFirstLines = 2;  // resolutions
+constexpr Time kFirstLines = 2;    // resolutions
+constexpr double kRounding = 0.5;  // of a number that is an integer
 
 Time begin_of(const recording::Recording& recording) {
   if (recording.of_plant) return 0;
@@ -45,7 +48,13 @@ class Numbers {
       : plant_(plant), value_of_(model::values_of_outputs(plant)), set_(plant.values.size()), start_(start) {}
 
   void from(const model::Signal& signal, double number) {
-    if (const auto line = line_of(signal)) set(line->output, line->output_for(number));
+    const std::optional<Line> line = line_of(signal);
+    if (!line) return;
+    const model::Value& value = plant_.values[value_of_[line->output]];
+    const double shown = line->factor * value.row.start_output() + line->offset;
+    const bool is_real = condition::info_of(plant_.symbols[signal.row.symbol].type).kind == tables::NumberKind::real;
+    if (std::abs(shown - number) <= (is_real ? 0 : kRounding)) return;  // the start of the model may be exact
+    set(line->output, line->output_for(number));
   }
 
  private:

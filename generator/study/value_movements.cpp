@@ -10,10 +10,10 @@ namespace {
 
 using Change = recording::Series::Change;
 
-constexpr double kBand = 0.005;                     // of the range: a number within it is at rest
+constexpr double kBand = 0.002;                     // of the range: a number within it is at rest
 constexpr double kShortest = 0.05;                  // of the range: what moves less is not compared
 constexpr Time kLongestWait = 3 * tables::kSecond;  // from a command to the first change of the number
-constexpr Time kLeastRest = tables::kSecond;
+constexpr Time kLeastRest = 500 * tables::kMillisecond;
 constexpr Time kReadings = 5;   // that a number at rest is the same
 constexpr Time kPoints = 1000;  // at which a movement is compared, without a resolution
 

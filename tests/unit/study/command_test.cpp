@@ -1,0 +1,104 @@
+// symplant compare RECORDING --plant PLANT.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/file_system.hpp"
+#include "study_support.hpp"
+#include "support/strings.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/tool.hpp"
+
+namespace symplant::test {
+namespace {
+
+constexpr const char* kList =
+    "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n"
+    "VAR_GLOBAL,L_P_CL_I_OPEN,,%IX0,BOOL,FALSE\nVAR_GLOBAL,L_P_CL_I_CLOSED,,%IX1,BOOL,FALSE\n"
+    "VAR_GLOBAL,L_P_CL_O_OPEN,,%QX0,BOOL,FALSE\nVAR_GLOBAL,L_P_CL_O_CLOSED,,%QX1,BOOL,FALSE\n";
+
+/// The clamp opens in 2 s and closes in 1 s; the model says 1 s for both.
+constexpr const char* kRecording =
+    "0 L_P_CL_I_OPEN on; 0 L_P_CL_I_CLOSED off; 0 L_P_CL_O_OPEN off; 0 L_P_CL_O_CLOSED off; 0 SPARE off; "
+    "1000 L_P_CL_O_CLOSED on; 1000 L_P_CL_I_OPEN off; 2000 L_P_CL_I_CLOSED on; 3000 L_P_CL_O_CLOSED off; "
+    "4000 L_P_CL_O_OPEN on; 4000 L_P_CL_I_CLOSED off; 6000 L_P_CL_I_OPEN on; 10000";
+
+class Command {
+ public:
+  Command() {
+    folder_.write("symbols.csv", kList);
+    folder_.write("recording.jsonl", recording_text(kRecording, ",\"recorded\":true,\"every\":50000000"));
+  }
+
+  ToolRun run(std::vector<std::string> options) {
+    options.insert(options.begin(), {"compare", path("recording.jsonl")});
+    base::DiskFileSystem files;
+    return run_tool(options, files);
+  }
+  std::string path(const std::string& name) const { return folder_ / name; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_CASE("A recording is compared with the run of a plant, and each movement has an accuracy") {
+  Command command;
+  const ToolRun ran = command.run({"--plant", command.path("symbols.csv")});
+  INFO(ran.out << ran.err);
+  CHECK(ran.code == 1);  // the clamp opens early
+  CHECK(contains(ran.err, "has the name `SPARE`"));
+  CHECK(contains(ran.out, "The run begins at 0 s as recorded: 0 devices in other states"));
+  CHECK(contains(ran.out, "at 6 s: `L_P_CL_I_OPEN` early by 1 s: on"));
+  CHECK(contains(ran.out, "accuracy of 2 movements, times of the recording are exact to 0.05 s:"));
+  CHECK(contains(ran.out, "  L_P_CL CLOSED -> OPEN     1    50.0 %    50.0 %    50.0 %\n"));
+  CHECK(contains(ran.out, "  L_P_CL OPEN -> CLOSED     1   100.0 %   100.0 %   100.0 %\n"));
+  CHECK(contains(ran.out, "  total                     2    50.0 %    66.6 %   100.0 %\n"));  // 1 s and 2 s
+}
+
+TEST_CASE("The accuracy is in every format but JUnit, with the options of compare") {
+  Command command;
+  const std::string plant = command.path("symbols.csv");
+  const auto json = nlohmann::json::parse(command.run({"--plant", plant, "--format", "json"}).out);
+  CHECK(json["actual"]["file"] == "run of " + plant);
+  CHECK(json["accuracy"]["resolution"] == 50000000);
+  CHECK(json["accuracy"]["movements"].size() == 2);
+  CHECK(json["accuracy"]["movements"][1]["accuracy"] == 0.5);
+  CHECK(json["accuracy"]["movements"][1]["begin"] == 4000000000);
+  CHECK(json["accuracy"]["rows"].size() == 2);
+  CHECK(json["accuracy"]["total"]["count"] == 2);
+  const ToolRun html = command.run({"--plant", plant, "--format", "html"});
+  CHECK(contains(html.out, "<td>L_P_CL CLOSED -&gt; OPEN</td><td>1</td><td>50.0 %</td>"));
+  CHECK(contains(command.run({"--plant", plant, "--format", "junit"}).out, "<testcase name=\"L_P_CL_I_OPEN\""));
+  const ToolRun wide = command.run({"--plant", plant, "--window", "2s", "--only", "L_P_CL_I_CLOSED"});
+  CHECK(wide.code == 0);
+  const ToolRun none = command.run({"--plant", plant, "--only", "L_P_CL_O_OPEN"});
+  CHECK(contains(none.out, "no movement: after no change of an operation"));
+  CHECK(nlohmann::json::parse(
+            command.run({"--plant", plant, "--only", "SPARE", "--format", "json"}).out)["accuracy"]["total"]
+            .is_null());
+}
+
+TEST_CASE("compare takes a second trace or a plant") {
+  Command command;
+  const ToolRun neither = command.run({});
+  CHECK(neither.code == 2);
+  CHECK(contains(neither.err, "error: give the second trace, or a plant to run with `--plant`"));
+  const ToolRun both = command.run({command.path("recording.jsonl"), "--plant", command.path("symbols.csv")});
+  CHECK(both.code == 2);
+  CHECK(contains(both.err, "error: `--plant` replaces the second trace: give one of them"));
+  CHECK(command.run({command.path("recording.jsonl")}).code == 0);
+  const ToolRun without = command.run({command.path("recording.jsonl"), "--verbose"});
+  CHECK(without.code == 2);
+  CHECK(contains(without.err, "--plant"));
+  const ToolRun missing = command.run({"--plant", command.path("no.csv")});
+  CHECK(missing.code == 2);
+  CHECK(contains(missing.err, "no.csv"));
+}
+
+TEST_CASE("A result does not overwrite the plant") {
+  Command command;
+  const std::string plant = command.path("symbols.csv");
+  CHECK(command.run({"--plant", plant, "-o", plant}).code == 2);
+}
+
+}  // namespace
+}  // namespace symplant::test
