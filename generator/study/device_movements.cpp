@@ -43,7 +43,7 @@ const Move* repeated(const Move& move, Time next, const std::vector<const Move*>
   return nearest;
 }
 
-/// Both ends of a recorded duration are exact to the resolution, so that a difference below it is none.
+/// Both ends of a recorded duration are exact to the resolution, so that a difference up to it does not count.
 double accuracy_of_time(Time recorded, Time actual, Time resolution) {
   const Time difference = std::abs(recorded - actual);
   if (difference <= resolution) return 1;

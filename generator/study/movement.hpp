@@ -30,6 +30,7 @@ struct Curve {
   std::vector<Time> commands = {};            ///< when operations change that it depends on, ascending
   double period = 0;                          ///< the distance after which the number begins again; 0: never
   bool whole = true;                          ///< its numbers are integers: a change by 1 may be noise
+  double noise = 0;                           ///< its standard deviation in the model
 };
 
 /// What is known of the recording.

@@ -16,6 +16,7 @@ namespace {
 
 /// The first lines of a recording, one a symbol, have different times if the symbols were read by several requests.
 constexpr Time kFirstLines = 2;    // resolutions
+constexpr double kDeviations = 4;  // of noise
 constexpr double kRounding = 0.5;  // of a number that is an integer
 
 Time begin_of(const recording::Recording& recording) {
@@ -53,7 +54,8 @@ class Numbers {
     const model::Value& value = plant_.values[value_of_[line->output]];
     const double shown = line->factor * value.row.start_output() + line->offset;
     const bool is_real = condition::info_of(plant_.symbols[signal.row.symbol].type).kind == tables::NumberKind::real;
-    if (std::abs(shown - number) <= (is_real ? 0 : kRounding)) return;  // the start of the model may be exact
+    const double unsure = (is_real ? 0 : kRounding) + kDeviations * signal.row.noise;
+    if (std::abs(shown - number) <= unsure) return;  // the start of the model may be exact
     set(line->output, line->output_for(number));
   }
 
@@ -90,9 +92,10 @@ void find_states(const model::PlantModel& plant, const recording::Recording& rec
   }
   observer.close(start.begin);
   for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
+    if (!plant.units[u].moves() || plant.units[u].events.empty()) continue;
     const observe::View view = observer.view(u);
     if (view.state == model::kNone) {
-      start.unknown += plant.units[u].moves() && !plant.units[u].events.empty() ? 1U : 0U;
+      ++start.unknown;
     } else if (view.state != plant.units[u].initial && !view.contradicts) {
       start.states.emplace_back(u, static_cast<std::uint8_t>(view.state));
     }

@@ -63,6 +63,7 @@ void add_signals(const model::PlantModel& plant, const recording::Recording& rec
     curve.commands = command_times(operations[s], recorded, result.begin);
     curve.period = period_of(plant.signals[s]);
     curve.whole = condition::info_of(plant.symbols[symbol].type).kind != tables::NumberKind::real;
+    curve.noise = plant.signals[s].row.noise;
     const std::vector<Movement> own = movements_of(curve, of);
     result.movements.insert(result.movements.end(), own.begin(), own.end());
   }

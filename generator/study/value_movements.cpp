@@ -11,6 +11,7 @@ namespace {
 using Change = recording::Series::Change;
 
 constexpr double kBand = 0.002;                     // of the range: a number within it is at rest
+constexpr double kMostNoise = 4;                    // of noise: so far from where it is, it moves
 constexpr double kShortest = 0.05;                  // of the range: what moves less is not compared
 constexpr Time kLongestWait = 3 * tables::kSecond;  // from a command to the first change of the number
 constexpr Time kLeastRest = 500 * tables::kMillisecond;
@@ -97,12 +98,12 @@ std::vector<Movement> movements_of(const Curve& curve, const Recorded& of) {
   const auto by_value = [](const Change& a, const Change& b) { return a.value < b.value; };
   const auto [least, most] = std::minmax_element(recorded.begin(), recorded.end(), by_value);
   const double range = most->value - least->value;
+  const double band = std::max({kBand * range, curve.whole ? 1.0 : 0.0, kMostNoise * curve.noise});
   const Time rest = rest_time(of.resolution);
   Walk recorded_at(recorded);
   Walk actual_at(actual);
   Time after = 0;
-  for (const auto& [first, last] :
-       stretches(recorded, std::max(kBand * range, curve.whole ? 1.0 : 0.0), rest, of.end)) {
+  for (const auto& [first, last] : stretches(recorded, band, rest, of.end)) {
     const std::optional<Time> begin = command_of(curve.commands, after, first, rest);
     after = last;
     if (!begin || has_gap(of, *begin, last)) continue;

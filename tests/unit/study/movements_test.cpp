@@ -35,7 +35,8 @@ void append(Series& series, const Series& more) {
 
 std::vector<Movement> compared(const Series& recorded, const Series& actual, std::vector<Time> commands = {1000 * kMs},
                                double period = 0) {
-  return study::movements_of(Curve{&recorded, &actual, std::move(commands), period, true}, {5000 * kMs, 100 * kMs, {}});
+  return study::movements_of(Curve{&recorded, &actual, std::move(commands), period, true, 0},
+                             {5000 * kMs, 100 * kMs, {}});
 }
 
 TEST_CASE("A movement that the run repeats exactly has 100 %, from the command to the rest") {
@@ -61,7 +62,7 @@ TEST_CASE("The accuracy of a number is one minus the mean difference as a share 
   const auto still = compared(moving(1100, 10, 10), moving(1100, 10, 0));
   REQUIRE(still.size() == 1);
   CHECK(is_near(still[0].accuracy, 0.5));
-  // One that moves the other way, three times as far: 40 * 55 / 11 of 100 is more than the distance.
+  // One that moves in the other direction, three times as far: 40 * 55 / 11 of 100 is more than the distance.
   const auto away = compared(moving(1100, 10, 10), moving(1100, -30, 10));
   REQUIRE(away.size() == 1);
   CHECK(away[0].accuracy == 0);
@@ -103,7 +104,8 @@ TEST_CASE("What is no movement after a command is not compared") {
   append(back, moving(2100, -10, 10));
   CHECK(compared(back, back).empty());  // it comes back without a rest
   const std::vector<recording::Gap> gaps{{1500 * kMs, 100 * kMs}};
-  CHECK(study::movements_of(Curve{&recorded, &recorded, {1000 * kMs}, 0, true}, {5000 * kMs, 100 * kMs, gaps}).empty());
+  CHECK(study::movements_of(Curve{&recorded, &recorded, {1000 * kMs}, 0, true, 0}, {5000 * kMs, 100 * kMs, gaps})
+            .empty());
 }
 
 TEST_CASE("A movement begins with the first of the commands that follow each other") {
@@ -119,6 +121,13 @@ TEST_CASE("A number that jitters by one is at rest") {
   const auto movements = compared(recorded, recorded);
   REQUIRE(movements.size() == 1);
   CHECK(movements[0].end == 2000 * kMs);
+
+  for (Series::Change& change : recorded.changes) change.value *= 2;  // now it jitters by two
+  CHECK(compared(recorded, recorded).empty());                        // it does not come to rest
+  const auto noisy =
+      study::movements_of(Curve{&recorded, &recorded, {1000 * kMs}, 0, true, 0.6}, {5000 * kMs, 100 * kMs, {}});
+  REQUIRE(noisy.size() == 1);
+  CHECK(noisy[0].end == 2000 * kMs);
 }
 
 /// The accuracies of moves of the worked clamp, given as from, to, cause and arrival in ms.
