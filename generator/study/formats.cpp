@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "compare/formats.hpp"
 #include "compare/words.hpp"
@@ -17,6 +18,7 @@
 namespace symplant::study {
 namespace {
 
+constexpr std::size_t kMostRows = 40;
 constexpr const char* kNoMovement =
     "no movement: after no change of an operation does a device arrive, or a number come to rest elsewhere";
 
@@ -37,6 +39,15 @@ std::string start_words(const Study& study) {
 std::string title(const Study& study) {
   return fmt::format("accuracy of {}, times of the recording are exact to {}",
                      compare::counted(study.total.count, "movement"), trace::seconds(study.resolution));
+}
+
+/// The rows of a table for a terminal: of many the least accurate, those first.
+std::vector<Row> shown_rows(const Study& study) {
+  std::vector<Row> rows = study.rows;
+  if (rows.size() <= kMostRows) return rows;
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.least < b.least; });
+  rows.resize(kMostRows);
+  return rows;
 }
 
 void write_row(view::JsonWriter& json, const Row& row) {
@@ -62,15 +73,20 @@ void write_text(const Study& study, const compare::Comparison& comparison, base:
   put(start_words(study));
   compare::write_text(comparison, sink);
   if (study.rows.empty()) return put(kNoMovement);
+  const std::vector<Row> rows = shown_rows(study);
   std::size_t width = study.total.name.size();
-  for (const Row& row : study.rows) width = std::max(width, row.name.size());
+  for (const Row& row : rows) width = std::max(width, row.name.size());
   const auto put_row = [&](const Row& row) {
     put(fmt::format("  {:{}}  {:>4}  {:>8}  {:>8}  {:>8}", row.name, width, row.count, percent(row.least),
                     percent(row.mean), percent(row.greatest)));
   };
   put(title(study) + ":");
   put(fmt::format("  {:{}}  {:>4}  {:>8}  {:>8}  {:>8}", "movement", width, "n", "least", "mean", "greatest"));
-  for (const Row& row : study.rows) put_row(row);
+  for (const Row& row : rows) put_row(row);
+  if (rows.size() < study.rows.size()) {
+    put(fmt::format("  ... and {} of {} or more; `--format json` has all",
+                    compare::counted(study.rows.size() - rows.size(), "row"), percent(rows.back().least)));
+  }
   put_row(study.total);
 }
 

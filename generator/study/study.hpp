@@ -35,6 +35,10 @@ struct Study {
   Row total;
 };
 
+/// Gives the symbols of a recording the types and directions that they have in the plant: a column of 0 and 1 may be
+/// BOOL or a number, and names need not have a direction. O(changes).
+void adopt_types(const model::PlantModel& plant, recording::Recording& recording);
+
 /// The rows of movements, by name, and the row of all. O(movements * log(movements)).
 std::vector<Row> rows_of(const std::vector<Movement>& movements);
 Row total_of(const std::vector<Movement>& movements);

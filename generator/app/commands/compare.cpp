@@ -105,11 +105,12 @@ void report(const CompareOptions& options, const ComparedTraces& compared, Conte
   if (!comparison.differences.empty()) context.exit_code = host::kFindings;
 }
 
-/// The run of the plant with the operations of the recording; nothing, with the exit code, if it cannot run.
-std::optional<study::Study> study_of(const CompareOptions& options, const recording::Recording& recorded,
-                                     Context& context) {
+/// The run of the plant with the operations of the recording, which gets the types of the plant; nothing, with the exit
+/// code, if it cannot run.
+std::optional<study::Study> study_of(const CompareOptions& options, recording::Recording& recorded, Context& context) {
   const auto compiled = compile_for(context, options.plant, options.plant_options);
   if (!compiled) return std::nullopt;
+  study::adopt_types(compiled->plant, recorded);
   study::Study study =
       study::study(compiled->plant, compiled->tables.tables(), recorded, options.plant,
                    [&](std::string_view name) { return compare::is_chosen(options.how, std::string(name)); });

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/file_system.hpp"
+#include "study/formats.hpp"
 #include "study_support.hpp"
 #include "support/strings.hpp"
 #include "support/temporary_folder.hpp"
@@ -29,12 +30,14 @@ class Command {
     folder_.write("recording.jsonl", recording_text(kRecording, ",\"recorded\":true,\"every\":50000000"));
   }
 
-  ToolRun run(std::vector<std::string> options) {
-    options.insert(options.begin(), {"compare", path("recording.jsonl")});
+  ToolRun run(std::vector<std::string> options) { return run_of("recording.jsonl", std::move(options)); }
+  ToolRun run_of(const std::string& recording, std::vector<std::string> options) {
+    options.insert(options.begin(), {"compare", path(recording)});
     base::DiskFileSystem files;
     return run_tool(options, files);
   }
   std::string path(const std::string& name) const { return folder_ / name; }
+  void write(const std::string& name, const std::string& text) { folder_.write(name, text); }
 
  private:
   TemporaryFolder folder_;
@@ -77,6 +80,18 @@ TEST_CASE("The accuracy is in every format but JUnit, with the options of compar
             .is_null());
 }
 
+TEST_CASE("Numbers of a recording that are BOOL in the plant are compared as such") {
+  Command command;
+  std::string text = recording_text(kRecording, ",\"recorded\":true,\"every\":50000000");
+  for (std::size_t at = 0; (at = text.find("\"value\":true")) != text.npos;) text.replace(at, 12, "\"value\":1");
+  for (std::size_t at = 0; (at = text.find("\"value\":false")) != text.npos;) text.replace(at, 13, "\"value\":0");
+  command.write("numbers.jsonl", text);
+  const ToolRun ran = command.run_of("numbers.jsonl", {"--plant", command.path("symbols.csv")});
+  INFO(ran.out << ran.err);
+  CHECK(contains(ran.out, "at 6 s: `L_P_CL_I_OPEN` early by 1 s: on"));
+  CHECK(contains(ran.out, "  total                     2    50.0 %    66.6 %   100.0 %\n"));
+}
+
 TEST_CASE("compare takes a second trace or a plant") {
   Command command;
   const ToolRun neither = command.run({});
@@ -92,6 +107,20 @@ TEST_CASE("compare takes a second trace or a plant") {
   const ToolRun missing = command.run({"--plant", command.path("no.csv")});
   CHECK(missing.code == 2);
   CHECK(contains(missing.err, "no.csv"));
+}
+
+TEST_CASE("A long table shows the least accurate rows") {
+  study::Study study;
+  for (int i = 0; i < 50; ++i) study.movements.push_back({"M" + std::to_string(10 + i), 0, 10, 0.99 - i * 0.01});
+  study.rows = study::rows_of(study.movements);
+  study.total = study::total_of(study.movements);
+  recording::Recording trace;
+  const compare::Comparison comparison = compare::compare(trace, trace, {});
+  const std::string text = base::text_of([&](base::TextSink& sink) { study::write_text(study, comparison, sink); });
+  CHECK(text.find("  M59 ") < text.find("  M58 "));
+  CHECK(contains(text, "  M20 "));
+  CHECK_FALSE(contains(text, "  M19 "));
+  CHECK(contains(text, "\n  ... and 10 rows of 89.0 % or more; `--format json` has all\n  total     50 "));
 }
 
 TEST_CASE("A result does not overwrite the plant") {
