@@ -117,10 +117,11 @@ TEST_CASE("A long table shows the least accurate rows") {
   recording::Recording trace;
   const compare::Comparison comparison = compare::compare(trace, trace, {});
   const std::string text = base::text_of([&](base::TextSink& sink) { study::write_text(study, comparison, sink); });
+  INFO(text);
   CHECK(text.find("  M59 ") < text.find("  M58 "));
   CHECK(contains(text, "  M20 "));
   CHECK_FALSE(contains(text, "  M19 "));
-  CHECK(contains(text, "\n  ... and 10 rows of 89.0 % or more; `--format json` has all\n  total     50 "));
+  CHECK(contains(text, "\n  ... and 10 rows of 89.0 % or more; `--format json` has all\n  total    50 "));
 }
 
 TEST_CASE("A result does not overwrite the plant") {
