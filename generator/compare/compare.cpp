@@ -61,6 +61,11 @@ std::string never_on(const Recording& recorded, const std::string& name) {
                      nearest.name().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.name()));
 }
 
+/// The index of the first change that is one: recordings begin with a value of each symbol, which may be off.
+std::size_t first_change(const Series& series) {
+  return series.kind != Series::Kind::parts && !series.changes.empty() && series.changes[0].value == 0 ? 1 : 0;
+}
+
 /// The walk over EXPECTED's changes that are on or off, or parts.
 class Walk {
  public:
@@ -72,7 +77,10 @@ class Walk {
         offsets_(offset),
         places_(expected_.series.size()) {}
 
-  void pair_with(std::size_t series, const Series* actual) { places_[series] = {true, actual}; }
+  void pair_with(std::size_t series, const Series* actual) {
+    places_[series] = {true, actual};
+    if (actual != nullptr) places_[series].cursor = first_change(*actual);
+  }
 
   void run() {
     for (std::size_t i = 0; i < expected_.order.size();) i = run_time(i);
@@ -86,6 +94,7 @@ class Walk {
   /// All changes of an element that EXPECTED does not have.
   void unexpected(const Series& actual) {
     Place place{true, &actual};
+    place.cursor = first_change(actual);
     pass_over(actual, place, actual.changes.size());
   }
 
@@ -127,6 +136,7 @@ class Walk {
       const std::uint32_t series = expected_.order[i];
       Place& place = places_[series];
       const std::size_t at = place.next++;
+      if (at < first_change(expected_.series[series])) continue;
       if (place.compared && expected_.series[series].kind != Series::Kind::number) open_.push_back({series, at});
     }
     if (time + offsets_.last() > actual_.end + result_.window) {

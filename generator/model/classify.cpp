@@ -9,6 +9,7 @@
 #include <string>
 
 #include "text/ascii.hpp"
+#include "text/truth.hpp"
 
 namespace symplant::model {
 namespace {
@@ -50,14 +51,10 @@ std::optional<std::uint64_t> integer(std::string_view text, DataType type) {
   return value;
 }
 
-/// A truth value, as tools in German, French, Italian, Spanish and Portuguese write it, too.
 std::optional<std::uint64_t> truth(std::string_view text) {
-  constexpr std::array<std::string_view, 6> kTrue{"1", "TRUE", "WAHR", "VRAI", "VERO", "VERDADERO"};
-  constexpr std::array<std::string_view, 5> kFalse{"0", "FALSE", "FALSCH", "FAUX", "FALSO"};
-  const auto is_it = [&](std::string_view word) { return text::equal_ignoring_case(text, word); };
-  if (std::any_of(kTrue.begin(), kTrue.end(), is_it)) return 1;
-  if (std::any_of(kFalse.begin(), kFalse.end(), is_it)) return 0;
-  return std::nullopt;
+  if (text == "1" || text == "0") return text == "1" ? 1 : 0;
+  const auto word = text::truth_of(text);
+  return word ? std::optional<std::uint64_t>(*word ? 1 : 0) : std::nullopt;
 }
 
 /// `12.5`, or `12,5` of a tool whose language writes a comma.

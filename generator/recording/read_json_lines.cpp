@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 
+#include "recording/collector.hpp"
 #include "symplant/trace/trace_lines.hpp"
 
 namespace symplant::recording {
@@ -37,10 +37,11 @@ class Reader {
   ReadRecording run() {
     std::string wrong;
     Json json;
-    while (wrong.empty() && lines_.next(json)) wrong = take(json);
+    std::optional<trace::PlainChange> plain;
+    while (wrong.empty() && lines_.next(json, plain)) wrong = plain ? take(*plain) : take(json);
     if (wrong.empty()) wrong = lines_.error();
     if (!wrong.empty()) read_.error = at_line(wrong);
-    put_operations_first();
+    changes_.finish();
     if (lines_.cut_off()) read_.warnings.push_back(at_line("the last line is cut off, and is left out"));
     return std::move(read_);
   }
@@ -50,14 +51,26 @@ class Reader {
     return fmt::format("{}:{}: {}", read_.recording.name, lines_.number(), text);
   }
 
+  std::string take_time() {
+    if (lines_.time() > kLatestTime) {
+      return fmt::format("the time {} is out of range: at most {} ns", lines_.time(), kLatestTime);
+    }
+    read_.recording.end = std::max(read_.recording.end, lines_.time());
+    return "";
+  }
+
+  std::string take(const trace::PlainChange& plain) {
+    std::string wrong = take_time();
+    return wrong.empty() ? change(plain.symbol, plain.is_boolean, plain.value) : wrong;
+  }
+
   std::string take(const Json& json) {
     if (lines_.is_header()) return header(json);
     if (lines_.is_set_back()) set_back();
-    if (lines_.time() > kLatestTime)
-      return fmt::format("the time {} is out of range: at most {} ns", lines_.time(), kLatestTime);
-    read_.recording.end = std::max(read_.recording.end, lines_.time());
+    if (std::string wrong = take_time(); !wrong.empty()) return wrong;
     if (lines_.is_set_back()) return values(json);
     if (json.contains("symbol")) return symbol(json);
+    if (json.contains("gap")) return gap(json);
     return json.contains("part") ? part(json) : std::string();
   }
 
@@ -83,7 +96,7 @@ class Reader {
         return "an entry of `programs` is no object with an array `writes`";
       }
       for (const Json& symbol : *writes) {
-        if (symbol.is_string()) written_.insert(symbol.get<std::string>());
+        if (symbol.is_string()) changes_.add_written(symbol.get<std::string>());
       }
     }
     return "";
@@ -91,15 +104,11 @@ class Reader {
 
   /// What was before the plant was reset or restored does not count.
   void set_back() {
-    Recording& recording = read_.recording;
-    if (!recording.order.empty()) {
+    if (!read_.recording.order.empty()) {
       read_.warnings.push_back(at_line("the plant was set back here: only what follows counts"));
     }
-    recording.series.clear();
-    recording.index.clear();
-    recording.order.clear();
-    recording.has_parts = false;
-    times_.clear();
+    changes_.clear();
+    read_.recording.gaps.clear();
   }
 
   std::string values(const Json& json) {
@@ -119,10 +128,24 @@ class Reader {
   std::string change(const std::string& name, const Json& value) {
     const auto number = number_of(value);
     if (!number) return fmt::format("`{}` cannot have the value {}", name, value.dump());
-    const auto kind = value.is_boolean() ? Series::Kind::boolean : Series::Kind::number;
-    Series& series = series_of({name, kind, {}, {}, {}});
-    if (series.kind != kind) return fmt::format("`{}` is a BOOL and a number", name);
-    add(series, *number);
+    return change(name, value.is_boolean(), *number);
+  }
+
+  std::string change(std::string_view name, bool is_boolean, double value) {
+    const auto kind = is_boolean ? Series::Kind::boolean : Series::Kind::number;
+    const std::uint32_t series = changes_.symbol(kind, name);
+    if (read_.recording.series[series].kind != kind) return fmt::format("`{}` is a BOOL and a number", name);
+    changes_.add(series, lines_.time(), value);
+    return "";
+  }
+
+  /// Nothing was read from the time of the line on.
+  std::string gap(const Json& json) {
+    const Json& length = json["gap"];
+    if (!length.is_number_unsigned() || length.get<std::uint64_t>() > static_cast<std::uint64_t>(kLatestTime)) {
+      return fmt::format("the key `gap` is no time in ns up to {}", kLatestTime);
+    }
+    read_.recording.gaps.push_back({lines_.time(), length.get<tables::Time>()});
     return "";
   }
 
@@ -132,42 +155,14 @@ class Reader {
     if (kind == json.end() || !kind->is_string()) return "a part has a `kind`";
     const auto to = json.find("to");
     if (to == json.end() || !to->is_string()) return "";
-    add(series_of({to->get<std::string>(), Series::Kind::parts, kind->get<std::string>(), {}, {}}), 1);
+    const auto& at = to->get_ref<const std::string&>();
+    changes_.add(changes_.series_of(Series::Kind::parts, at, kind->get_ref<const std::string&>()), lines_.time(), 1);
     return "";
-  }
-
-  Series& series_of(Series wanted) {
-    Recording& recording = read_.recording;
-    const auto [found, added] = recording.index.emplace(wanted.key(), recording.series.size());
-    if (added) {
-      wanted.is_operation = wanted.name.find("_O_") != wanted.name.npos || written_.contains(wanted.name);
-      recording.series.push_back(std::move(wanted));
-    }
-    return recording.series[found->second];
-  }
-
-  void add(Series& series, double value) {
-    series.changes.push_back({lines_.time(), value});
-    read_.recording.order.push_back(static_cast<std::uint32_t>(&series - read_.recording.series.data()));
-    if (times_.empty() || times_.back().first != lines_.time()) {
-      times_.push_back({lines_.time(), read_.recording.order.size() - 1});
-    }
-  }
-
-  void put_operations_first() {
-    std::vector<std::uint32_t>& order = read_.recording.order;
-    for (std::size_t i = 0; i < times_.size(); ++i) {
-      const auto begin = order.begin() + static_cast<std::ptrdiff_t>(times_[i].second);
-      const auto end =
-          i + 1 < times_.size() ? order.begin() + static_cast<std::ptrdiff_t>(times_[i + 1].second) : order.end();
-      std::stable_partition(begin, end, [&](std::uint32_t s) { return read_.recording.series[s].is_operation; });
-    }
   }
 
   trace::TraceLines lines_;
   ReadRecording read_;
-  std::unordered_set<std::string> written_;                  ///< by programs
-  std::vector<std::pair<tables::Time, std::size_t>> times_;  ///< each, with its first change in the order
+  Collector changes_{read_.recording};
 };
 
 }  // namespace

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "recording/recording.hpp"
+#include "recording/renames.hpp"
 
 namespace symplant::recording {
 
@@ -13,7 +13,7 @@ namespace symplant::recording {
 struct ReadOptions {
   std::string time_column;  ///< the name of the column of times; empty: by its header
   std::string time_unit;    ///< s, ms, us, ns, filetime or iso; empty: by the header or the cells
-  std::vector<std::pair<std::string, std::string>> renames;  ///< a name in the file, the symbol
+  Renames renames;
 };
 
 /// What was read, or why it could not be.

@@ -31,6 +31,7 @@ struct Series {
   std::string part;             ///< the kind of parts
   std::vector<Change> changes;  ///< by time
   bool is_operation = false;    ///< a PLC writes it, as far as the trace says
+  bool may_be_number = false;   ///< a BOOL by its values, 0 and 1; the file has no types
 
   /// Identifies the same element in every trace: a symbol and a location may have the same name.
   std::string key() const { return kind == Kind::parts ? "@" + name + "@" + part : name; }

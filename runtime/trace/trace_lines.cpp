@@ -6,24 +6,39 @@
 
 namespace symplant::trace {
 
-bool TraceLines::next(nlohmann::json& line) {
+bool TraceLines::next(nlohmann::json& line) { return next_text() && parse(line); }
+
+bool TraceLines::next(nlohmann::json& line, std::optional<PlainChange>& change) {
+  change.reset();
+  if (!next_text()) return false;
+  if (begun_) change = plain_change(text_);
+  if (!change) return parse(line);
+  is_header_ = is_set_back_ = false;
+  error_ = check_time(change->time);
+  return error_.empty();
+}
+
+bool TraceLines::next_text() {
   while (error_.empty() && std::getline(file_, text_)) {
     ++number_;
     if (!text_.empty() && text_.back() == '\r') text_.pop_back();
-    if (text_.empty()) continue;
-    line = nlohmann::json::parse(text_, nullptr, false);
-    if (!line.is_object() && file_.eof() && begun_) {
-      cut_off_ = true;
-      return false;
-    }
-    error_ = check(line);
-    return error_.empty();
+    if (!text_.empty()) return true;
   }
   if (number_ == 0 && error_.empty()) {
     number_ = 1;
     error_ = "the file is empty";
   }
   return false;
+}
+
+bool TraceLines::parse(nlohmann::json& line) {
+  line = nlohmann::json::parse(text_, nullptr, false);
+  if (!line.is_object() && file_.eof() && begun_) {
+    cut_off_ = true;
+    return false;
+  }
+  error_ = check(line);
+  return error_.empty();
 }
 
 std::string TraceLines::check(const nlohmann::json& line) {
@@ -43,9 +58,13 @@ std::string TraceLines::check(const nlohmann::json& line) {
   }
   const auto at = static_cast<tables::Time>(time->get<std::uint64_t>());
   is_set_back_ = line.contains("reset") || line.contains("restored");
-  if (at < time_ && begun_ && !is_set_back_) return "this time is before that of the line above";
+  return check_time(at);
+}
+
+std::string TraceLines::check_time(tables::Time time) {
+  if (time < time_ && begun_ && !is_set_back_) return "this time is before that of the line above";
   begun_ = true;
-  time_ = at;
+  time_ = time;
   return "";
 }
 

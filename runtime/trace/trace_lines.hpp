@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "symplant/tables/time.hpp"
+#include "symplant/trace/plain_change.hpp"
 
 namespace symplant::trace {
 
@@ -20,6 +22,9 @@ class TraceLines {
 
   /// Reads the next line; false at the end and after an error. O(line).
   bool next(nlohmann::json& line);
+  /// The same, but a line that is only a change of a symbol is read to `change`, and `line` is left as it is. Ten times
+  /// as fast for such lines. `change` refers to text().
+  bool next(nlohmann::json& line, std::optional<PlainChange>& change);
 
   /// The number of the last line, from 1.
   std::size_t number() const { return number_; }
@@ -38,7 +43,11 @@ class TraceLines {
   bool cut_off() const { return cut_off_; }
 
  private:
+  /// Reads the next line with a text; false at the end and after an error.
+  bool next_text();
+  bool parse(nlohmann::json& line);
   std::string check(const nlohmann::json& line);
+  std::string check_time(tables::Time time);
 
   std::istream& file_;
   std::string text_;

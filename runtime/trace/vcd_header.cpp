@@ -50,6 +50,15 @@ void write_symbol(std::string& text, const PlantNames& names, std::uint32_t symb
                       vcd_identifier(symbol), vcd_name(names.symbol(symbol)));
 }
 
+/// `$comment signed ! # $end`: VCD itself cannot say that the bits of a variable have a sign.
+std::string signed_symbols(const PlantNames& names) {
+  std::string text;
+  for (std::uint32_t symbol = 0; symbol < names.tables().symbols.size(); ++symbol) {
+    if (is_signed(names.tables().symbols[symbol].type())) text += " " + vcd_identifier(symbol);
+  }
+  return text.empty() ? text : "$comment signed" + text + " $end\n";
+}
+
 void write_malfunctions(std::string& text, const PlantNames& names) {
   text += "$scope module malfunctions $end\n";
   for (std::uint32_t m = 0; m < names.tables().malfunctions.size(); ++m) {
@@ -140,6 +149,7 @@ std::string vcd_string(std::string_view text) {
 
 std::string vcd_header(const PlantNames& names) {
   std::string text = fmt::format("$version symplant {} $end\n$timescale 1 ns $end\n", tables::version());
+  text += signed_symbols(names);
   write_scope(text, names, scopes_of(names), true);
   return text + "$enddefinitions $end\n";
 }

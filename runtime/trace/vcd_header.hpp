@@ -28,7 +28,8 @@ std::size_t first_output(const tables::PlantTables& tables);
 
 /// The header, from $version to $enddefinitions. Symbol s is variable s, the state of unit u is variable (number of
 /// symbols) + u. A unit's scope is its path, level by level; symbols without a unit are in the scope of the plant, and
-/// written malfunctions in the scope `malfunctions`; values are reals in the scope of the plant.
+/// written malfunctions in the scope `malfunctions`; values are reals in the scope of the plant. A comment lists the
+/// identifiers of symbols whose bits have a sign.
 std::string vcd_header(const PlantNames& names);
 
 }  // namespace symplant::trace

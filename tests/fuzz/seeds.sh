@@ -24,6 +24,7 @@ case $target in
   plant_json) copy "$root"/tests/golden/check/*/plant.json "$root"/examples/{,gallery/}*/plant.json \
     "$here"/corpus/plant_json/* ;;
   http) copy "$here"/corpus/http/* ;;
+  recording) copy "$here"/corpus/recording/* ;;
 esac
 if [[ -e $here/corpus/$target.txt ]]; then
   number=0

@@ -6,10 +6,6 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -19,11 +15,12 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "app/recording_options.hpp"
 #include "compare/difference.hpp"
 #include "compare/formats.hpp"
 #include "compare/words.hpp"
 #include "diag/visible_text.hpp"
-#include "recording/read.hpp"
+#include "recording/write_json_lines.hpp"
 #include "study/formats.hpp"
 #include "study/study.hpp"
 #include "symplant/host/exit_codes.hpp"
@@ -37,6 +34,7 @@ struct CompareOptions {
   std::string actual;  ///< empty: the run of `plant`
   std::string plant;
   PlantOptions plant_options;
+  RecordingOptions recordings;
   compare::Options how;
   std::string format = "text";
   std::string output;
@@ -64,23 +62,12 @@ constexpr std::array<CompareFormat, 4> kCompareFormats{
       }},
      {"html", compare::write_html, study::write_html}}};
 
-/// Nothing, with a message and the exit code, if the trace cannot be read.
-std::optional<recording::Recording> read_compared(const std::string& path, Context& context) {
-  const auto fail = [&](const std::string& message) {
-    context.err << "error: " << diag::visible(message) << "\n";
-    context.exit_code = host::kBadInput;
-    return std::nullopt;
-  };
-  std::error_code unknown;
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, unknown)) {
-    return fail(fmt::format("cannot read the trace `{}`: {}", path, file ? "it is a directory" : std::strerror(errno)));
-  }
-  recording::ReadRecording read = recording::read_recording(file, path);
-  if (!read.error.empty()) return fail(read.error);
-  for (const std::string& warning : read.warnings) context.err << "warning: " << diag::visible(warning) << "\n";
-  return std::move(read.recording);
+/// Of which kind the series of a file without types are follows from the other one.
+void settle_kinds(recording::Recording& recording, const recording::Recording& other) {
+  recording::settle_kinds(recording, [&](const std::string& symbol) -> std::optional<recording::Series::Kind> {
+    const auto found = other.index.find(symbol);
+    return found == other.index.end() ? std::nullopt : std::optional(other.series[found->second].kind);
+  });
 }
 
 /// Writes what was compared, and sets the exit code.
@@ -132,15 +119,17 @@ void compare_traces(const CompareOptions& options, Context& context) {
     context.exit_code = host::kBadInput;
     return;
   }
-  auto expected = read_compared(options.expected, context);
+  auto expected = read_recording_file(options.expected, options.recordings, context);
   if (!expected) return;
   const auto compared = std::make_shared<ComparedTraces>();
   context.kept = compared;
   compared->expected = std::move(*expected);
   if (options.plant.empty()) {
-    auto actual = read_compared(options.actual, context);
+    auto actual = read_recording_file(options.actual, options.recordings, context);
     if (!actual) return;
     compared->actual = std::move(*actual);
+    settle_kinds(compared->expected, compared->actual);
+    settle_kinds(compared->actual, compared->expected);
   } else {
     compared->study = study_of(options, compared->expected, context);
     if (!compared->study) return;
@@ -178,7 +167,7 @@ void add_compare(CLI::App& app, Context& context) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Compare two traces, or a recording with the run of a plant");
   command->add_option("EXPECTED", options->expected, "the trace of a run that is right, or a recording")->required();
-  command->add_option("ACTUAL", options->actual, "the trace of another run");
+  command->add_option("ACTUAL", options->actual, "the trace of another run, or a recording");
   CLI::Option* const plant =
       command
           ->add_option(
@@ -209,6 +198,7 @@ void add_compare(CLI::App& app, Context& context) {
   command->add_option("--ignore", options->how.ignore, "do not compare these; may be repeated")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
+  add_recording_options(*command, options->recordings);
   std::vector<std::string> names;
   names.reserve(kCompareFormats.size());
   for (const CompareFormat& format : kCompareFormats) names.emplace_back(format.name);
@@ -228,7 +218,8 @@ void add_compare(CLI::App& app, Context& context) {
       "Exit codes: 0 no difference; 1 differences; 2 bad input or usage.\n"
       "Examples:\n  symplant compare good.jsonl run.jsonl --only '*_O_*'\n"
       "  symplant compare good.jsonl beside-the-plc.jsonl --align follow --window 30ms --format html -o run.html\n"
-      "  symplant compare recording.jsonl --plant plant.json --only '*_I_*'");
+      "  symplant compare recording.jsonl --plant plant.json --only '*_I_*'\n"
+      "  symplant compare good.jsonl scope.csv --rename names.csv --time-unit ms");
   command->callback([options, &context] { compare_traces(*options, context); });
 }
 

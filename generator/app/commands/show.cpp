@@ -8,14 +8,20 @@
 #include <CLI/Formatter.hpp>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/panel_view.hpp"
+#include "app/recording_options.hpp"
+#include "app/stream_sink.hpp"
+#include "recording/write_json_lines.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/host/signals.hpp"
@@ -28,6 +34,7 @@ namespace {
 struct ShowOptions {
   std::string trace;
   std::string plant;
+  RecordingOptions recordings;
   PlantOptions plant_options;
   host::RunOptions panel;
 };
@@ -70,6 +77,36 @@ bool is_trace(const std::string& path) {
   return begin == kBegin;
 }
 
+/// A file of another format as a trace; nothing, with a message and the exit code, if it cannot be read.
+std::optional<trace::ReadTrace> converted(const ShowOptions& options, const trace::PlantNames& names,
+                                          std::uint64_t model_hash, Context& context) {
+  auto recording = read_recording_file(options.trace, options.recordings, context);
+  if (!recording) return std::nullopt;
+  std::unordered_map<std::string_view, recording::Series::Kind> kinds;
+  for (std::uint32_t symbol = 0; symbol < names.tables().symbols.size(); ++symbol) {
+    const bool is_bit = names.tables().symbols[symbol].type() == tables::DataType::boolean;
+    kinds.emplace(names.symbol(symbol), is_bit ? recording::Series::Kind::boolean : recording::Series::Kind::number);
+  }
+  recording::settle_kinds(*recording, [&](const std::string& symbol) -> std::optional<recording::Series::Kind> {
+    const auto found = kinds.find(symbol);
+    return found == kinds.end() ? std::nullopt : std::optional(found->second);
+  });
+  std::stringstream lines;
+  StreamSink sink(lines);
+  recording::write_json_lines(*recording, sink);
+  trace::ReadTrace trace = trace::read_trace(lines, names);
+  trace.model_hash = fmt::format("{:016x}", model_hash);  // a recording is of no model
+  return trace;
+}
+
+std::optional<trace::ReadTrace> read_shown(const ShowOptions& options, const trace::PlantNames& names,
+                                           std::uint64_t model_hash, Context& context) {
+  const bool is_as_it_is = is_trace(options.trace) && options.recordings.rename_file.empty();
+  if (!is_as_it_is) return converted(options, names, model_hash, context);
+  std::ifstream file(options.trace);
+  return trace::read_trace(file, names);
+}
+
 void show(ShowOptions options, Context& context) {
   if (is_trace(options.plant) && !is_trace(options.trace)) std::swap(options.plant, options.trace);
   auto compiled = compile_for(context, options.plant, options.plant_options);
@@ -77,23 +114,18 @@ void show(ShowOptions options, Context& context) {
   const tables::PlantTables tables = compiled->tables.tables();
   const trace::PlantNames names(tables);
   const std::uint64_t model_hash = tables::model_hash(tables);
-  std::ifstream file(options.trace);
-  if (!file) {
-    context.err << fmt::format("error: cannot read the trace `{}`\n", options.trace);
-    context.exit_code = host::kBadInput;
-    return;
-  }
-  trace::ReadTrace trace = trace::read_trace(file, names);
-  if (!is_of_plant(context, options, trace, model_hash)) return;
+  std::optional<trace::ReadTrace> trace = read_shown(options, names, model_hash, context);
+  if (!trace || !is_of_plant(context, options, *trace, model_hash)) return;
+  const tables::Time length = trace->end - trace->begin;
   const PanelView view(compiled->plant);
   host::catch_signals();
   const auto begun = [&](const std::string& link) {
-    context.out << fmt::format("{}: {} of plant time; Ctrl-C ends\npanel: {}\n", options.trace,
-                               trace::seconds(trace.end - trace.begin), link);
+    context.out << fmt::format("{}: {} of plant time; Ctrl-C ends\npanel: {}\n", options.trace, trace::seconds(length),
+                               link);
     context.out.flush();
   };
   const auto error = panel::show(
-      options.panel.panel.value_or(panel::PanelOptions{}), trace, names, view.view(), model_hash, begun,
+      options.panel.panel.value_or(panel::PanelOptions{}), std::move(*trace), names, view.view(), model_hash, begun,
       [] { return host::stop_requested().load(); },
       [&](const std::string& message) { context.err << "warning: " + message + "\n"; });
   if (!error) return;
@@ -106,9 +138,14 @@ void show(ShowOptions options, Context& context) {
 void add_show(CLI::App& app, Context& context) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* command = app.add_subcommand("show", "Show a trace file in the browser, without a running plant");
-  command->add_option("TRACE", options->trace, "a file that `run --trace` wrote; may also follow PLANT")->required();
+  command
+      ->add_option(
+          "TRACE", options->trace,
+          "a file that `run --trace` wrote, a VCD file of a run or a recording as CSV; a trace may also follow PLANT")
+      ->required();
   command->add_option("PLANT", options->plant, "the plant.json or symbol list of its plant")->required();
   host::add_address_options(*command, options->panel, "play the trace");
+  add_recording_options(*command, options->recordings);
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Examples:\n  symplant show trace.jsonl plant.json\n  symplant show trace.jsonl plant.json --panel 8200");

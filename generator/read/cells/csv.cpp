@@ -95,7 +95,7 @@ bool CsvReader::next(CsvRow& row) {
     } else {
       cell = plain_cell();
     }
-    if (row.cells.size() < kMaxCells) row.cells.push_back(cell);
+    if (row.cells.size() < most_cells_) row.cells.push_back(cell);
     if (at_ >= text_.size() || text_[at_] != delimiter_) break;
     ++at_;
   }

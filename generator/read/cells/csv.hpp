@@ -14,7 +14,8 @@
 
 namespace symplant::read {
 
-/// The most cells of a row; more are ignored. No list has that many, and a file of delimiters must not fill the memory.
+/// The most cells of a row of a list; more are ignored. No list has that many, and a file of delimiters must not fill
+/// the memory.
 inline constexpr std::size_t kMaxCells = 4096;
 
 /// The delimiter (TAB, `;` or `,`) that divides the first rows most evenly, counted outside quotes; `,` if none occurs.
@@ -35,11 +36,13 @@ struct CsvRow {
 /// that does not begin with a quote is an ordinary character. Rows end at LF, CRLF or CR. O(text) over all rows.
 class CsvReader {
  public:
-  /// Begins at `offset`, in line `line`. Cells with `""` are written to `arena`; the others point into `text`.
+  /// Begins at `offset`, in line `line`. Cells with `""` are written to `arena`; the others point into `text`. A row
+  /// has `most_cells` at most.
   CsvReader(std::string_view text, char delimiter, std::deque<std::string>& arena, std::size_t offset = 0,
-            std::uint32_t line = 1)
+            std::uint32_t line = 1, std::size_t most_cells = kMaxCells)
       : text_(text),
         delimiter_(delimiter),
+        most_cells_(most_cells),
         arena_(arena),
         at_(offset),
         line_(line),
@@ -63,6 +66,7 @@ class CsvReader {
 
   std::string_view text_;
   char delimiter_;
+  std::size_t most_cells_;
   std::deque<std::string>& arena_;
   std::size_t at_;
   std::uint32_t line_;

@@ -41,6 +41,19 @@ TEST_CASE("What was before the plant was set back does not count") {
   CHECK(reset.recording.series[0].name == "Y");
 }
 
+TEST_CASE("Times in which nothing was read are gaps") {
+  const recording::ReadRecording gaps = read(trace_text("10 X 1", ",\"recorded\":true,\"every\":50000000") +
+                                             "{\"t\":20000000,\"gap\":5000000}\n{\"t\":30000000}\n");
+  CHECK(gaps.error == "");
+  CHECK_FALSE(gaps.recording.of_plant);
+  CHECK(gaps.recording.resolution == 50 * tables::kMillisecond);
+  REQUIRE(gaps.recording.gaps.size() == 1);
+  CHECK(gaps.recording.gaps[0].begin == 20 * tables::kMillisecond);
+  CHECK(gaps.recording.gaps[0].length == 5 * tables::kMillisecond);
+  CHECK(read(trace_text("10 X 1") + "{\"t\":20000000,\"gap\":-1}\n").error ==
+        "t.jsonl:3: the key `gap` is no time in ns up to 2305843009213693951");
+}
+
 TEST_CASE("What cannot be read is reported with its line") {
   CHECK(read(trace_text("10 X 1", ",\"part\":2,\"t\":0")).error ==
         "t.jsonl:1: this is a later part of a trace: record it without `--trace-limit`, so that it has its beginning");

@@ -62,6 +62,7 @@ TEST_CASE("Every variable has its scope, its type and its width, names and state
   file.flush();
   const Vcd vcd = read_vcd(out.str());
   CHECK(vcd.fault == "");
+  CHECK(out.str().find("$comment signed \" $end\n") != std::string::npos);
   CHECK(vcd.variables.at("my_plant.L.A.L_A").type == "string");
   CHECK(vcd.variables.at("my_plant.L.B.F.L_B.F").type == "string");
   CHECK(vcd.variables.at("my_plant.L.A.L_A_I_X").width == 1);

@@ -1,0 +1,30 @@
+// What the commands have in common that read recordings.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/context.hpp"
+#include "recording/recording.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace symplant::app {
+
+struct RecordingOptions {
+  std::string rename_file;  ///< which symbol a name of a recording is; empty: names are symbols
+  std::string time_column;  ///< empty: by the header
+  std::string time_unit;    ///< empty: by the header or the cells
+};
+
+/// Adds --rename, --time-column and --time-unit.
+void add_recording_options(CLI::App& command, RecordingOptions& options);
+
+/// The trace or recording in a file of any format. Shows what was left out as warnings. If the file, or that of
+/// --rename, cannot be read, shows the error, returns no value and sets the exit code to 2.
+std::optional<recording::Recording> read_recording_file(const std::string& path, const RecordingOptions& options,
+                                                        Context& context);
+
+}  // namespace symplant::app

@@ -1,0 +1,61 @@
+// Names of recordings and their symbols.
+#include "recording/renames.hpp"
+
+#include "recording_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+std::string error_of(const std::string& text) { return recording::read_renames(text, "names.csv").error; }
+
+TEST_CASE("A file of renames has two columns, comments and perhaps a header") {
+  const recording::ReadRenames read =
+      recording::read_renames("# of line 2\nin the file;symbol\n\"DB1\".x;X_I_A\n\n MAIN.y ;Y_O_B;\n", "names.csv");
+  CHECK(read.error == "");
+  CHECK(read.renames == recording::Renames{{"\"DB1\".x", "X_I_A"}, {"MAIN.y", "Y_O_B"}});
+  CHECK(recording::read_renames("\"\"\"DB1\"\".x\",A\n", "names.csv").renames ==
+        recording::Renames{{"\"DB1\".x", "A"}});
+}
+
+TEST_CASE("What is wrong with a file of renames has row and column") {
+  CHECK(error_of("a,A\nb\n") ==
+        "names.csv:2:2: there is one cell; write two: the name in the recording, and the symbol");
+  CHECK(error_of("a,A\n,B\n") == "names.csv:2:1: the name is empty; write it, or delete the row");
+  CHECK(error_of("a,A\nb,\n") == "names.csv:2:2: the name is empty; write it, or delete the row");
+  CHECK(error_of("a,A,1\n") ==
+        "names.csv:1:3: there is `1`; a row has two cells: the name in the recording, and the symbol");
+  CHECK(error_of("a,A\na,B\n") == "names.csv:2:1: `a` is in line 1, too; delete one row");
+  CHECK(error_of("a,A\nb,A\n") == "names.csv:2:2: `A` is the symbol of line 1, too; a symbol has one name");
+  CHECK(error_of("a,A\n\"b,B\n") == "names.csv:2: a quote is never closed; close it");
+  CHECK(contains(error_of(std::string("a,\0\n", 4)), "names.csv:1:3: "));
+}
+
+TEST_CASE("A recording has the names of the symbols, in each format") {
+  const recording::ReadOptions options{"", "", {{"x", "LINE_O_RUN"}}};
+  const recording::ReadRecording table = read_csv_text("t/ms,y,x\n0,0,0\n10,1,1\n", options);
+  CHECK(table.recording.index.contains("LINE_O_RUN"));
+  CHECK(table.recording.order == std::vector<std::uint32_t>{1, 0, 1, 0});  // it is an operation
+  const recording::ReadRecording trace =
+      read_csv_text("{\"symplant-trace\":1}\n{\"t\":1,\"symbol\":\"x\",\"value\":true}\n", options);
+  CHECK(trace.recording.series[0].name == "LINE_O_RUN");
+  CHECK(trace.recording.index.contains("LINE_O_RUN"));
+}
+
+TEST_CASE("A name that is not in the recording is reported with the nearest one") {
+  const recording::ReadOptions options{"", "", {{"MAIN.bClose", "A"}, {"nothing", "B"}}};
+  CHECK(csv("t/ms,MAIN.bClosed\n0,1\n", options) ==
+        "MAIN.bClosed bool 0=1\nend 0, resolution 0\n"
+        "t.csv: there is no `MAIN.bClose` to be renamed `A`; did you mean `MAIN.bClosed`?\n"
+        "t.csv: there is no `nothing` to be renamed `B`\n");
+}
+
+TEST_CASE("Two names of one symbol are reported") {
+  CHECK(contains(csv("t/ms,a,A\n0,1,0\n", {"", "", {{"a", "A"}}}), "`A` is in column 2, too; this one is left out"));
+  CHECK(read_csv_text("{\"symplant-trace\":1}\n{\"t\":1,\"symbol\":\"a\",\"value\":true}\n"
+                      "{\"t\":1,\"symbol\":\"A\",\"value\":true}\n",
+                      {"", "", {{"a", "A"}}})
+            .error == "t.csv: two names are the symbol `A`; correct the file of renames");
+}
+
+}  // namespace
+}  // namespace symplant::test
