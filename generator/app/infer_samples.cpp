@@ -80,7 +80,10 @@ std::optional<InferInputs> read_samples(Context& context, const std::vector<std:
   for (const std::string& file : read.plant) {
     auto inputs = read_for(context, file, options);
     if (!inputs) return std::nullopt;
-    if (inputs->source != nullptr) read.files.push_back(inputs->source->path());
+    if (inputs->source != nullptr) {
+      const std::vector<std::string> described = inputs->source->paths();
+      read.files.insert(read.files.end(), described.begin(), described.end());
+    }
     if (inputs->naming_parts != nullptr) {
       const std::vector<std::string>& more = inputs->naming_parts->files;
       read.files.insert(read.files.end(), more.begin(), more.end());

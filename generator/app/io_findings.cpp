@@ -9,7 +9,7 @@
 
 namespace symplant::app {
 
-void add_io_findings(const name::IoRows& io, const std::shared_ptr<const text::SourceFile>& source,
+void add_io_findings(const name::IoRows& io, const std::shared_ptr<const description::PlantSource>& source,
                      diag::Diagnostics& diagnostics) {
   using description::FaultKind;
   std::vector<description::DescriptionFault> located;
@@ -35,7 +35,7 @@ void add_io_findings(const name::IoRows& io, const std::shared_ptr<const text::S
           FaultKind::contradiction);
     }
   }
-  if (!located.empty()) description::add_findings(source, located, diagnostics);
+  if (!located.empty()) description::add_findings(*source, located, diagnostics);
 }
 
 }  // namespace symplant::app

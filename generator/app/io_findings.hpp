@@ -11,7 +11,7 @@ namespace symplant::app {
 
 /// Adds a finding for each pattern that matches no internal row, and for rows that both directions match. `source` is
 /// the plant.json with the patterns; patterns of the command line have no location.
-void add_io_findings(const name::IoRows& io, const std::shared_ptr<const text::SourceFile>& source,
+void add_io_findings(const name::IoRows& io, const std::shared_ptr<const description::PlantSource>& source,
                      diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::app

@@ -269,7 +269,7 @@ std::optional<Inputs> read_for(Context& context, const std::string& plant, const
   diag::Diagnostics diagnostics;
   Progress progress(context.err, context.progress);
   auto inputs = read_inputs(compile_options(context, plant, options), context.files, progress, diagnostics);
-  if (inputs && inputs->source != nullptr) description::add_findings(inputs->source, inputs->faults, diagnostics);
+  if (inputs && inputs->source != nullptr) description::add_findings(*inputs->source, inputs->faults, diagnostics);
   show_findings(context, diagnostics, options.verbose);
   show_counts(context, plant, diagnostics, options.verbose, inputs);
   return inputs;

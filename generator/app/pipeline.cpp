@@ -56,22 +56,22 @@ void add_description_findings(const Inputs& inputs, const model::Evidence& evide
     of_file.push_back(std::move(fault));
     return true;
   });
-  if (inputs.source != nullptr) description::add_findings(inputs.source, all, diagnostics);
+  if (inputs.source != nullptr) description::add_findings(*inputs.source, all, diagnostics);
   if (inputs.malfunctions != nullptr) description::add_findings(inputs.malfunctions, of_file, diagnostics);
 }
 
-/// Finds the locations that rules gave as JSON pointers, in one pass over the text.
-void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnostics& diagnostics) {
+/// Finds the locations that rules gave as JSON pointers, in one pass over each text.
+void locate(const std::shared_ptr<const description::PlantSource>& source, diag::Diagnostics& diagnostics) {
   const std::vector<std::string> pointers = diagnostics.pointers();
   if (source == nullptr || pointers.empty()) return;
   std::vector<json::Fault> wanted;
   wanted.reserve(pointers.size());
   for (const std::string& pointer : pointers)
     wanted.push_back({pointer, {}, 0, pointer.starts_with("/check/severity/")});
-  std::vector<std::optional<text::Span>> spans;
-  spans.reserve(pointers.size());
-  for (const json::Span& span : json::spans(source->text(), wanted)) spans.push_back(text::Span{span.begin, span.end});
-  diagnostics.locate(source, spans);
+  std::vector<diag::Location> locations;
+  locations.reserve(pointers.size());
+  for (const auto& place : source->places(wanted)) locations.push_back(source->location(place));
+  diagnostics.locate(locations);
 }
 
 /// Adds all findings about the plant. A description that does not fit its schema is not checked further.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "app/list_files.hpp"
@@ -17,6 +18,8 @@ namespace symplant::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool is_blank(std::string_view bytes) { return bytes.find_first_not_of(" \t\r\n") == bytes.npos; }
 
 class InputReader {
  public:
@@ -61,12 +64,11 @@ class InputReader {
     reference.file = options_.naming;
     if (!reference.file.empty()) return reference;
     const json::Fault here{"/naming", {}, 0, false};
-    const json::Span span = json::spans(inputs_.source->text(), {&here, 1}).front();
-    reference.where = {inputs_.source, {span.begin, span.end}};
-    reference.folder = fs::path(options_.plant).parent_path().string();
+    reference.where = inputs_.source->location(inputs_.source->places({&here, 1}).front());
+    reference.folder = inputs_.source->folder(here.pointer);
     reference.file = std::move(file.naming);
     reference.inline_text = std::move(file.naming_text);
-    reference.pointer = here.pointer;
+    reference.pointer = inputs_.source->origin(here.pointer).pointer;
     return reference;
   }
 
@@ -85,17 +87,23 @@ class InputReader {
   }
 
   bool read_description(std::string bytes) {
-    if (bytes.find_first_not_of(" \t\r\n") == std::string::npos) {
+    if (is_blank(bytes)) {
       description::add_empty_file(options_.plant, diagnostics_);
       return false;
     }
     auto text = read::decode_file(options_.plant, std::move(bytes), diagnostics_, "save it as UTF-8");
     if (!text) return false;
-    inputs_.source = std::make_shared<text::SourceFile>(options_.plant, std::move(text->text));
-    description::PlantFileReading reading = description::read_plant_file(inputs_.source->text(), inputs_.name);
-    description::add_findings(inputs_.source, reading.syntax, diagnostics_);
+    description::PlantFileReading reading =
+        description::read_plant_file(std::make_shared<text::SourceFile>(options_.plant, std::move(text->text)),
+                                     inputs_.name, [this](const std::string& path) { return open_included(path); });
+    inputs_.source = std::move(reading.source);
+    inputs_.readable = reading.sound();
+    description::add_findings(inputs_.source->files().front(), reading.syntax, diagnostics_);
+    for (const description::FileFaults& included : reading.included) {
+      description::add_findings(included.file, included.syntax, diagnostics_);
+      description::add_findings(included.file, included.faults, diagnostics_);
+    }
     inputs_.faults = std::move(reading.faults);
-    inputs_.readable = reading.syntax.empty() && inputs_.faults.empty();
     const bool has_lists = reading.file && read_lists(reading.file->symbols);
     const bool has_naming = reading.file && read_naming(naming_of(*reading.file));
     if (has_lists && has_naming) {
@@ -104,8 +112,21 @@ class InputReader {
       inputs_.description = std::make_shared<const description::Description>(std::move(reading.file->description));
       return true;
     }
-    description::add_findings(inputs_.source, inputs_.faults, diagnostics_);
+    description::add_findings(*inputs_.source, inputs_.faults, diagnostics_);
     return false;
+  }
+
+  description::OpenedFile open_included(const std::string& path) {
+    progress_.stage("reading " + path);
+    auto bytes = files_.read(path);
+    if (!bytes) return {nullptr, bytes.error().message};
+    if (is_blank(*bytes)) {
+      description::add_empty_file(path, diagnostics_);
+      return {};
+    }
+    auto text = read::decode_file(path, std::move(*bytes), diagnostics_, "save it as UTF-8");
+    if (!text) return {};
+    return {std::make_shared<text::SourceFile>(path, std::move(text->text)), {}};
   }
 
   /// Adds what other files have to the description. False if one cannot be read.
@@ -174,12 +195,12 @@ class InputReader {
         all = false;
         continue;
       }
-      const fs::path named = (fs::path(options_.plant).parent_path() / reference.file).lexically_normal();
+      const std::string here = "/symbols/" + std::to_string(&reference - lists.data());
+      const fs::path named = (fs::path(inputs_.source->folder(here)) / reference.file).lexically_normal();
       const std::vector<std::string> paths = list_files(named.string(), files_);
       if (paths.empty()) {
         inputs_.faults.push_back(
-            {"/symbols/" + std::to_string(&reference - lists.data()),
-             "no file matches `" + reference.file + "`; correct the path, which is relative to this file"});
+            {here, "no file matches `" + reference.file + "`; correct the path, which is relative to this file"});
         all = false;
       }
       for (const std::string& path : paths) all = read_list(path, reference) && all;

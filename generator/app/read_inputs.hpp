@@ -25,7 +25,7 @@ struct ReadList {
 
 struct Inputs {
   std::string name;                                             ///< the plant's
-  std::shared_ptr<const text::SourceFile> source;               ///< the plant.json; null: a bare list
+  std::shared_ptr<const description::PlantSource> source;       ///< the plant.json; null: a bare list
   std::shared_ptr<const description::Description> description;  ///< null: a bare list
   std::vector<description::DescriptionFault> faults;            ///< where the description does not fit its format
   std::shared_ptr<const text::SourceFile> malfunctions;         ///< the file with more malfunctions; null: none

@@ -20,6 +20,7 @@
 #include "elements/material/given.hpp"
 #include "elements/requirement/given.hpp"
 #include "elements/signal/given.hpp"
+#include "elements/times/given.hpp"
 #include "elements/value/given.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
@@ -185,6 +186,7 @@ struct Description {
   std::vector<std::string> plain;     ///< BOOL symbols of no device, or patterns
   GivenIo io;
   std::vector<DeviceDescription> devices;
+  std::vector<GivenTimes> times;
   std::vector<GivenFollow> follow;
   std::vector<GivenValue> values;
   std::vector<GivenSignal> signals;

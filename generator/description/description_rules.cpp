@@ -11,7 +11,6 @@
 #include "description/rules/description_unknown_name.hpp"
 #include "description/rules/left_out_for_some.hpp"
 #include "description/rules/pattern_matches_nothing.hpp"
-#include "symplant/json/location.hpp"
 
 namespace symplant::description {
 namespace {
@@ -70,6 +69,11 @@ void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::sp
 
 void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const DescriptionFault> faults,
                   diag::Diagnostics& diagnostics, RuleOf rule_of_kind) {
+  add_findings(PlantSource(source), faults, diagnostics, rule_of_kind);
+}
+
+void add_findings(const PlantSource& source, std::span<const DescriptionFault> faults, diag::Diagnostics& diagnostics,
+                  RuleOf rule_of_kind) {
   if (faults.empty()) return;
   std::vector<json::Fault> wanted;
   wanted.reserve(faults.size());
@@ -77,15 +81,14 @@ void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::sp
   for (const DescriptionFault& fault : faults) {
     if (!fault.related.empty()) wanted.push_back({fault.related, {}, 0, fault.at_key});
   }
-  const std::vector<json::Placed> locations = json::locate(source->text(), wanted);
+  const std::vector<PlantSource::Place> places = source.places(wanted);
   std::size_t next_related = faults.size();
   for (std::size_t i = 0; i < faults.size(); ++i) {
     std::vector<diag::Related> related;
     if (!faults[i].related.empty()) {
-      related.push_back({{source, span_of(locations[next_related++].span)}, faults[i].related_message});
+      related.push_back({source.location(places[next_related++]), faults[i].related_message});
     }
-    diagnostics.add(rule_of_kind(faults[i].kind), faults[i].message, {source, span_of(locations[i].span)},
-                    std::move(related));
+    diagnostics.add(rule_of_kind(faults[i].kind), faults[i].message, source.location(places[i]), std::move(related));
   }
 }
 

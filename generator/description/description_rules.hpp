@@ -6,6 +6,7 @@
 #include <string>
 
 #include "description/description.hpp"
+#include "description/plant_source.hpp"
 #include "diag/diagnostic.hpp"
 #include "symplant/json/location.hpp"
 
@@ -30,5 +31,8 @@ void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::sp
 /// Adds faults and warnings at their locations in the file. One pass over its text for all of them.
 void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const DescriptionFault> faults,
                   diag::Diagnostics& diagnostics, RuleOf rule_of_kind = &rule_of);
+/// Adds faults and warnings of a whole description, each in the file that it is about.
+void add_findings(const PlantSource& source, std::span<const DescriptionFault> faults, diag::Diagnostics& diagnostics,
+                  RuleOf rule_of_kind = &rule_of);
 
 }  // namespace symplant::description

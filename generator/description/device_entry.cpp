@@ -82,17 +82,9 @@ class DeviceReader {
         given.numbers.*number.member = written->get<std::uint32_t>();
       }
     }
-    given.after = computed_duration(value, "after", here);
-    given.takes = computed_duration(value, "takes", here);
+    given.after = computed_duration_member(value, "after", here, faults_);
+    given.takes = computed_duration_member(value, "takes", here, faults_);
     return given;
-  }
-
-  /// A duration that may also be computed: {"seconds": FORMULA}.
-  std::optional<Duration> computed_duration(const Json& value, std::string_view key, const Pointer& here) {
-    const Json* written = member(value, key);
-    std::string formula = written == nullptr ? std::string() : formula_member(*written, "seconds");
-    if (formula.empty()) return duration_member(value, key, here, faults_);
-    return Duration::seconds(std::move(formula));
   }
 
   void read_outputs() {

@@ -125,6 +125,14 @@ std::optional<Duration> duration_member(const Json& object, std::string_view key
   return std::nullopt;
 }
 
+std::optional<Duration> computed_duration_member(const Json& object, std::string_view key, const Pointer& here,
+                                                 ShapeFaults& faults) {
+  const Json* written = member(object, key);
+  std::string formula = written == nullptr ? std::string() : formula_member(*written, "seconds");
+  if (formula.empty()) return duration_member(object, key, here, faults);
+  return Duration::seconds(std::move(formula));
+}
+
 std::optional<Sequence> sequence_member(const Json& object) {
   const std::string* text = text_member(object, "sequence");
   if (text == nullptr) return std::nullopt;

@@ -33,6 +33,11 @@ class ShapeFaults {
   void add(const Pointer& at, std::string message, FaultKind kind = FaultKind::shape) {
     faults_.push_back({at.text(), std::move(message), 0, kind});
   }
+  /// Adds a fault of the value's key.
+  void add_at_key(const Pointer& at, std::string message) {
+    add(at, std::move(message));
+    faults_.back().at_key = true;
+  }
 
  private:
   std::vector<DescriptionFault>& faults_;
@@ -50,6 +55,9 @@ std::optional<tables::Time> step_member(const nlohmann::json& object, std::strin
 /// Like time_member(), for a duration that may be random: {"min","max"} or {"mean","sigma"}.
 std::optional<Duration> duration_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults);
+/// Like duration_member(), for a duration that may also be computed: {"seconds": FORMULA}.
+std::optional<Duration> computed_duration_member(const nlohmann::json& object, std::string_view key,
+                                                 const Pointer& here, ShapeFaults& faults);
 std::optional<tables::Actuation> actuation_member(const nlohmann::json& object);
 std::optional<Sequence> sequence_member(const nlohmann::json& object);
 /// The member `overrun`: a duration, or kNever for `never`.

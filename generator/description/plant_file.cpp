@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "description/json_entry.hpp"
+#include "description/plant_schema.hpp"
 #include "elements/follow/entry.hpp"
 #include "elements/malfunction/entry.hpp"
 #include "elements/material/entry.hpp"
 #include "elements/requirement/entry.hpp"
 #include "elements/signal/entry.hpp"
+#include "elements/times/entry.hpp"
 #include "elements/value/entry.hpp"
 #include "read/io_words.hpp"
 #include "read/readers.hpp"
@@ -22,53 +26,6 @@ namespace symplant::description {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Another kind of JSON file, recognized by one of its keys.
-struct OtherFile {
-  std::string_view key;
-  std::string_view words;
-};
-constexpr std::array kOtherFiles{
-    OtherFile{"symplant-scenario", "this is a scenario; give it to `symplant run PLANT --scenario`"},
-    OtherFile{"symplant-trace", "this is a trace of a run, not a plant description"},
-    OtherFile{"symplant-diagnostics", "this is output of `symplant check --format json`, not a plant description"},
-    OtherFile{"symplant-model", "this is output of `symplant model --format json`, not a plant description"},
-    OtherFile{"symplant-naming", "this is a naming rule; give it to `--naming`, next to a plant or a list"},
-    OtherFile{"$id", "this looks like a JSON Schema, not a plant description"},
-    OtherFile{"definitions", "this looks like a JSON Schema, not a plant description"},
-    OtherFile{"dependencies", "this looks like the package.json of a JavaScript package, not a plant description"},
-    OtherFile{"devDependencies", "this looks like the package.json of a JavaScript package, not a plant description"},
-    OtherFile{"scripts", "this looks like the package.json of a JavaScript package, not a plant description"},
-    OtherFile{"compilerOptions", "this looks like the tsconfig.json of TypeScript, not a plant description"},
-    OtherFile{"configurePresets", "this looks like the CMakePresets.json of CMake, not a plant description"},
-};
-
-/// Why a value is not a plant description of this version; nothing if it may be one.
-std::optional<DescriptionFault> why_none(const Json& root) {
-  const auto fault = [](std::string pointer, std::string message, bool at_key = false) {
-    DescriptionFault found{std::move(pointer), std::move(message), 0, FaultKind::shape};
-    found.at_key = at_key;
-    return found;
-  };
-  if (!root.is_object()) {
-    return fault("", "this is not an object; a plant description is an object with `\"symplant\": 1` and `symbols`");
-  }
-  if (const Json* version = member(root, "symplant"); version != nullptr) {
-    if (!version->is_number_integer() || *version == 1) return std::nullopt;
-    if (*version > 1) {
-      return fault("/symplant", "this is version " + version->dump() +
-                                    " of the format, but this symplant reads version 1; use a newer symplant");
-    }
-    return fault("/symplant", "unknown format version " + version->dump() + "; write 1");
-  }
-  for (const OtherFile& other : kOtherFiles) {
-    if (root.contains(other.key)) return fault("/" + std::string(other.key), std::string(other.words), true);
-  }
-  for (const std::string_view own : {"symbols", "devices", "material", "requirements"}) {
-    if (root.contains(own)) return std::nullopt;  // the schema check reports what is missing
-  }
-  return fault("", "this is JSON, but not a plant description, which has `\"symplant\": 1` and `symbols`");
-}
 
 /// What the value of a key describes.
 struct Element {
@@ -97,6 +54,8 @@ constexpr std::array kElements{
                 description.devices.push_back(device_entry(path, entry, faults));
               });
             }},
+    Element{"times", [](const Json& value, ShapeFaults& faults,
+                        Description& description) { description.times = times_entries(value, faults); }},
     Element{"material", [](const Json& value, ShapeFaults& faults,
                            Description& description) { description.material = material_entry(value, faults); }},
     Element{"malfunctions",
@@ -123,10 +82,9 @@ constexpr std::array kElements{
 
 class PlantFileReader {
  public:
-  PlantFileReader(Json& root, std::vector<DescriptionFault>& faults) : root_(root), all_(faults), faults_(faults) {}
+  PlantFileReader(const Json& root, std::vector<DescriptionFault>& faults) : root_(root), faults_(faults) {}
 
   PlantFile read(std::string_view stem) {
-    check_shape();
     file_.name = text_or_empty(root_, "name");
     check_text(file_.name, Pointer("/name"), faults_);
     if (file_.name.empty()) file_.name = stem;
@@ -143,13 +101,6 @@ class PlantFileReader {
   }
 
  private:
-  void check_shape() {
-    for (json::Fault& fault : json::Schema(plant_schema()).check(root_)) {
-      all_.push_back(
-          {std::move(fault.pointer), std::move(fault.message), fault.column, FaultKind::shape, fault.at_key});
-    }
-  }
-
   void read_lists() {
     const Json* lists = member(root_, "symbols");
     if (lists == nullptr || !lists->is_array()) return;
@@ -309,27 +260,56 @@ class PlantFileReader {
     return convention;
   }
 
-  Json& root_;
-  std::vector<DescriptionFault>& all_;
+  const Json& root_;
   ShapeFaults faults_;
   PlantFile file_;
 };
 
+/// A plant has lists; which file names them is open.
+void require_lists(const Json& root, std::vector<DescriptionFault>& faults) {
+  if (root.contains("symbols")) return;
+  faults.push_back({"", "the key `symbols` is missing here; it holds an array of symbol lists", 0, FaultKind::shape});
+  faults.back().at_key = true;
+}
+
+/// Makes the paths of programs that an included file names relative to the plant.json.
+void find_programs(std::vector<ProgramDescription>& programs, const PlantSource& source) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(source.path()).parent_path();
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const fs::path own = source.folder((Pointer("/programs") / i / "file").text());
+    if (own == folder) continue;
+    const fs::path between = own.lexically_relative(folder);
+    programs[i].file = ((between.empty() ? own : between) / programs[i].file).lexically_normal().string();
+  }
+}
+
 }  // namespace
 
-PlantFileReading read_plant_file(std::string_view text, std::string_view stem) {
+PlantFileReading read_plant_file(std::shared_ptr<const text::SourceFile> plant, std::string_view stem,
+                                 const OpenFile& open) {
+  WholeDescription whole = read_whole(std::move(plant), open);
   PlantFileReading reading;
-  json::Document document = json::parse(text);
-  reading.syntax = std::move(document.faults);
-  if (document.root == nullptr) return reading;
-  if (auto fault = why_none(*document.root)) {
-    reading.faults.push_back(std::move(*fault));
-    return reading;
-  }
-  reading.file = PlantFileReader(*document.root, reading.faults).read(stem);
-  sort_as_written(reading.file->description.material, text);
-  sort_as_written(reading.file->description.values, text);
+  reading.source = std::move(whole.source);
+  reading.complete = whole.complete;
+  reading.syntax = std::move(whole.files.front().syntax);
+  reading.faults = std::move(whole.files.front().faults);
+  std::copy_if(std::make_move_iterator(whole.files.begin() + 1), std::make_move_iterator(whole.files.end()),
+               std::back_inserter(reading.included), [](const FileFaults& file) { return !file.sound(); });
+  if (whole.root == nullptr) return reading;
+  if (reading.complete && reading.included.empty()) require_lists(*whole.root, reading.faults);
+  reading.file = PlantFileReader(*whole.root, reading.faults).read(stem);
+  sort_as_written(reading.file->description.material, *reading.source);
+  sort_as_written(reading.file->description.values, "/values", *reading.source);
+  find_programs(reading.file->description.programs, *reading.source);
   return reading;
+}
+
+PlantFileReading read_plant_file(std::string_view text, std::string_view stem) {
+  return read_plant_file(std::make_shared<text::SourceFile>("plant.json", std::string(text)), stem,
+                         [](const std::string&) {
+                           return OpenedFile{nullptr, "a description without a file cannot include others"};
+                         });
 }
 
 std::string no_such_encoding(std::string_view name) {
@@ -356,6 +336,10 @@ ConventionsReading read_conventions(std::string_view text) {
   }
   // As part of a plant description, so that there is one schema.
   Json plant{{"symplant", 1}, {"symbols", {"-"}}, {"check", {{"conventions", std::move(*document.root)}}}};
+  for (json::Fault& fault : json::Schema(plant_schema()).check(plant)) {
+    reading.faults.push_back(
+        {std::move(fault.pointer), std::move(fault.message), fault.column, FaultKind::shape, fault.at_key});
+  }
   PlantFile file = PlantFileReader(plant, reading.faults).read("");
   for (DescriptionFault& fault : reading.faults) fault.pointer = fault.pointer.substr(kConventionsKey.size());
   reading.conventions = std::move(file.description.check.conventions);

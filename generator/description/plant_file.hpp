@@ -1,6 +1,7 @@
 // plant.json: the plant description as a file.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,8 @@
 #include "address/address.hpp"
 #include "address/notation.hpp"
 #include "description/description.hpp"
+#include "description/include.hpp"
+#include "description/plant_source.hpp"
 #include "read/cells/column_map.hpp"
 #include "symplant/json/location.hpp"
 #include "text/encoding.hpp"
@@ -39,12 +42,20 @@ struct PlantFile {
 struct PlantFileReading {
   /// The readable part, even with faults; nothing if it is not a plant description of this version.
   std::optional<PlantFile> file;
-  std::vector<json::Placed> syntax;      ///< faults of the JSON syntax
-  std::vector<DescriptionFault> faults;  ///< where it does not fit the format
+  std::vector<json::Placed> syntax;      ///< faults of the JSON syntax of the plant.json
+  std::vector<DescriptionFault> faults;  ///< where it does not fit the format; pointers into the whole description
+  std::shared_ptr<const PlantSource> source;
+  std::vector<FileFaults> included;  ///< faults of included files by themselves
+  bool complete = true;              ///< all included files could be read
+
+  bool sound() const { return complete && syntax.empty() && faults.empty() && included.empty(); }
 };
 
-/// Reads the text of a plant.json. Without `name` the name of the plant is `stem`. Names of devices, states and symbols
-/// are not resolved here but by the derivation of the plant (model). O(text).
+/// Reads a plant.json and what it includes. Without `name` the name of the plant is `stem`. Names of devices, states
+/// and symbols are not resolved here but by the derivation of the plant (model). O(texts).
+PlantFileReading read_plant_file(std::shared_ptr<const text::SourceFile> plant, std::string_view stem,
+                                 const OpenFile& open);
+/// Reads the text of a plant.json that includes no files.
 PlantFileReading read_plant_file(std::string_view text, std::string_view stem);
 
 struct ConventionsReading {
@@ -61,8 +72,5 @@ bool is_plant_file(std::string_view path, std::string_view bytes);
 
 /// For a message: that this encoding is unknown, the known encodings, and the nearest one.
 std::string no_such_encoding(std::string_view name);
-
-/// The schema of plant.json, as `symplant schema plant` prints it.
-std::string_view plant_schema();
 
 }  // namespace symplant::description

@@ -134,14 +134,13 @@ std::vector<std::string> Diagnostics::pointers() const {
   return pointers;
 }
 
-void Diagnostics::locate(const std::shared_ptr<const text::SourceFile>& file,
-                         std::span<const std::optional<text::Span>> spans) {
+void Diagnostics::locate(std::span<const Location> locations) {
   const std::vector<std::string> known = pointers();
   const auto locate_one = [&](Location& location) {
     if (location.pointer.empty()) return;
     const auto found = std::lower_bound(known.begin(), known.end(), location.pointer);
     const auto index = static_cast<std::size_t>(found - known.begin());
-    if (index < spans.size() && spans[index]) location = {file, *spans[index]};
+    location = locations[index];
   };
   const auto locate_all = [&](Diagnostic& finding) {
     locate_one(finding.location);

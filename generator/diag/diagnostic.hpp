@@ -159,9 +159,8 @@ class Diagnostics {
   void sort_by_location(std::span<const text::SourceFile* const> files = {});
   /// The pointers of all locations, related ones too, that are not yet located: unique and sorted.
   std::vector<std::string> pointers() const;
-  /// Sets file and span of the locations of pointers(): `spans[i]` is the span of the i-th of pointers(). A location
-  /// without a span does not change.
-  void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
+  /// Sets file and span of the locations of pointers(): `locations[i]` is that of the i-th of pointers().
+  void locate(std::span<const Location> locations);
 
   std::span<const Diagnostic> all() const { return all_; }
   /// Removes all findings, to add some of them again.

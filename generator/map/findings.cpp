@@ -222,7 +222,7 @@ void add_map_findings(const model::PlantModel& plant, const lower::EngineTables&
                       {{check::location_of(plant, *other.row, other.address_cell()), "the other symbol"}});
     }
   }
-  if (!faults.empty()) description::add_findings(plant.description_source, faults, diagnostics);
+  if (!faults.empty()) description::add_findings(*plant.description_source, faults, diagnostics);
 }
 
 }  // namespace symplant::map

@@ -29,7 +29,7 @@ void add_url_findings(const model::PlantModel& plant, diag::Diagnostics& diagnos
                         description::FaultKind::contradiction});
     }
   }
-  description::add_findings(plant.description_source, faults, diagnostics);
+  description::add_findings(*plant.description_source, faults, diagnostics);
 }
 
 }  // namespace symplant::map

@@ -2,6 +2,7 @@
 #include "model/derive.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/large_memory.hpp"
@@ -13,6 +14,7 @@
 #include "elements/material/resolve.hpp"
 #include "elements/requirement/resolve.hpp"
 #include "elements/signal/resolve.hpp"
+#include "elements/times/resolve.hpp"
 #include "elements/value/resolve.hpp"
 #include "model/collect_symbols.hpp"
 #include "model/condition_reader.hpp"
@@ -156,15 +158,19 @@ void prepare_material(Derived& derived, const description::GivenMaterial& given,
   mark_sensors(plant, derived.material, faults);
 }
 
-/// Resolves all that conditions of the description say.
-void resolve_conditions(PlantModel& plant, MadeNames& made, description::Faults& faults) {
+/// Resolves all that conditions of the description say, and sets times. Adds to the `decisions` for --verbose.
+void resolve_conditions(PlantModel& plant, MadeNames& made, std::vector<std::string>& decisions,
+                        description::Faults& faults) {
   const bool described = !plant.description->devices.empty() || plant.pairing != nullptr;
   if (!described && plant.description->requirements.empty() && plant.follows.empty() && plant.values.empty() &&
-      plant.signals.empty()) {
+      plant.signals.empty() && plant.description->times.empty()) {
     return;
   }
   ConditionReader conditions(plant, faults);
-  add_relations(plant, conditions, made, faults);
+  TimeFormulas times(plant, conditions, made);
+  add_relations(plant, conditions, times, made, faults);
+  std::vector<std::string> timed = resolve_times(plant, times, made, faults);
+  std::move(timed.begin(), timed.end(), std::back_inserter(decisions));
   resolve_requirements(plant, conditions, made, faults);
   resolve_follows(plant, conditions, made, faults);
   resolve_values(plant, conditions, made, faults);
@@ -191,7 +197,7 @@ Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
 }
 
 Derived describe(Derived derived, std::shared_ptr<const description::Description> description,
-                 std::shared_ptr<const text::SourceFile> source, std::vector<std::string> naming_files) {
+                 std::shared_ptr<const description::PlantSource> source, std::vector<std::string> naming_files) {
   PlantModel& plant = derived.plant;
   plant.naming_files = std::move(naming_files);
   Evidence& evidence = derived.evidence;
@@ -204,7 +210,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   evidence.decisions = match_entries(plant, faults);
   MadeNames made;
   derive_units(derived, made, faults);
-  resolve_conditions(plant, made, faults);
+  resolve_conditions(plant, made, evidence.decisions, faults);
   report_made_names(plant, made, faults);
   report_lacks(plant, faults);
   evidence.driven_twice = find_shared_addresses(plant);

@@ -23,6 +23,7 @@ Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
 /// Evidence::faults. O(rows), O(states squared) within a unit, and O(entries) of the description, where a `*` counts as
 /// one entry for each state.
 Derived describe(Derived derived, std::shared_ptr<const description::Description> description,
-                 std::shared_ptr<const text::SourceFile> source = nullptr, std::vector<std::string> naming_files = {});
+                 std::shared_ptr<const description::PlantSource> source = nullptr,
+                 std::vector<std::string> naming_files = {});
 
 }  // namespace symplant::model

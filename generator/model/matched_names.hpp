@@ -52,8 +52,8 @@ bool for_each_device(const PlantModel& plant, std::string_view pattern, Function
 /// devices that lack it; if all that the pattern matches lack it, that is an error.
 class MadeNames {
  public:
-  /// A device, or symbol, takes the entry at `at`.
-  void takes(const description::Pointer& at) { ++entries_[at.text()].takers; }
+  /// Devices, or symbols, take the entry at `at`.
+  void takes(const description::Pointer& at, std::size_t count = 1) { entries_[at.text()].takers += count; }
   /// A device, or symbol, lacks what the entry at `at` names: `message` says what is missing. `text` is what the entry
   /// of a device has at `at`.
   void lacks(const description::Pointer& at, std::string_view path, std::string message, std::string_view text = {});

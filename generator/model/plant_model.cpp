@@ -75,7 +75,7 @@ std::vector<const text::SourceFile*> PlantModel::sources() const {
 
 std::vector<std::string> PlantModel::input_files() const {
   std::vector<std::string> files;
-  if (description_source != nullptr) files.push_back(description_source->path());
+  if (description_source != nullptr) files = description_source->paths();
   for (const text::SourceFile* list : sources()) files.push_back(list->path());
   files.insert(files.end(), naming_files.begin(), naming_files.end());
   return files;

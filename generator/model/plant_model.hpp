@@ -13,6 +13,7 @@
 
 #include "address/address.hpp"
 #include "description/description.hpp"
+#include "description/plant_source.hpp"
 #include "elements/alarm/model.hpp"
 #include "elements/follow/model.hpp"
 #include "elements/link/model.hpp"
@@ -239,8 +240,8 @@ struct PlantList {
 struct PlantModel {
   std::string name;
   std::shared_ptr<const description::Description> description;  ///< never null
-  /// The file of the description; null if there is none.
-  std::shared_ptr<const text::SourceFile> description_source;
+  /// The files of the description; null if there is none.
+  std::shared_ptr<const description::PlantSource> description_source;
   std::vector<std::shared_ptr<const description::DeviceDescription>> joined;  ///< of devices that several entries match
   std::vector<PlantList> lists;          ///< in the description's order; at least one
   std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
@@ -279,7 +280,8 @@ struct PlantModel {
   std::string list_names() const;  ///< of all lists, separated by commas
   /// The files of the lists, in their order.
   std::vector<const text::SourceFile*> sources() const;
-  /// All files of the plant: plant.json, if there is one, then the lists in their order, then those of the naming rule.
+  /// All files of the plant: plant.json, if there is one, and what it includes, then the lists in their order, then
+  /// those of the naming rule.
   std::vector<std::string> input_files() const;
 };
 

@@ -21,8 +21,14 @@ constexpr std::size_t kMostDisabled = 10'000'000;
 
 class Relations {
  public:
-  Relations(PlantModel& plant, ConditionReader& conditions, MadeNames& made, description::Faults& faults)
-      : plant_(plant), conditions_(conditions), names_(conditions.names()), made_(made), faults_(faults) {}
+  Relations(PlantModel& plant, ConditionReader& conditions, TimeFormulas& times, MadeNames& made,
+            description::Faults& faults)
+      : plant_(plant),
+        conditions_(conditions),
+        names_(conditions.names()),
+        times_(times),
+        made_(made),
+        faults_(faults) {}
 
   void run() {
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
@@ -65,7 +71,7 @@ class Relations {
     unit.first_input = static_cast<std::uint32_t>(unit.conditions.size());
   }
 
-  /// Resolves the formulas of times. Equal ones are shared; a faulty one is 0.
+  /// Resolves the formulas of times; a faulty one is 0.
   void add_times(Unit& unit) {
     const description::Pointer pointer = description::key_pointer(*unit.described, description::DeviceKey::transitions);
     for (Transition& transition : unit.transitions) {
@@ -77,24 +83,8 @@ class Relations {
   }
 
   void add_time(const Unit& unit, description::Duration& time, const description::Pointer& here) {
-    if (time.kind != description::Duration::Kind::seconds) return;
-    const std::string text = *time.formula;
-    const MatchedNames matched = matched_by(unit, description::DeviceKey::transitions);
-    condition::Formula formula;
-    std::string lacking;
-    const bool is_made = text::has_braces(text);
-    const bool sound = conditions_.formula(text, &matched, here, formula, is_made ? &lacking : nullptr);
-    if (is_made) made_.takes(here);
-    if (!lacking.empty()) made_.lacks(here, unit.path, std::move(lacking), text);
-    if (!sound) {
-      time = description::Duration::fixed(0);
-      return;
-    }
-    const auto index = static_cast<tables::Time>(plant_.time_formulas.size());
-    const auto [known, added] = formulas_.try_emplace(formula.text, index);
-    time = description::Duration::seconds(formula.text);
-    time.a = known->second;
-    if (added) plant_.time_formulas.push_back(std::move(formula));
+    const std::string_view pattern = unit.described->entry_of(description::DeviceKey::transitions).path;
+    if (!times_.resolve(unit, pattern, here, time)) time = description::Duration::fixed(0);
   }
 
   /// Sorted by name, since an object of JSON has no order. Without a behavior inputs are only checked.
@@ -211,17 +201,18 @@ class Relations {
   PlantModel& plant_;
   ConditionReader& conditions_;
   const PlantNames& names_;
+  TimeFormulas& times_;
   MadeNames& made_;
   description::Faults& faults_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> matching_;  // of `disables`: a pattern -> its units
   std::size_t disabled_ = 0;
-  std::unordered_map<std::string, tables::Time> formulas_;  // of times, by text: their index
 };
 
 }  // namespace
 
-void add_relations(PlantModel& plant, ConditionReader& conditions, MadeNames& made, description::Faults& faults) {
-  Relations(plant, conditions, made, faults).run();
+void add_relations(PlantModel& plant, ConditionReader& conditions, TimeFormulas& times, MadeNames& made,
+                   description::Faults& faults) {
+  Relations(plant, conditions, times, made, faults).run();
 }
 
 }  // namespace symplant::model

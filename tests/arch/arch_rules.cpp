@@ -37,9 +37,10 @@ struct ElementFile {
 };
 constexpr std::array kElementFiles = {
     ElementFile{"given", "description"}, ElementFile{"modules", "description"}, ElementFile{"entry", "description"},
-    ElementFile{"file", "description"},  ElementFile{"lower", "lower"},         ElementFile{"rows", "emit"},
-    ElementFile{"skeleton", "emit"},     ElementFile{"functions", "emit"},      ElementFile{"json", "view"},
-    ElementFile{"words", "view"},        ElementFile{"html", "view"},           ElementFile{"drawing", "view"},
+    ElementFile{"file", "description"},  ElementFile{"key", "description"},     ElementFile{"lower", "lower"},
+    ElementFile{"rows", "emit"},         ElementFile{"skeleton", "emit"},       ElementFile{"functions", "emit"},
+    ElementFile{"json", "view"},         ElementFile{"words", "view"},          ElementFile{"html", "view"},
+    ElementFile{"drawing", "view"},
 };
 
 /// In the root of the runtime, as C programs include it; of the layer `program`.

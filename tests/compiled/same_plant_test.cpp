@@ -12,6 +12,7 @@
 #include "compiled_cylinder/plant_gen.hpp"
 #include "compiled_excell/plant_gen.hpp"
 #include "compiled_mixed/plant_gen.hpp"
+#include "compiled_timed/plant_gen.hpp"
 #include "support/catch.hpp"
 #include "symplant/tables/digest.hpp"
 #include "symplant/trace/recorder.hpp"
@@ -28,7 +29,8 @@ std::vector<Case> cases() {
   const std::string source = SYMPLANT_SOURCE_DIR;
   return {{source + "/examples/excell/excell.csv", excell::tables()},
           {source + "/examples/cylinder/cylinder.csv", cylinder::tables()},
-          {source + "/tests/compiled/mixed.csv", mixed::tables()}};
+          {source + "/tests/compiled/mixed.csv", mixed::tables()},
+          {source + "/tests/compiled/timed/plant.json", timed::tables()}};
 }
 
 app::Compiled compile(const std::string& list) {

@@ -2,7 +2,8 @@
 # Runs every plant description of a page, and compares the output of its commands with the page.
 #
 # A ```jsonc block after a line `<!-- plant.json of FOLDER -->` is a plant description for the symbols.csv of that
-# folder; one that does not begin with `{` is a part of one, and is completed. A ```text block after a line
+# folder; one that does not begin with `{` is a part of one, and is completed. A ```jsonc block after a line
+# `<!-- NAME.json next to it -->` is a file in the folder of the plant.json above it. A ```text block after a line
 # `<!-- COMMAND: exit N -->` is the output of this command for the plant.json above it, and N its exit code; a last
 # line `...` matches any further output.
 # A description without such a block must pass `symplant check`.
@@ -20,6 +21,8 @@ PATH="$work/bin:$PATH"
 # NNN/plant.part, NNN/folder; NNN/MMM.command, NNN/MMM.exit, NNN/MMM.text
 awk -v work="$work" '
   /^<!-- plant\.json of .* -->$/ { folder = $4; next }
+  /^<!-- [a-z]*\.json next to it -->$/ { beside = $2; next }
+  /^```jsonc$/ && beside != "" { target = here "/" beside; beside = ""; printf "" > target; next }
   /^<!-- symplant .*: exit [0-9] -->$/ {
     command = $0
     sub(/^<!-- /, "", command); code = command; sub(/: exit [0-9] -->$/, "", command); sub(/^.*: exit /, "", code); sub(/ -->$/, "", code)

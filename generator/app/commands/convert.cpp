@@ -75,7 +75,7 @@ std::shared_ptr<const convert::Symbols> symbols_in(const Inputs& inputs) {
 
 std::vector<std::string> files_of(const Inputs& inputs) {
   std::vector<std::string> files;
-  if (inputs.source != nullptr) files.push_back(inputs.source->path());
+  if (inputs.source != nullptr) files = inputs.source->paths();
   if (inputs.naming_parts != nullptr) {
     files.insert(files.end(), inputs.naming_parts->files.begin(), inputs.naming_parts->files.end());
   }

@@ -10,7 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "description/plant_file.hpp"
+#include "description/plant_schema.hpp"
 #include "naming/naming_file.hpp"
 #include "suite/suite.hpp"
 #include "symplant/host/exit_codes.hpp"

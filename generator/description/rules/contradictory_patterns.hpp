@@ -11,7 +11,7 @@ inline constexpr diag::RuleInfo kContradictoryPatterns{
     .severity = diag::Severity::error,
     .summary = "two equally specific patterns give a key of a device different values",
     .page =
-        R"page(Several entries of `"devices"` may match one device. Key by key an exact name beats every pattern, and of patterns
+        R"page(Several entries of `"devices"` (or of `"times"`) may match one device. Key by key an exact name beats every pattern, and of patterns
 the one with more literal characters wins. Here two patterns with equally many give one key different values, and neither an exact
 name nor a more specific pattern decides.
 

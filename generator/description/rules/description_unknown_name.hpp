@@ -12,7 +12,7 @@ inline constexpr diag::RuleInfo kDescriptionUnknownName{
     .summary = "a plant description names an unknown device, state, operation or event",
     .page =
         R"page(Names in `plant.json` are those of the symbol lists, without regard to case: a device is LINE_PROC_DEV, a state
-and an operation are the last level of a symbol's name. Tracks, places and kinds of parts are keys of `material`.
+and an operation are the last level of a symbol's name. Tracks, places and kinds of parts are keys of `material`. Entries of `times` name transitions that the device has.
 The message proposes the nearest known name. An entry under a pattern (`EXLINE_*`) is reported only if every device that
 takes it lacks the name.
 

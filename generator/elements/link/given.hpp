@@ -38,7 +38,7 @@ struct LinkDescription {
 
 /// A PLC program that runs in lock step. It is used if the command line names no program.
 struct ProgramDescription {
-  std::string file;             ///< as written: relative to plant.json
+  std::string file;             ///< relative to plant.json
   std::string controller = {};  ///< the controller whose symbols it has; empty if not named
   tables::Time period = 0;      ///< 0: not given
   tables::Time delay = 0;       ///< 0: not given

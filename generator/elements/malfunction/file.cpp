@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "description/json_entry.hpp"
-#include "description/plant_file.hpp"
+#include "description/plant_schema.hpp"
 #include "elements/malfunction/entry.hpp"
 #include "symplant/json/document.hpp"
 #include "symplant/json/schema.hpp"

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <type_traits>
 
 #include "description/units.hpp"
-#include "symplant/json/location.hpp"
 
 namespace symplant::description {
 namespace {
@@ -171,26 +168,10 @@ class MaterialReader {
 
 }  // namespace
 
-void sort_as_written(GivenMaterial& material, std::string_view text) {
-  const auto sort = [&](auto& entries, std::string_view key) {
-    if (entries.size() < 2) return;
-    std::vector<json::Fault> pointers;
-    pointers.reserve(entries.size());
-    const std::string parent = json::child("/material", key);
-    for (const auto& entry : entries) pointers.push_back({json::child(parent, entry.name), {}});
-    const std::vector<json::Span> spans = json::spans(text, pointers);
-    std::vector<std::size_t> order(entries.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return spans[a].begin < spans[b].begin; });
-    std::remove_reference_t<decltype(entries)> sorted;
-    sorted.reserve(entries.size());
-    for (const std::size_t i : order) sorted.push_back(std::move(entries[i]));
-    entries = std::move(sorted);
-  };
-  sort(material.kinds, "kinds");
-  sort(material.tracks, "tracks");
-  sort(material.places, "places");
+void sort_as_written(GivenMaterial& material, const PlantSource& source) {
+  sort_as_written(material.kinds, "/material/kinds", source);
+  sort_as_written(material.tracks, "/material/tracks", source);
+  sort_as_written(material.places, "/material/places", source);
 }
 
 GivenMaterial material_entry(const Json& value, ShapeFaults& faults) { return MaterialReader(value, faults).read(); }

@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
-
-#include "symplant/json/location.hpp"
 
 namespace symplant::description {
 namespace {
@@ -249,20 +246,6 @@ std::vector<GivenValue> value_entries(const Json& object, ShapeFaults& faults) {
   if (!object.is_object()) return values;
   for (const auto& [name, entry] : object.items()) values.push_back(ValueReader(name, entry, faults).read());
   return values;
-}
-
-void sort_as_written(std::vector<GivenValue>& values, std::string_view text) {
-  std::vector<json::Fault> pointers;
-  pointers.reserve(values.size());
-  for (const GivenValue& value : values) pointers.push_back({json::child("/values", value.name), {}});
-  const std::vector<json::Span> spans = json::spans(text, pointers);
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return spans[a].begin < spans[b].begin; });
-  std::vector<GivenValue> sorted;
-  sorted.reserve(values.size());
-  for (const std::size_t i : order) sorted.push_back(std::move(values[i]));
-  values = std::move(sorted);
 }
 
 }  // namespace symplant::description

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app_support.hpp"
-#include "description/plant_file.hpp"
+#include "description/plant_schema.hpp"
 #include "naming/naming_file.hpp"
 
 namespace symplant::test {
@@ -141,6 +141,8 @@ TEST_CASE("The option --verbose reports the plant's name and how many devices ea
   const ToolRun run = run_cell({"check", "--verbose"}, cell_with(R"("devices": {"EXLINE_*": {"actuation": "held"}})"));
   CHECK(contains(run.err, "decided: the plant is called plant\n"));
   CHECK(contains(run.err, "decided: `EXLINE_*` matches 2 devices\n"));
+  CHECK(contains(run_cell({"check", "--verbose"}, cell_with(R"("times": {"*_AGV": {}})")).err,
+                 "decided: `*_AGV` of `times` matches 1 device\n"));
 }
 
 TEST_CASE("No output may replace an input file of the plant") {

@@ -32,11 +32,11 @@ Analysed analyse_case(const std::string& name) {
   MemoryFileSystem files;
   if (std::filesystem::exists(list)) files.files["symbols.csv"] = read_bytes(list);
   app::CompileOptions options{"symbols.csv", {}, {}, "2026-07-01"};
-  const std::string description = kFolder + name + "/plant.json";
-  if (std::filesystem::exists(description)) {
-    files.files["plant.json"] = read_bytes(description);
-    options.plant = "plant.json";
+  for (const std::string description : {"plant.json", "learned.json"}) {
+    const std::string path = kFolder + name + "/" + description;
+    if (std::filesystem::exists(path)) files.files[description] = read_bytes(path);
   }
+  if (files.exists("plant.json")) options.plant = "plant.json";
   if (name == "unknown-input-format") options.read.input_format = "tape";
   std::ostringstream err;
   app::Progress progress(err, false);

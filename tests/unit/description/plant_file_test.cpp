@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "description/plant_schema.hpp"
 #include "symplant/json/schema.hpp"
 #include "unit/model/model_support.hpp"
 

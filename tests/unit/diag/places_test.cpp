@@ -9,7 +9,7 @@ constexpr diag::RuleInfo kSomeRule{"SP999", "some-rule", diag::Severity::warning
 
 diag::Location at(std::string pointer) { return {nullptr, {}, std::move(pointer)}; }
 
-TEST_CASE("Pointers of all locations are listed once, sorted, and each location gets its span") {
+TEST_CASE("Pointers of all locations are listed once, sorted, and each location gets its file and span") {
   const auto list = std::make_shared<const text::SourceFile>("symbols.csv", "A\n");
   const auto file = std::make_shared<const text::SourceFile>("plant.json", "{ \"a\": 1, \"b\": 2 }");
   diag::Diagnostics found;
@@ -19,16 +19,17 @@ TEST_CASE("Pointers of all locations are listed once, sorted, and each location 
   found.add(kSomeRule, "fourth", {list, {0, 1}, "/c"});
   CHECK(found.pointers() == std::vector<std::string>{"/a", "/b", "/c"});
 
-  const std::vector<std::optional<text::Span>> spans{text::Span{2, 5}, text::Span{10, 13}, std::nullopt};
-  found.locate(file, spans);
+  const auto included = std::make_shared<const text::SourceFile>("learned.json", "{ \"c\": 3 }");
+  const std::vector<diag::Location> locations{{file, {2, 5}}, {file, {10, 13}}, {included, {2, 5}}};
+  found.locate(locations);
   const auto all = found.all();
   CHECK(all[0].location.source == file);
   CHECK(all[0].location.span.begin == 10);
   CHECK(all[0].related[0].location.span.begin == 2);
   CHECK(all[1].location.span.end == 13);
   CHECK(all[2].location.source == list);
-  CHECK(all[3].location.source == list);  // not found: its substitute stays
-  CHECK(found.pointers() == std::vector<std::string>{"/c"});
+  CHECK(all[3].location.source == included);
+  CHECK(found.pointers().empty());
 }
 
 TEST_CASE("A finding has its rule's severity unless another is set, and counts by it") {

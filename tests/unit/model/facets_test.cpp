@@ -157,6 +157,32 @@ TEST_CASE("A pattern matches the path of a facet, and that of its device") {
   CHECK(all.evidence().decisions == std::vector<std::string>{"`*_RB` matches 3 devices"});
 }
 
+TEST_CASE("An entry of times is for the unit of that path, else for all units of the device") {
+  const auto timed = [](const std::string& device) {
+    description::Description description;
+    description.times.push_back(
+        {device,
+         {{"ON->OFF", {"ON", "OFF"}, {}, Duration::fixed(7)}, {"OFF->ON", {"OFF", "ON"}, {}, Duration::fixed(8)}}});
+    return analyse_cell(kRobot, description);
+  };
+  const Analysed one = timed("s1_rb.echo_job_a");
+  CHECK(faults(one) == "");
+  CHECK(unit_of(one, "S1_RB.echo_JOB_A").transitions.at(0).takes.a +
+            unit_of(one, "S1_RB.echo_JOB_A").transitions.at(1).takes.a ==
+        15);
+  CHECK(unit_of(one, "S1_RB.echo_JOB_B").transitions.at(0).takes.a == 0);
+  const std::vector<std::string> jobs(kRobot.begin() + 4, kRobot.end());
+  description::Description description;
+  description.times.push_back({"S1_RB", {{"ON->OFF", {"ON", "OFF"}, {}, Duration::fixed(7)}}});
+  const Analysed both = analyse_cell(jobs, description);
+  CHECK(faults(both) == "");
+  CHECK(both.evidence().decisions.empty());
+  for (const char* path : {"S1_RB.echo_JOB_A", "S1_RB.echo_JOB_B"}) {
+    const auto& transitions = unit_of(both, path).transitions;
+    CHECK(std::any_of(transitions.begin(), transitions.end(), [](const auto& t) { return t.takes.a == 7; }));
+  }
+}
+
 TEST_CASE("An entry that contradicts the naming rule is an error at the entry") {
   auto echo = device("S1_RB.echo_JOB_A");
   echo.states = {"OTHER"};
