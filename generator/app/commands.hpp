@@ -30,6 +30,7 @@ void add_run(CLI::App& app, Context& context);
 /// Call if the command line cannot be parsed. For the command `run`, it writes the result files of a failed run.
 void fail_run(const CLI::App& app, std::string_view error, const Context& context);
 void add_program(CLI::App& app, Context& context);
+void add_record(CLI::App& app, Context& context);
 void add_show(CLI::App& app, Context& context);
 void add_schema(CLI::App& app, Context& context);
 void add_completion(CLI::App& app, Context& context);

@@ -16,11 +16,14 @@
 namespace symplant::host {
 namespace {
 
+constexpr auto kFlush = std::chrono::milliseconds(50);
+constexpr std::uint64_t kDrainsToLook = 64;  // at the clock: a step of a run is shorter than a look
+
 /// Reports the error of a file; false if there is one.
 template <class File>
-bool is_well(const std::optional<File>& file, const char* severity, std::ostream& err) {
+bool is_well(const std::optional<File>& file, std::ostream& err) {
   if (!file || file->error().empty()) return true;
-  err << severity << ": " << file->error() << "\n";
+  err << "error: " << file->error() << "\n";
   return false;
 }
 
@@ -49,9 +52,9 @@ bool Outputs::open(std::uint64_t model_hash, tables::Time cycle, std::ostream& e
   }
   if (!options_.vcd.empty()) vcd_.emplace(file("VCD file", options_.vcd, options_.trace_limit), names_);
   if (!options_.findings.empty()) findings_.emplace(file("findings", options_.findings, trace::kNoLimit), names_);
-  const bool trace = is_well(trace_, "error", err);
-  const bool vcd = is_well(vcd_, "error", err);
-  return is_well(findings_, "error", err) && trace && vcd;
+  const bool trace = is_well(trace_, err);
+  const bool vcd = is_well(vcd_, err);
+  return is_well(findings_, err) && trace && vcd;
 }
 
 void Outputs::take(const trace::Record& record) {
@@ -153,12 +156,32 @@ void Outputs::drain() {
   const auto lock = panel_ != nullptr ? panel_->lock() : std::unique_lock<std::mutex>();
   report_.report_hidden(false);
   recorder_.drain([this](const trace::Record& record) { take(record); });
+  if (++drains_ % kDrainsToLook == 0) flush_when_due();
+}
+
+void Outputs::flush_when_due() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - flushed_ < kFlush) return;
+  flushed_ = now;
+  flush();
 }
 
 void Outputs::flush() {
   if (trace_) trace_->flush();
   if (vcd_) vcd_->flush();
   if (findings_) findings_->flush();
+  report_errors();
+}
+
+/// A file that cannot be written any more ends there; the plant runs on.
+void Outputs::report_errors() {
+  const auto report = [this](const auto& file) {
+    if (!file || file->error().empty() || !reported_.insert(file->error()).second) return;
+    report_.warn(file->error() + "; the file ends here");
+  };
+  report(trace_);
+  report(vcd_);
+  report(findings_);
 }
 
 void Outputs::start_thread() {
@@ -189,9 +212,6 @@ void Outputs::finish(tables::Time end, std::ostream& err) {
   }
   if (trace_ && recorder_.lost_changes() != 0) trace_->lost(std::max(end, last_time_), recorder_.lost_changes());
   flush();
-  is_well(trace_, "warning", err);
-  is_well(vcd_, "warning", err);
-  is_well(findings_, "warning", err);
   if (recorder_.lost_changes() != 0) {
     err << fmt::format("warning: {} changes {}\n", recorder_.lost_changes(),
                        records_changes(options_)

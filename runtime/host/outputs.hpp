@@ -1,10 +1,12 @@
 // Writes the records of a run to its output files and its report.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -56,6 +58,9 @@ class Outputs {
   /// ends the VCD file, since its time cannot go back. `what` and `name` as for TraceFile::set_back().
   void set_back(std::string_view what, std::string_view name, tables::Time time);
   void drain();
+  /// Passes the files on to the system if that is due, so that a killed process loses at most the latest 100 ms.
+  /// drain() does it from time to time; code that drains less often than each ms must call it.
+  void flush_when_due();
   void start_thread();
   void stop_thread();
   /// Writes the remaining records, and reports on `err` what is missing.
@@ -72,6 +77,7 @@ class Outputs {
   void write(const trace::Record& record);
   void end_instant(tables::Time time);
   void flush();
+  void report_errors();
 
   const trace::PlantNames& names_;
   const RunOptions& options_;
@@ -95,6 +101,9 @@ class Outputs {
   tables::Time vcd_end_ = -1;   ///< when the plant was set back, and the VCD file ended; -1: it goes on
   std::uint64_t changes_ = 0;
   std::uint64_t instants_ = 0;
+  std::uint64_t drains_ = 0;
+  std::chrono::steady_clock::time_point flushed_ = {};
+  std::set<std::string> reported_;  ///< errors of files
   std::jthread thread_;
 };
 

@@ -102,6 +102,9 @@ class ReplayReader {
     if (!json.contains("clock")) {
       return "this trace has no `clock`: an older symplant wrote it, without what a replay needs; record it again";
     }
+    if (json.contains("recorded")) {
+      return "this is a recording of a real plant: it has only what the PLC shows, and cannot be replayed";
+    }
     const auto seed = json.find("seed");
     const auto hash = json.find("model_hash");
     if (seed == json.end() || !seed->is_number_unsigned() || hash == json.end() || !hash->is_string()) {

@@ -44,6 +44,9 @@ class Report {
   /// step was done before. `hands`: the actions that were refused, as values of scenario::kHandNote.
   void failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands);
 
+  /// A warning that is not a finding, in one line.
+  void warn(const std::string& text) { console_.message("warning: " + text + "\n"); }
+
   /// Whether an entry of `ignored` matches it today.
   bool is_ignored(const trace::FoundThing& found) const;
   /// Reports how many findings of links and standstills were not shown: of those whose ten seconds are over, or of all

@@ -41,6 +41,7 @@ class PacedRun {
       } else {
         one(next);
       }
+      stage_.outputs.flush_when_due();
     }
   }
 

@@ -36,6 +36,9 @@ void catch_signals() {
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_IGN);
 #endif
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // the write fails, as on a full disk
+#endif
 }
 
 const std::atomic<bool>& stop_requested() { return stop; }

@@ -5,8 +5,8 @@
 
 namespace symplant::host {
 
-/// Handles them from now on, and forgets earlier ones. A SIGHUP that is ignored stays ignored (`nohup`). SIGPIPE is
-/// ignored, too.
+/// Handles them from now on, and forgets earlier ones. A SIGHUP that is ignored stays ignored (`nohup`). SIGPIPE and
+/// SIGXFSZ (a file above `ulimit -f`) are ignored, too.
 void catch_signals();
 
 /// Whether a signal requested the end. One flag for the process, since a handler can only access globals.

@@ -77,6 +77,7 @@ struct LinkSettings {
   std::uint32_t connections = 32;                  ///< server: clients at once, 1 to 10,000
   tables::Time idle = 300 * tables::kSecond;       ///< server: closes a client without requests for this long; 0: never
   bool arm = false;                                ///< client: write events also to a PLC that cannot be identified
+  bool reads_only = false;  ///< client: writes nothing, so that its events may be inputs of the PLC
   ClockSettings clock = {};
   /// Server: numeric addresses of clients that are never closed to make room for others.
   std::span<const std::string_view> keep = {};

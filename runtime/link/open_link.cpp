@@ -22,8 +22,11 @@ bool is_client(std::string_view url) {
 }
 
 client::PartsResult client_parts(const LinkChoice& link, const tables::PlantTables& tables) {
-  if (std::string fault = url_fault(link.url); !fault.empty()) {
-    return LinkError{LinkError::Kind::usage, std::move(fault)};
+  // A URL of a link that only reads may have settings in which `fault` finds an error; the protocol reads them again.
+  if (!link.settings.reads_only || !is_client(link.url)) {
+    if (std::string fault = url_fault(link.url); !fault.empty()) {
+      return LinkError{LinkError::Kind::usage, std::move(fault)};
+    }
   }
   return kind_of(link.url)->parts(rest_of(link.url), link, tables);
 }

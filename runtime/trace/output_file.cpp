@@ -42,19 +42,37 @@ void OutputFile::fail() {
   file_.reset();
 }
 
-void OutputFile::write_out() {
+/// Passes on the whole lines; all of a line that is longer than the buffer.
+void OutputFile::write_lines() {
+  const std::size_t end = buffer_.rfind('\n');
+  write_out(end == std::string::npos ? buffer_.size() : end + 1);
+}
+
+void OutputFile::write_out(std::size_t size) {
   if (stream_ != nullptr) {
-    stream_->write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    stream_->write(buffer_.data(), static_cast<std::streamsize>(size));
+    if (!stream_->good()) {
+      error_ = "cannot write the " + what_ + " to standard output";
+      stream_ = nullptr;
+    }
   } else if (file_) {
     errno = 0;
-    if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size()) fail();
+    const std::size_t done = std::fwrite(buffer_.data(), 1, size, file_.get());
+    if (done != size) {
+      fail();
+      const std::size_t whole = std::string_view(buffer_).substr(0, done).rfind('\n') + 1;  // npos: 0
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(path_, ignored)) {
+        std::filesystem::resize_file(path_, written_ + whole, ignored);
+      }
+    }
   }
-  written_ += buffer_.size();
-  buffer_.clear();
+  written_ += size;
+  buffer_.erase(0, size);
 }
 
 void OutputFile::flush() {
-  if (!buffer_.empty()) write_out();
+  if (!buffer_.empty()) write_out(buffer_.size());
   if (stream_ != nullptr) stream_->flush();
 }
 

@@ -13,7 +13,9 @@ namespace symplant::trace {
 
 inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
 
-/// One writer; not thread-safe. A failed write (a full disk) ends the file; error() has the reason.
+/// One writer; not thread-safe. It is passed to the system in whole lines, so that a killed process leaves no line cut
+/// off, except one that is longer than the buffer or that flush() cuts. A failed write (a full disk) ends the file
+/// after its last whole line; error() has the reason.
 class OutputFile {
  public:
   /// Opens a file. `what` is its name in messages ("trace"). full() is true from `limit` bytes on.
@@ -26,7 +28,7 @@ class OutputFile {
 
   void put(std::string_view text) {
     buffer_.append(text);
-    if (buffer_.size() >= kBuffer) write_out();
+    if (buffer_.size() >= kBuffer) write_lines();
   }
   /// Passes everything written so far to the system.
   void flush();
@@ -47,7 +49,8 @@ class OutputFile {
   };
 
   void open();
-  void write_out();
+  void write_lines();
+  void write_out(std::size_t size);
   void fail();
 
   std::string what_;

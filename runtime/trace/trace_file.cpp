@@ -19,6 +19,26 @@ TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::ui
       head_(fmt::format(R"({{"symplant-trace":1,"plant":{},"model_hash":"{:016x}","seed":{},"clock":"{}")",
                         json_string(tables.name), model_hash, seed, cycle == 0 ? "virtual" : "real")) {
   if (cycle != 0) head_ += fmt::format(R"(,"cycle":{})", cycle);
+  add_programs(programs);
+  begin();
+}
+
+TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash,
+                     const RecordedFrom& from)
+    : tables_(tables),
+      plant_names_(tables),
+      file_(std::move(file)),
+      head_(fmt::format(
+          R"({{"symplant-trace":1,"plant":{},"model_hash":"{:016x}","clock":"real","recorded":true,"link":{},"every":{},"utc":"{}")",
+          json_string(tables.name), model_hash, json_string(from.link), from.every, from.utc)),
+      recorded_(true),
+      has_values_(tables.symbols.size()) {
+  begin();
+}
+
+/// Prepares the texts of lines, and writes the header.
+void TraceFile::begin() {
+  const tables::PlantTables& tables = tables_;
   const auto texts = tables::split_names(tables.symbol_names);
   names_.reserve(tables.symbols.size());
   for (std::size_t i = 0; i + 1 < texts.size(); i += 2) {
@@ -32,7 +52,6 @@ TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::ui
   for (std::uint32_t output = 0; output < tables.values.outputs; ++output) {
     outputs_.push_back(",\"value\":" + json_string(plant_names_.output(output)) + ",\"is\":");
   }
-  add_programs(programs);
   file_.put(head_);
   file_.put("}\n");
 }
@@ -109,6 +128,7 @@ void TraceFile::write(const Record& record) {
     file_.put("}\n");
   }
   if (record.kind != Record::Kind::change) return;
+  if (recorded_) has_values_[record.of] = true;
   put_time(record.time);
   file_.put(names_[record.of]);
   const tables::DataType type = tables_.symbols[record.of].type();
@@ -151,6 +171,18 @@ void TraceFile::quality(tables::Time time, std::string_view device, bool well) {
   file_.put(fmt::format(",\"quality\":{{{}:{}}}}}\n", json_string(device), well));
 }
 
+void TraceFile::gap(tables::Time time, tables::Time length) {
+  if (!file_.is_open()) return;
+  put_time(time);
+  file_.put(fmt::format(",\"gap\":{}}}\n", length));
+}
+
+void TraceFile::end(tables::Time time) {
+  if (!file_.is_open()) return;
+  put_time(time);
+  file_.put(",\"end\":true}\n");
+}
+
 void TraceFile::lost(tables::Time time, std::uint64_t changes) {
   if (!file_.is_open()) return;
   put_time(time);
@@ -162,7 +194,7 @@ void TraceFile::put_values(const History& history) {
   file_.put(",\"values\":{");
   bool first = true;
   for (std::uint32_t i = 0; i < tables_.symbols.size(); ++i) {
-    if (history.value(i) == 0) continue;
+    if (recorded_ ? !has_values_[i] : history.value(i) == 0) continue;
     const std::string& name = names_[i];  // ,"symbol":"NAME","value":
     constexpr std::size_t kBefore = sizeof(",\"symbol\":") - 1;
     constexpr std::size_t kBehind = sizeof(",\"value\":") - 1;

@@ -15,12 +15,22 @@
 
 namespace symplant::trace {
 
+/// Where a recording of a real plant comes from.
+struct RecordedFrom {
+  std::string link;        ///< URL
+  tables::Time every = 0;  ///< interval of readings, ns
+  std::string utc;         ///< of t = 0, ISO 8601
+};
+
 /// One writer; not thread-safe.
 class TraceFile {
  public:
   /// Writes the header, which names the programs. `cycle`: in real time, in ns; 0: virtual time. Errors are in error().
   TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed,
             tables::Time cycle = 0, std::span<const PlantNames::Program> programs = {});
+  /// Writes the header of a recording. Only symbols with a line were recorded; later parts have the values of all of
+  /// these.
+  TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, const RecordedFrom& from);
 
   /// Writes a record of a change, of a part or of a malfunction; ignores others. O(line).
   void write(const Record& record);
@@ -35,6 +45,10 @@ class TraceFile {
   void instant(tables::Time time, std::uint64_t number);
   /// A line about the link of a device with a behavior: `{"t":0,"quality":{"ARM":false}}`.
   void quality(tables::Time time, std::string_view device, bool well);
+  /// A line about a time in which nothing was recorded: `{"t":0,"gap":800000000}`.
+  void gap(tables::Time time, tables::Time length);
+  /// The last line of a recording: `{"t":0,"end":true}`.
+  void end(tables::Time time);
   /// A line about changes that are missing: `{"t":0,"lost":3}`.
   void lost(tables::Time time, std::uint64_t changes);
   /// To be called between two instants: starts a new part if the file is full. Its header has `part`, counted from 1,
@@ -46,6 +60,7 @@ class TraceFile {
   const std::string& error() const { return file_.error(); }
 
  private:
+  void begin();
   void put_time(tables::Time time);
   void add_programs(std::span<const PlantNames::Program> programs);
   void put_part(const PartRecord& part);
@@ -67,7 +82,9 @@ class TraceFile {
   std::string time_;                  ///< the text of last_time_
   tables::Time last_time_ = -1;
   std::uint64_t parts_ = 1;
-  bool has_lines_ = false;  ///< whether this part has lines, so that no part is only a header
+  bool recorded_ = false;         ///< of a real plant
+  std::vector<bool> has_values_;  ///< by symbol: it has had a line; of a recording
+  bool has_lines_ = false;        ///< whether this part has lines, so that no part is only a header
 };
 
 }  // namespace symplant::trace

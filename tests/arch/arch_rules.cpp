@@ -21,10 +21,10 @@ constexpr std::size_t kMostLines = 500;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 28> kGenerator = {
-    "base",  "text",  "diag",      "address", "read",    "name",  "description", "naming",   "pairing",
-    "infer", "model", "score",     "convert", "lower",   "check", "findings",    "emit",     "view",
-    "diff",  "map",   "recording", "compare", "observe", "study", "batch", "suite",       "campaign", "app"};
+constexpr std::array<std::string_view, 29> kGenerator = {
+    "base",      "text",   "diag",    "address", "read",  "name",     "description", "naming",   "pairing", "infer",
+    "model",     "score",  "convert", "lower",   "check", "findings", "emit",        "view",     "diff",    "map",
+    "recording", "record", "compare", "observe", "study", "batch",    "suite",       "campaign", "app"};
 constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "plant", "condition", "json",
                                                        "share",    "exec",    "link",  "trace",     "why",
                                                        "scenario", "program", "panel", "host"};
@@ -68,6 +68,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"diff", " tables "},
     RuntimeUse{"map", " tables link trace why "},
     RuntimeUse{"recording", " tables trace "},
+    RuntimeUse{"record", " tables condition link trace scenario "},
     RuntimeUse{"compare", " tables trace "},
     RuntimeUse{"observe", " tables condition "},
     RuntimeUse{"study", " tables condition plant trace "},

@@ -56,6 +56,9 @@ An input that causes a fault becomes a file in `tests/fuzz/crashes`, which every
 | the time of day jumps by an hour and a day at every call (a test clock replaces the system's) | cycles, plant time and skipped cycles are the same | `ctest --test-dir build/release -R 'rt: '` |
 | SIGTERM, SIGINT, SIGHUP: while waiting, in a cycle of an hour, shortly before a cycle, in a long catch-up | the run ends within a second, with its statistics; if no program reads its output, within a second with exit code 3 | `ctest --test-dir build/release -R 'rt: A signal'` |
 | no program reads its output any more | the plant continues, and ends with exit code 3 | the same test |
+| `symplant record` is killed, 10 times at random times (200 with `--campaign`), as is a run with `--trace` | everything older than 100 ms is in the file, in whole lines; nothing was written to the PLC | `build/release/tests/unit/record/test_record "*killed*"` |
+| the PLC that is recorded closes connections, refuses them, is silent, or sends wrong answers | the recording has gaps and only true values, and goes on by itself | `build/release/tests/unit/record/test_record` |
+| the disk is full while recording | the file ends with its last whole line, exit code 3 | the same test |
 | the cycle hangs under systemd | the program sends no keep-alive, so that systemd restarts it | `build/release/tests/unit/host/test_host` |
 
 ## What makes a run red

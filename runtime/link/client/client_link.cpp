@@ -1,31 +1,15 @@
 // A link that goes to the PLC.
 #include "symplant/link/client/client_link.hpp"
 
-#include <algorithm>
 #include <system_error>
 #include <utility>
 
 #include "symplant/link/client/poller.hpp"
 #include "symplant/link/image/cycle_side.hpp"
-#include "symplant/tables/names.hpp"
 
 namespace symplant::link::client {
 
 namespace {
-
-/// "3 symbols are not linked: `A` has no address, ...": at most three by name; empty if all are.
-std::string unreachable_text(const std::vector<Unreachable>& unreachable, const tables::PlantTables& tables) {
-  constexpr std::size_t kNamed = 3;
-  const std::size_t count = unreachable.size();
-  if (count == 0) return {};
-  const auto texts = tables::split_names(tables.symbol_names);
-  std::string text = std::to_string(count) + (count == 1 ? " symbol is" : " symbols are") + " not linked: ";
-  for (std::size_t i = 0; i < std::min(count, kNamed); ++i) {
-    const Unreachable& one = unreachable[i];
-    text.append(i == 0 ? "`" : ", `").append(texts[std::size_t{2} * one.symbol]).append("` ").append(one.reason);
-  }
-  return text + (count > kNamed ? ", ..." : "") + "; `symplant map` lists all symbols";
-}
 
 class ClientLink final : public Link {
  public:

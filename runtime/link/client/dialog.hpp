@@ -57,6 +57,21 @@ struct Words {
   std::span<std::uint64_t> numbers;
 };
 
+/// Sees the requests of readings, one by one.
+class ReadObserver {
+ public:
+  ReadObserver() = default;
+  ReadObserver(const ReadObserver&) = delete;
+  ReadObserver& operator=(const ReadObserver&) = delete;
+  virtual ~ReadObserver() = default;
+
+  /// The planes in which the dialog sets all bits of what a request has read, before it calls answered().
+  virtual Words marks() noexcept = 0;
+  /// A request was answered, and its values are in the planes of the reading. Times are of the steady clock, in ns:
+  /// before the request was sent, and when its answer was complete.
+  virtual void answered(tables::Time sent, tables::Time answered) = 0;
+};
+
 /// The events to be written.
 struct Events {
   std::span<const std::uint64_t> bits;
@@ -123,6 +138,9 @@ class Dialog {
   /// Reads what the PLC holds where events are written; otherwise as read().
   virtual Fault read_back(const Words& events, tables::Time now) = 0;
 
+  /// From now on the observer sees each answered request of read() and read_back(). Null: none. It must outlive its
+  /// last reading.
+  virtual void observe(ReadObserver* observer) noexcept = 0;
   /// Makes all refused requests to read due now.
   virtual void retry_rejected() noexcept = 0;
   /// Whether it is not known yet which symbols the PLC refuses: the next calls of read() and read_back() find that out.

@@ -40,6 +40,9 @@ struct ClientParts {
 /// Notes on how many requests read all operations, write all events, and read those back.
 std::vector<std::string> request_notes(std::size_t reads, std::size_t writes, std::size_t reads_back);
 
+/// "3 symbols are not linked: `A` has no address, ...": at most three by name; empty if all are.
+std::string unreachable_text(const std::vector<Unreachable>& unreachable, const tables::PlantTables& tables);
+
 /// The map of a link from its parts. O(symbols).
 LinkMap link_map(ClientParts parts);
 

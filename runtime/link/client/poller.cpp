@@ -6,18 +6,10 @@
 #include <utility>
 
 #include "symplant/link/client/reconnection.hpp"
+#include "symplant/link/client/steady_now.hpp"
 #include "symplant/link/net/no_signals.hpp"
 
 namespace symplant::link::client {
-
-namespace {
-
-tables::Time steady_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-}  // namespace
 
 Poller::Poller(ClientParts parts, const tables::PlantTables& tables, image::Images& images, bool arm, std::string note)
     : dialog_(std::move(parts.dialog)),

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "symplant/link/client/event_lanes.hpp"
+#include "symplant/link/client/steady_now.hpp"
 #include "symplant/link/image/numbers.hpp"
 #include "symplant/link/image/words.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 using client::Fault;
 using client::Identity;
 using client::LaneChange;
+using client::steady_now;
 using std::chrono::steady_clock;
 
 constexpr auto kBetweenLooks = std::chrono::milliseconds(100);
@@ -45,10 +47,6 @@ bool is_event(const image::Point& point) { return link::is_event(point.plane); }
 
 std::string count_text(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-tables::Time steady_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
 std::string milliseconds(steady_clock::duration time) {

@@ -2,6 +2,7 @@
 #include "symplant/link/modbus/client_dialog.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "symplant/link/client/parts.hpp"
 #include "symplant/link/image/words.hpp"
@@ -174,6 +175,7 @@ class ModbusDialog::Reading {
     if (client::Fault fault = dialog_.transact(request, {}, reply)) return fault;
     if (reply.exception == 0) {
       dialog_.take(direction_, reply, request, out_);
+      if (dialog_.observer_ != nullptr) dialog_.report(direction_, request);
       return {};
     }
     answer = is_busy(reply.exception) ? client::Answer::busy : client::Answer::refused;
@@ -255,6 +257,17 @@ void ModbusDialog::take(const Direction& direction, const ClientReply& reply, co
   if (has_bits(request.area)) return copy_bits(reply.data, request.count, out.bits, request.first - bits->offset);
   if (bits && bits->area == request.area) take_packed(direction.bits, reply, request, out.bits);
   if (numbers && numbers->area == request.area) take_numbers(direction, reply, request, out.numbers);
+}
+
+/// Marks what a request has read by taking an answer in which all bits are set.
+void ModbusDialog::report(const Direction& direction, const ClientRequest& request) {
+  static constexpr auto kOnes = [] {
+    std::array<std::uint8_t, kMaxFrame> ones{};
+    ones.fill(0xFF);
+    return ones;
+  }();
+  take(direction, ClientReply{.data = kOnes}, request, observer_->marks());
+  observer_->answered(exchange_.sent(), exchange_.answered());
 }
 
 /// The addresses of a request that belong to a table in registers.

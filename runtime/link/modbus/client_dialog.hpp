@@ -35,6 +35,7 @@ class ModbusDialog final : public client::Dialog {
   client::Fault read(const client::Words& operations, tables::Time now) override;
   client::Fault write(std::span<const client::LaneChange> changes, std::vector<client::Unwritten>& unwritten) override;
   client::Fault read_back(const client::Words& events, tables::Time now) override;
+  void observe(client::ReadObserver* observer) noexcept override { observer_ = observer; }
   void retry_rejected() noexcept override;
   bool is_dividing() const noexcept override {
     return operations_.requests.is_dividing() || events_.requests.is_dividing();
@@ -77,6 +78,7 @@ class ModbusDialog final : public client::Dialog {
   client::Fault read_all(Direction& direction, const Words& out, tables::Time now);
   static std::span<const AddressRange> items_in(const Direction& direction, const ClientRequest& request);
   void take(const Direction& direction, const ClientReply& reply, const ClientRequest& request, const Words& out) const;
+  void report(const Direction& direction, const ClientRequest& request);
   void take_packed(Table table, const ClientReply& reply, const ClientRequest& request,
                    std::span<std::uint64_t> bits) const;
   void take_numbers(const Direction& direction, const ClientReply& reply, const ClientRequest& request,
@@ -114,6 +116,7 @@ class ModbusDialog final : public client::Dialog {
   tables::Refusal refusal_;            ///< of the latest reading that was refused
   std::vector<client::Rejection> rejections_;
   std::vector<client::LeftOut> left_out_;
+  client::ReadObserver* observer_ = nullptr;
   std::atomic<std::uint64_t> requests_{0};
   std::atomic<std::uint64_t> rejected_{0};
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "symplant/link/client/bytes_text.hpp"
+#include "symplant/link/client/steady_now.hpp"
 
 namespace symplant::link::modbus {
 
@@ -107,6 +108,7 @@ client::Fault ClientExchange::attempt(const ClientRequest& request, std::span<co
   const std::size_t size = request.kind == ClientRequest::Kind::write ? encode_write(header_, request, values, frame)
                                                                       : encode_request(header_, request, frame);
   const net::Deadline end = deadline();
+  sent_ = client::steady_now();
   const net::Ended sent = socket_.send(frame.first(size), end);
   return sent == net::Ended::done ? receive(request, reply, end) : failed(sent, "while sending");
 }
@@ -118,6 +120,7 @@ client::Fault ClientExchange::receive(const ClientRequest& request, ClientReply&
       return unknown(reply.reason);
     }
     if (reply.kind == ClientReply::Kind::complete) {
+      at_ = client::steady_now();
       used_ = reply.consumed;
       answered_ = true;
       short_.answered();

@@ -28,6 +28,11 @@ class ClientExchange {
   /// closes its connection after each answer gets the request over a new one.
   client::Fault transact(const ClientRequest& request, std::span<const std::uint16_t> values, ClientReply& reply);
 
+  /// Of the latest request that was answered, by the steady clock in ns: before it was sent, and when its answer was
+  /// complete.
+  tables::Time sent() const noexcept { return sent_; }
+  tables::Time answered() const noexcept { return at_; }
+
  private:
   client::Fault attempt(const ClientRequest& request, std::span<const std::uint16_t> values, ClientReply& reply);
   client::Fault drop_late();
@@ -44,6 +49,8 @@ class ClientExchange {
   client::ShortConnections short_;
   bool closed_ = false;    ///< the latest attempt found the connection closed, without a byte of a reply
   bool answered_ = false;  ///< there was a reply since the first open()
+  tables::Time sent_ = 0;
+  tables::Time at_ = 0;
   std::vector<std::uint8_t> frame_;
   std::vector<std::uint8_t> received_;
   std::size_t size_ = 0;  ///< bytes in received_

@@ -18,7 +18,7 @@ std::string client_fault(std::string_view rest) {
 
 client::PartsResult client_link_parts(std::string_view rest, const LinkChoice& link,
                                       const tables::PlantTables& tables) {
-  auto read = read_client_settings(rest);
+  auto read = read_client_settings(rest, link.settings.reads_only);
   if (auto* error = std::get_if<LinkError>(&read)) return std::move(*error);
   const auto& settings = std::get<ClientSettings>(read);
   auto made = make_client_map(tables, link.controller, link.settings, settings);

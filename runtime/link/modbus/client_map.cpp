@@ -123,12 +123,13 @@ class MapChecker {
 
 std::variant<IoMap, LinkError> make_client_map(const tables::PlantTables& tables, std::uint32_t controller,
                                                const LinkSettings& link, const ClientSettings& settings) {
-  if (link.watchdog != kNowhere) {
+  if (link.watchdog != kNowhere && !link.reads_only) {
     return map_error("a link `modbus-tcp` has no `watchdog`: remove it; the link is lost if the PLC does not answer");
   }
   LinkSettings own = link;
   own.sizes = {};  // those of a server
-  if (own.status_block == kAbove) own.status_block = kNowhere;
+  if (link.reads_only) own.watchdog = kNowhere;
+  if (link.reads_only || own.status_block == kAbove) own.status_block = kNowhere;
   IoMap map = make_io_map(tables, controller, own);
   if (!map.faults.empty()) return map;
   if (auto error = MapChecker(tables, map, settings).error()) return std::move(*error);

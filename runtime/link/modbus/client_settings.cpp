@@ -15,9 +15,10 @@ constexpr std::array kAreaKeys = {std::pair{std::string_view("coils"), Area::coi
                                   std::pair{std::string_view("holding-registers"), Area::holding_registers},
                                   std::pair{std::string_view("input-registers"), Area::input_registers}};
 
-/// Whether a table of the map may be in an area: events must be written, numbers need registers.
-constexpr bool fits(Table table, Area area) {
-  if (is_event(table) && area != Area::coils && area != Area::holding_registers) return false;
+/// Whether a table of the map may be in an area: events must be written unless the link only reads, numbers need
+/// registers.
+constexpr bool fits(Table table, Area area, bool reads_only) {
+  if (!reads_only && is_event(table) && area != Area::coils && area != Area::holding_registers) return false;
   return has_bits(table) || !has_bits(area);
 }
 
@@ -27,10 +28,10 @@ Problem read_placement(std::string_view text, ClientSettings& settings) {
   const std::size_t colon = text.find(':');
   Placement placement;
   Problem problem = choose(kAreaKeys, text.substr(0, colon), placement.area);
-  if (!problem.empty() || !fits(table, placement.area)) {
+  if (!problem.empty() || !fits(table, placement.area, settings.reads_only)) {
     std::string areas;
     for (const auto& [name, area] : kAreaKeys) {
-      if (fits(table, area)) areas.append(areas.empty() ? "" : ", ").append(name);
+      if (fits(table, area, settings.reads_only)) areas.append(areas.empty() ? "" : ", ").append(name);
     }
     return "write an area, and the address of number 0 if it is not 0, as in `holding-registers:1024`; here the area "
            "may be " +
@@ -89,12 +90,17 @@ const char* area_name(Area area) {
   return kNames[static_cast<std::size_t>(area)];
 }
 
-std::variant<ClientSettings, LinkError> read_client_settings(std::string_view rest) {
+std::variant<ClientSettings, LinkError> read_client_settings(std::string_view rest, bool reads_only) {
   auto url = parse_url(rest, "modbus-tcp");
   if (auto* error = std::get_if<LinkError>(&url)) return std::move(*error);
   auto& parsed = std::get<ParsedUrl>(url);
   ClientSettings settings;
   settings.address = std::move(parsed.address);
+  settings.reads_only = reads_only;
+  if (reads_only) {
+    settings.placements = {Placement{Area::coils}, Placement{Area::discrete_inputs}, Placement{Area::holding_registers},
+                           Placement{Area::input_registers}};
+  }
   for (const UrlParameter& parameter : parsed.parameters) {
     Problem problem =
         read_parameter(parameter, kClientKeys, settings, "a link `modbus-tcp`", "docs/links.md#modbus-client");

@@ -49,9 +49,11 @@ struct ClientSettings {
   Placements placements = {Placement{Area::coils}, std::nullopt, Placement{Area::holding_registers}, std::nullopt};
   BitOrder bit_order = BitOrder::low_first;
   ByteOrder byte_order = ByteOrder::high_first;
+  bool reads_only = false;  ///< events may be inputs of the PLC
 };
 
-/// Reads `//HOST:PORT?events=coils&...`, the URL after `modbus-tcp:`. Errors are of kind usage. O(length).
-std::variant<ClientSettings, LinkError> read_client_settings(std::string_view rest);
+/// Reads `//HOST:PORT?events=coils&...`, the URL after `modbus-tcp:`. If the link only reads, events are in the PLC's
+/// inputs by default. Errors are of kind usage. O(length).
+std::variant<ClientSettings, LinkError> read_client_settings(std::string_view rest, bool reads_only = false);
 
 }  // namespace symplant::link::modbus

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "symplant/link/client/steady_now.hpp"
 #include "symplant/link/slmp/other_answer.hpp"
 
 namespace symplant::link::slmp {
@@ -100,9 +101,11 @@ Fault Exchange::attempt(Reply& reply) {
     size_ = 0;
   }
   const net::Deadline end = deadline();
+  sent_ = client::steady_now();
   const Ended sent = socket_.send(writer_.finish(), end);
   Fault fault = sent == Ended::done ? receive(reply, end) : failed(sent, "while sending");
   if (fault) return fault;
+  at_ = client::steady_now();
   answered_ = true;
   short_.answered();
   return {};

@@ -29,6 +29,11 @@ class Exchange {
   /// fault. A server that closes its connection after each answer gets the request over a new one.
   client::Fault transact(Reply& reply);
 
+  /// Of the latest request that was answered, by the steady clock in ns: before it was sent, and when its answer was
+  /// complete.
+  tables::Time sent() const noexcept { return sent_; }
+  tables::Time answered() const noexcept { return at_; }
+
  private:
   client::Fault attempt(Reply& reply);
   client::Fault receive(Reply& reply, net::Deadline deadline);
@@ -46,6 +51,8 @@ class Exchange {
   client::ShortConnections short_;
   bool closed_ = false;    ///< the latest attempt found the connection closed, without a byte of a reply
   bool answered_ = false;  ///< there was a reply since the first open()
+  tables::Time sent_ = 0;
+  tables::Time at_ = 0;
   std::vector<std::uint8_t> received_;
   std::size_t size_ = 0;  ///< bytes in received_
   std::size_t used_ = 0;  ///< bytes of the latest reply, at the beginning of received_

@@ -155,7 +155,7 @@ class Maker {
   }
 
   std::optional<LinkError> use_input(std::uint32_t symbol, Device device) {
-    if (settings_.events == EventAccess::unset) {
+    if (settings_.events == EventAccess::unset && !link_.reads_only) {
       return error_of(
           ticked(name(symbol)) + " is at " + std::string(address(symbol)) +
           ", and a PLC overwrites X in every scan where it has an input module: choose how events reach it. "

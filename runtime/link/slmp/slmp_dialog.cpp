@@ -182,6 +182,13 @@ void SlmpDialog::scatter(const Transfer& transfer, const ReadPlan& plan, const W
   }
 }
 
+/// Marks what a request has read by taking an answer in which all bits are set.
+void SlmpDialog::report(const Transfer& transfer, const ReadPlan& plan) {
+  std::fill(words_.begin(), words_.end(), kWholeCell);
+  scatter(transfer, plan, observer_->marks());
+  observer_->answered(exchange_.sent(), exchange_.answered());
+}
+
 /// Sends the requests of one direction.
 class SlmpDialog::Reading {
  public:
@@ -202,6 +209,7 @@ class SlmpDialog::Reading {
       return {Fault::Kind::transport, "the PLC's answer has another number of words than requested; connecting again"};
     }
     dialog_.scatter(transfer, plan_, out_);
+    if (dialog_.observer_ != nullptr) dialog_.report(transfer, plan_);
     return {};
   }
 

@@ -31,6 +31,7 @@ class SlmpDialog final : public client::Dialog {
   client::Fault read(const client::Words& operations, tables::Time now) override;
   client::Fault write(std::span<const client::LaneChange> changes, std::vector<client::Unwritten>& unwritten) override;
   client::Fault read_back(const client::Words& events, tables::Time now) override;
+  void observe(client::ReadObserver* observer) noexcept override { observer_ = observer; }
   void retry_rejected() noexcept override;
   bool is_dividing() const noexcept override {
     return operations_.requests.is_dividing() || events_.requests.is_dividing();
@@ -62,6 +63,7 @@ class SlmpDialog final : public client::Dialog {
   static void put_counts(RequestWriter& request, const Transfer& transfer);
   static void put_span(RequestWriter& request, const Transfer& transfer, const Span& span);
   bool take_words(const Transfer& transfer, const Reply& reply);
+  void report(const Transfer& transfer, const ReadPlan& plan);
   void scatter(const Transfer& transfer, const ReadPlan& plan, const Words& out) const;
 
   /// The changes of one write(), and the requests that write them.
@@ -109,6 +111,7 @@ class SlmpDialog final : public client::Dialog {
   tables::Refusal refusal_;           ///< of the latest reading that was refused
   std::vector<client::Rejection> rejections_;
   std::vector<client::LeftOut> left_out_;
+  client::ReadObserver* observer_ = nullptr;
   std::atomic<std::uint64_t> requests_{0};
   std::atomic<std::uint64_t> rejected_{0};
 };

@@ -61,6 +61,7 @@ class FakePlc final : public Dialog {
     events.bits[0] = inputs;
     return {};
   }
+  void observe(link::client::ReadObserver* /*observer*/) noexcept override {}
   void retry_rejected() noexcept override {}
   bool is_dividing() const noexcept override { return false; }
   std::vector<link::client::Rejection> take_rejections() override { return std::exchange(rejections_, {}); }

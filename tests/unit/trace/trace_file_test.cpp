@@ -39,6 +39,27 @@ TEST_CASE("Written values read back the same") {
   }
 }
 
+TEST_CASE("What reaches the system while a file is written ends with a whole line") {
+  const auto path = (std::filesystem::temp_directory_path() / "symplant_output_test").string();
+  {
+    trace::OutputFile file("trace", path);
+    const std::string line(999, 'x');
+    std::size_t before = 0;
+    for (int i = 0; i < 1'000; ++i) {
+      file.put(line.substr(0, 700));  // a line in two parts, as the writers put it
+      file.put(line.substr(700));
+      file.put("\n");
+      const std::string written = read_bytes(path);
+      if (written.size() == before) continue;
+      before = written.size();
+      REQUIRE(written.back() == '\n');
+    }
+    CHECK(before > 900'000);
+  }
+  CHECK(read_bytes(path).size() == 1'000'000);
+  std::filesystem::remove(path);
+}
+
 TEST_CASE("The file is a header and one line per change, for any names") {
   const auto folder = std::filesystem::temp_directory_path() / "symplant_trace_test";
   std::filesystem::create_directories(folder);
