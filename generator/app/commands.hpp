@@ -27,6 +27,7 @@ void add_diff(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
 void add_learn(CLI::App& app, Context& context);
 void add_test(CLI::App& app, Context& context);
+void add_watch(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
 /// Call if the command line cannot be parsed. For the command `run`, it writes the result files of a failed run.
 void fail_run(const CLI::App& app, std::string_view error, const Context& context);

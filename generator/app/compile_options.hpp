@@ -22,6 +22,7 @@ struct CompileOptions {
   name::IoRows io = {};                ///< rows that are I/O; none: those of the plant.json
   std::string malfunctions = {};       ///< a file with more malfunctions; empty: none
   std::string conventions = {};        ///< a file with more naming conventions; empty: none
+  std::string times = {};              ///< a description that wins over the plant, such as learned times; empty: none
   std::string naming = {};             ///< a naming.json or `@PROFILE`; empty: what the plant.json gives
 };
 

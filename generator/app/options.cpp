@@ -232,6 +232,7 @@ CompileOptions compile_options(const Context& context, const std::string& plant,
   compiled.naming = options.naming;
   compiled.malfunctions = options.malfunctions;
   compiled.conventions = options.conventions;
+  compiled.times = options.times;
   compiled.io = options.io;
   return compiled;
 }

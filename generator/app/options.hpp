@@ -18,6 +18,7 @@ struct PlantOptions {
   std::string naming;
   std::string malfunctions;  ///< a file with more malfunctions; empty: none
   std::string conventions;   ///< a file with more naming conventions; empty: none
+  std::string times;         ///< a description that wins over the plant, such as learned times; empty: none
   name::IoRows io;
   bool verbose = false;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
@@ -31,8 +32,11 @@ class InputReader {
     progress_.stage("reading " + options_.plant);
     inputs_.name = fs::path(options_.plant).stem().string();
     auto bytes = files_.read(options_.plant);
-    if (bytes && description::is_plant_file(options_.plant, *bytes)) {
-      return read_description(std::move(*bytes)) && read_more() ? std::optional(std::move(inputs_)) : std::nullopt;
+    const bool described = bytes && description::is_plant_file(options_.plant, *bytes);
+    if (described || (bytes && !options_.times.empty())) {
+      const bool has_read = options_.times.empty() ? read_description(options_.plant, std::move(*bytes))
+                                                   : read_description(options_.plant + "+times", with_times(described));
+      return has_read && read_more() ? std::optional(std::move(inputs_)) : std::nullopt;
     }
     read::ReadOptions how = options_.read;
     how.xy = options_.xy;
@@ -86,16 +90,30 @@ class InputReader {
         {std::make_shared<read::SymbolTable>(std::move(table)), reference.controller, reference.prefix, xy});
   }
 
-  bool read_description(std::string bytes) {
+  /// A description in the plant's folder that includes the plant, or has it as its list, and then the times.
+  std::string with_times(bool described) const {
+    const fs::path plant(options_.plant);
+    const fs::path times(options_.times);
+    const bool is_relative = times.is_relative() && !plant.parent_path().empty();
+    const std::string from_plant =
+        is_relative ? times.lexically_relative(plant.parent_path()).string() : times.string();
+    nlohmann::json root = {{"symplant", 1}, {"include", nlohmann::json::array()}};
+    if (!described) root["symbols"] = {plant.filename().string()};
+    if (described) root["include"].push_back(plant.filename().string());
+    root["include"].push_back(from_plant.empty() ? options_.times : from_plant);
+    return root.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  }
+
+  bool read_description(const std::string& file, std::string bytes) {
     if (is_blank(bytes)) {
-      description::add_empty_file(options_.plant, diagnostics_);
+      description::add_empty_file(file, diagnostics_);
       return false;
     }
-    auto text = read::decode_file(options_.plant, std::move(bytes), diagnostics_, "save it as UTF-8");
+    auto text = read::decode_file(file, std::move(bytes), diagnostics_, "save it as UTF-8");
     if (!text) return false;
     description::PlantFileReading reading =
-        description::read_plant_file(std::make_shared<text::SourceFile>(options_.plant, std::move(text->text)),
-                                     inputs_.name, [this](const std::string& path) { return open_included(path); });
+        description::read_plant_file(std::make_shared<text::SourceFile>(file, std::move(text->text)), inputs_.name,
+                                     [this](const std::string& path) { return open_included(path); });
     inputs_.source = std::move(reading.source);
     inputs_.readable = reading.sound();
     description::add_findings(inputs_.source->files().front(), reading.syntax, diagnostics_);

@@ -20,10 +20,10 @@
 namespace symplant::app {
 namespace {
 
-constexpr std::array kCommands{&add_init,  &add_check,   &add_explain, &add_rules,     &add_generate, &add_model,
-                               &add_map,   &add_run,     &add_program, &add_doctor,    &add_record,   &add_convert,
-                               &add_diff,  &add_compare, &add_learn,   &add_test,      &add_campaign, &add_naming,
-                               &add_infer, &add_schema,  &add_show,    &add_completion};
+constexpr std::array kCommands{&add_init,   &add_check,   &add_explain, &add_rules,  &add_generate,  &add_model,
+                               &add_map,    &add_run,     &add_program, &add_doctor, &add_record,    &add_convert,
+                               &add_diff,   &add_compare, &add_learn,   &add_watch,  &add_test,      &add_campaign,
+                               &add_naming, &add_infer,   &add_schema,  &add_show,   &add_completion};
 
 /// Writes a text line by line, with control characters made visible.
 void report_visibly(const std::string& text, std::ostream& err) {

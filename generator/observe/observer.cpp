@@ -91,7 +91,8 @@ class Observer::Impl {
 
   View view(std::uint32_t unit) const {
     const Followed& followed = units_[unit];
-    return {followed.state, followed.moving, followed.contradicts, followed.since, followed.next};
+    return {followed.state, followed.moving, followed.contradicts, followed.stopped_since != kUnknown, followed.since,
+            followed.next};
   }
 
   double value(std::uint32_t symbol) const { return values_[symbol]; }

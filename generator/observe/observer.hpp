@@ -54,6 +54,7 @@ struct View {
   std::uint32_t state = kNone;  ///< in which it is, or which it left; kNone: not known
   bool moving = false;          ///< it left `state`
   bool contradicts = false;     ///< its events are those of no state, and of more than one
+  bool stopped = false;         ///< the model does not let it move now; `next.stopped` has the stops that ended
   Time since = kUnknown;        ///< when it came to the state, or left it
   Move next;                    ///< `cause` is known: the move whose cause holds, or which is going on
 };

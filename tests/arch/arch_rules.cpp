@@ -21,10 +21,11 @@ constexpr std::size_t kMostLines = 500;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 30> kGenerator = {
-    "base",      "text",   "diag",    "address", "read",  "name",     "description", "naming", "pairing",  "infer",
-    "model",     "score",  "convert", "lower",   "check", "findings", "emit",        "view",   "diff",     "map",
-    "recording", "record", "compare", "observe", "study", "learn",    "batch",       "suite",  "campaign", "app"};
+constexpr std::array<std::string_view, 31> kGenerator = {
+    "base",    "text",  "diag",  "address", "read",      "name",     "description", "naming",
+    "pairing", "infer", "model", "score",   "convert",   "lower",    "check",       "findings",
+    "emit",    "view",  "diff",  "map",     "recording", "record",   "compare",     "observe",
+    "study",   "learn", "watch", "batch",   "suite",     "campaign", "app"};
 constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "plant", "condition", "json",
                                                        "share",    "exec",    "link",  "trace",     "why",
                                                        "scenario", "program", "panel", "host"};
@@ -73,6 +74,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"observe", " tables condition "},
     RuntimeUse{"study", " tables condition plant trace "},
     RuntimeUse{"learn", " tables engine trace "},
+    RuntimeUse{"watch", " tables condition json trace "},
     RuntimeUse{"batch", " program "},
     RuntimeUse{"suite", " tables json trace why host "},
     RuntimeUse{"campaign", " tables trace plant program host "},

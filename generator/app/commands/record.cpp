@@ -15,6 +15,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "app/read_link.hpp"
 #include "record/recorder.hpp"
 #include "symplant/host/console.hpp"
 #include "symplant/host/exit_codes.hpp"
@@ -62,38 +63,6 @@ struct RecordOptions {
 using link::LinkError;
 
 LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
-
-/// The link to record: that of the command line, else the plant's.
-std::variant<link::LinkChoice, LinkError> link_of(const RecordOptions& options, const model::PlantModel& plant,
-                                                  const tables::PlantTables& tables) {
-  std::vector<link::LinkRequest> requests;
-  for (const std::string& text : options.links) requests.push_back(link::parse_request(text));
-  if (requests.empty()) {
-    for (const description::LinkDescription& link : plant.description->links) {
-      requests.push_back({link.controller, link.url});
-    }
-  }
-  if (requests.empty()) return usage("the plant has no link: give `--link URL`");
-  if (requests.size() > 1) {
-    return usage(fmt::format(
-        "a recording is of one PLC, and there are {} links: give one `--link PLC1=URL`, and record the others by more "
-        "calls at the same time; the header of each file has the time of day of its t = 0",
-        requests.size()));
-  }
-  if (const std::string& url = requests.front().url; !link::is_client(url)) {
-    const std::string fault = link::url_fault(url);
-    return usage(fault.empty() ? fmt::format("`{}` is not a link to a PLC that can be read: give `--link "
-                                             "modbus-tcp://HOST:PORT` or `--link slmp://HOST:PORT?family=...`",
-                                             url)
-                               : fault);
-  }
-  auto chosen = link::choose_links(tables, requests);
-  if (auto* error = std::get_if<LinkError>(&chosen)) return std::move(*error);
-  link::LinkChoice choice = std::get<std::vector<link::LinkChoice>>(std::move(chosen)).front();
-  if (choice.controller < plant.links.size()) choice.settings = plant.links[choice.controller].settings();
-  choice.settings.reads_only = true;
-  return choice;
-}
 
 /// A time of the steady clock as a time of day.
 std::string utc_of(Time steady) {
@@ -233,7 +202,7 @@ void record_plant(const RecordOptions& options, Context& context) {
     context.err << "error: " << error.message << "\n";
     context.exit_code = error.kind == LinkError::Kind::usage ? host::kBadInput : host::kEnvironment;
   };
-  const auto chosen = link_of(options, compiled->plant, tables);
+  const auto chosen = link_to_read(options.links, compiled->plant, tables);
   if (const auto* error = std::get_if<LinkError>(&chosen)) return fail(*error);
   const auto& choice = std::get<link::LinkChoice>(chosen);
   auto opened = link::client_parts(choice, tables);

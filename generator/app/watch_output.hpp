@@ -1,0 +1,54 @@
+// Shows the anomalies of a watched plant, and writes them to files.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/context.hpp"
+#include "model/plant_model.hpp"
+#include "symplant/trace/output_file.hpp"
+#include "watch/report.hpp"
+
+namespace symplant::app {
+
+/// Files of results; empty: none.
+struct WatchFiles {
+  std::string findings;
+  std::string junit;
+};
+
+class WatchOutput {
+ public:
+  /// Everything given must outlive it.
+  WatchOutput(const model::PlantModel& plant, const watch::Margin& margin, const WatchFiles& files, Context& context)
+      : plant_(plant), margin_(margin), files_(files), context_(context) {}
+
+  /// Opens the findings file, and proves that the JUnit file can be written. False, with a message and the exit code,
+  /// if not, or if one of them is one of `inputs`.
+  bool open(const std::vector<std::string>& inputs);
+  /// Shows what is watched. `end`: of the recording; kUnknown: it has none.
+  void begin(const std::string& name, watch::Time end, const std::vector<bool>& recorded);
+  /// Shows an anomaly, unless its unit had enough of its kind, and writes it.
+  void add(const watch::Anomaly& anomaly);
+  /// Passes everything on: a live watch is read at once.
+  void flush();
+  /// Shows the counts, writes the JUnit file and sets the exit code.
+  void end(const watch::Counts& counts, watch::Time end, const std::vector<std::string>& inputs);
+
+ private:
+  static constexpr std::size_t kMostOfKind = 3;  ///< shown, of each unit and kind
+
+  const model::PlantModel& plant_;
+  const watch::Margin margin_;
+  const WatchFiles& files_;
+  Context& context_;
+  watch::Tally tally_;
+  std::optional<trace::OutputFile> findings_;
+  std::size_t hidden_ = 0;
+};
+
+}  // namespace symplant::app
