@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "learn/baseline.hpp"
 #include "learn/durations.hpp"
 #include "learn/explain.hpp"
 #include "learn/given_times.hpp"
@@ -46,6 +47,7 @@ Learned learn_times(const model::PlantModel& plant, const std::vector<Input>& in
     for (const TransitionMoves& some : seen.transitions) {
       LearnedTransition transition =
           learn_transition(plant.units[seen.unit], some, learned.sources, given.of(seen.unit, some));
+      for (const Baseline& baseline : baselines_of(some, learned.sources)) learned.baselines.push_back(baseline);
       if (is_learned(transition)) device.transitions.push_back(std::move(transition));
     }
     if (!seen.overruns.empty()) device.overrun = overrun_time_of(seen.overruns, learned.sources);

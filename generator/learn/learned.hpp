@@ -106,6 +106,18 @@ struct LearnedGroup {
   LearnedDevice times;               ///< of the first one, made of the moves of all
 };
 
+/// How long the moves of one transition of one device took on average.
+struct Baseline {
+  std::uint32_t unit = kNone;
+  std::uint32_t from = kNone;
+  std::uint32_t to = kNone;
+  std::uint32_t transition = kNone;  ///< kNone: a spring's return
+  const char* span = "";             ///< `after`, `takes` or `total`
+  std::size_t count = 0;
+  Time mean = 0;
+  Time deviation = 0;  ///< standard, of the sample
+};
+
 /// A name in a recording that is no symbol of the plant.
 struct UnknownName {
   std::string name;
@@ -126,6 +138,7 @@ struct Learned {
   const model::PlantModel* plant = nullptr;  ///< must outlive this
   std::vector<Source> sources;
   std::vector<LearnedGroup> groups;  ///< by first unit
+  std::vector<Baseline> baselines;   ///< by unit and transition
   NotSeen not_seen;
   Pairs pairs;
   std::size_t moves = 0;   ///< with the times of a transition

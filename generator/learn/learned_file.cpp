@@ -67,6 +67,34 @@ std::string entry_text(const Learned& learned, const LearnedGroup& group) {
   return text;
 }
 
+/// What `symplant watch` compares with, by device and transition; other commands ignore it.
+std::string baselines_text(const Learned& learned) {
+  std::string text;
+  std::uint32_t unit = kNone;
+  std::string key;
+  for (const Baseline& one : learned.baselines) {
+    const model::Unit& device = learned.plant->units[one.unit];
+    LearnedTransition transition;
+    transition.from = one.from;
+    transition.to = one.to;
+    transition.transition = one.transition;
+    const std::string next = json_string(key_of(*learned.plant, device, transition));
+    if (one.unit != unit) {
+      text += fmt::format("{}      {}: {{\n        {}: {{", unit == kNone ? "" : "}\n      },\n",
+                          json_string(device.path), next);
+    } else if (next != key) {
+      text += fmt::format("}},\n        {}: {{", next);
+    } else {
+      text += ",";
+    }
+    text += fmt::format(R"( "{}": {{ "n": {}, "mean": "{}", "sd": "{}" }} )", one.span, one.count,
+                        tables::duration_text(one.mean), tables::duration_text(one.deviation));
+    unit = one.unit;
+    key = next;
+  }
+  return unit == kNone ? text : text + "}\n      }\n";
+}
+
 }  // namespace
 
 std::string learned_file(const Learned& learned) {
@@ -77,7 +105,12 @@ std::string learned_file(const Learned& learned) {
                         entry_text(learned, group));
     first = false;
   }
-  return text + "\n  }\n}\n";
+  text += "\n  }";
+  if (!learned.baselines.empty()) {
+    text += ",\n  // means that `symplant watch` compares with\n  \"learned\": {\n    \"devices\": {\n" +
+            baselines_text(learned) + "    }\n  }";
+  }
+  return text + "\n}\n";
 }
 
 }  // namespace symplant::learn

@@ -187,5 +187,38 @@ TEST_CASE("watch --learned: Its times win over those of the plant, also for a li
   CHECK(tool.run({tool.path("late.jsonl"), "--learned", tool.path("absent.json")}).code == 2);
 }
 
+/// A clamp that closes and opens `times` times, each move in `takes` ms and up to 20 ms more.
+std::string cycles(int times, int takes) {
+  std::string changes = "0 L_P_CL_I_OPEN 1";
+  const auto add = [&](int time, const char* symbol, int value) {
+    changes += "; " + std::to_string(time) + " L_P_CL_" + symbol + " " + std::to_string(value);
+  };
+  for (int i = 0; i < times; ++i) {
+    for (const bool closes : {true, false}) {
+      const int begin = 1000 + i * 6000 + (closes ? 0 : 3000);
+      const int end = begin + 40 + takes + 10 * (i % 3);
+      add(begin, closes ? "O_OPEN" : "O_CLOSED", 0);
+      add(begin, closes ? "O_CLOSED" : "O_OPEN", 1);
+      add(begin + 40, closes ? "I_OPEN" : "I_CLOSED", 0);
+      add(end, closes ? "I_CLOSED" : "I_OPEN", 1);
+    }
+  }
+  return changes;
+}
+
+TEST_CASE("watch --learned: Times that slowly leave those of `symplant learn` are one finding for each move") {
+  WatchTool tool;
+  tool.trace("before.jsonl", cycles(40, 900));
+  tool.trace("worn.jsonl", cycles(40, 990));
+  base::DiskFileSystem files;
+  REQUIRE(run_tool({"learn", tool.path("clamp.csv"), tool.path("before.jsonl"), "-o", tool.path("learned.json")}, files)
+              .code == 0);
+  CHECK(tool.run({tool.path("before.jsonl"), "--learned", tool.path("learned.json")}).code == 0);
+  const ToolRun run = tool.run({tool.path("worn.jsonl"), "--learned", tool.path("learned.json")});
+  CHECK(run.code == 1);
+  CHECK(contains(run.out, "2 anomalies of 1 device"));
+  CHECK(contains(run.out, "drift"));
+}
+
 }  // namespace
 }  // namespace symplant::test
