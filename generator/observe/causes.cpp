@@ -38,13 +38,16 @@ void Causes::enter(const model::Unit& unit, std::uint32_t state, Time time) {
   entered_ = time;
   fresh_ = true;
   quiet_ = kHoldsNot;
+  conflicts_ = false;
+  conflicted_ = -1;
   pending_ = {};
   ended_ = {};
 }
 
-void Causes::update(const model::Unit& unit, Levels levels, const Known& known, Time time) {
+void Causes::update(const model::Unit& unit, Levels levels, const Known& known, Time time, bool may_begin, bool shown) {
   level_ = levels.on;
-  known_ = levels.known;
+  doubtful_ &= level_;
+  known_ = levels.known & ~doubtful_;
   disarmed_ &= level_;
   on_ = level_ & ~disarmed_;
   if (state_ == kNone) return;
@@ -63,8 +66,10 @@ void Causes::update(const model::Unit& unit, Levels levels, const Known& known, 
   }
   update_quiet(unit, began);
   fresh_ = false;
-  Cause next = choose(unit);
-  if (is_committed(unit, time) && (next.to == kNone || unit.actuation == tables::Actuation::latched)) next = pending_;
+  Cause next = choose(unit, time);
+  if (may_begin && is_committed(unit, time, shown) &&
+      (next.to == kNone || unit.actuation == tables::Actuation::latched))
+    next = pending_;
   if (pending_.is_certain() && !(next == pending_)) {
     ended_ = pending_;
     ended_at_ = time;
@@ -72,9 +77,10 @@ void Causes::update(const model::Unit& unit, Levels levels, const Known& known, 
   pending_ = next;
 }
 
-bool Causes::is_committed(const model::Unit& unit, Time time) const {
+bool Causes::is_committed(const model::Unit& unit, Time time, bool shown) const {
   if (!pending_.is_certain() || pending_.transition == kNone) return false;
   const Transition& transition = unit.transitions[pending_.transition];
+  if (shown && !transition.after.is_zero()) return false;  // it has not left, whatever time the model has
   const bool completes = transition.on == kNone || unit.actuation == tables::Actuation::latched ||
                          unit.actuation == tables::Actuation::bistable;
   return completes && ready(transition, pending_.since) < time;
@@ -91,54 +97,78 @@ void Causes::update_quiet(const model::Unit& unit, Time time) {
   bool wanted = !springs;
   for (std::uint32_t o = 0; springs && o < unit.operations.size(); ++o) {
     if ((known_ & bit_of(o)) != 0 && (on_ & bit_of(o)) == 0) continue;
-    const bool leaves = std::any_of(unit.transitions.begin(), unit.transitions.end(),
-                                    [&](const Transition& t) { return t.on == o && t.from == state_; });
-    wanted = wanted || leaves || leads_to(unit, o, state_);
+    wanted = wanted || leads_to(unit, o, state_);
   }
   quiet_ = wanted ? kHoldsNot : quiet_ == kHoldsNot ? time : quiet_;
 }
 
-Cause Causes::choose(const model::Unit& unit) const {
-  Cause automatic;
-  Cause commanded;
-  Time automatic_ready = kHoldsNot;
-  Time commanded_ready = kHoldsNot;
-  std::uint64_t used = 0;
-  bool conflict = false;
+Cause Causes::automatic(const model::Unit& unit) const {
+  Cause first;
+  Time first_ready = kHoldsNot;
   for (std::uint32_t i = 0; i < unit.transitions.size(); ++i) {
     const Transition& transition = unit.transitions[i];
-    if (transition.from != state_ || since_[i] < 0 || since_[i] == kHoldsNot) continue;
+    if (transition.from != state_ || transition.on != kNone || since_[i] < 0 || since_[i] == kHoldsNot) continue;
     const Time at = ready(transition, since_[i]);
-    const Cause cause{transition.to, i, since_[i]};
-    if (transition.on == kNone) {
-      if (at < automatic_ready) {
-        automatic = cause;
-        automatic_ready = at;
-      }
-      continue;
-    }
-    used |= bit_of(transition.on);
-    conflict = conflict || (commanded.to != kNone && commanded.to != transition.to);
-    if (at < commanded_ready) {
-      commanded = cause;
-      commanded_ready = at;
-    }
+    if (at >= first_ready) continue;
+    first = {transition.to, i, since_[i]};
+    first_ready = at;
+  }
+  return first;
+}
+
+Causes::Commanded Causes::commanded(const model::Unit& unit, Time time) const {
+  Commanded best;
+  best.ready = kHoldsNot;
+  const auto holds = [&](std::uint32_t i) {
+    const Transition& transition = unit.transitions[i];
+    return transition.from == state_ && transition.on != kNone && since_[i] >= 0 && since_[i] != kHoldsNot;
+  };
+  for (std::uint32_t i = 0; i < unit.transitions.size(); ++i) {
+    const Time at = holds(i) ? ready(unit.transitions[i], since_[i]) : kHoldsNot;
+    if (at >= best.ready) continue;
+    best.cause = {unit.transitions[i].to, i, since_[i]};
+    best.ready = at;
+  }
+  if (best.cause.to == kNone) return best;
+  std::uint64_t used = 0;
+  for (std::uint32_t i = 0; i < unit.transitions.size(); ++i) {
+    if (!holds(i) || ready(unit.transitions[i], since_[i]) > std::max(best.ready, time)) continue;
+    used |= bit_of(unit.transitions[i].on);
+    best.conflicts = best.conflicts || unit.transitions[i].to != best.cause.to;
   }
   for (std::uint32_t o = 0; o < unit.operations.size(); ++o) {
-    if ((on_ & ~used & bit_of(o)) != 0 && leads_to(unit, o, state_)) conflict = true;
+    if ((on_ & ~used & bit_of(o)) != 0 && leads_to(unit, o, state_)) best.conflicts = true;
   }
-  if (automatic.to != kNone && (automatic_ready <= commanded_ready || conflict)) return automatic;
-  if (commanded.to != kNone) return conflict ? Cause{} : commanded;
-  if (automatic.to != kNone) return automatic;
-  if (quiet_ >= 0 && quiet_ != kHoldsNot) return {unit.rest, kNone, quiet_};
-  return {};
+  return best;
+}
+
+Cause Causes::choose(const model::Unit& unit, Time time) {
+  const Cause first = automatic(unit);
+  Commanded command = commanded(unit, time);
+  if (conflicts_ && !command.conflicts) conflicted_ = time;
+  conflicts_ = command.conflicts;
+  if (command.cause.to != kNone && command.cause.since < conflicted_) {
+    // It could leave when the conflict was over; how long the cause had held then is not certain.
+    const bool at_once = unit.transitions[command.cause.transition].after.is_zero();
+    command.cause.since = at_once ? conflicted_ : -1;
+    command.ready = std::max(command.ready, conflicted_);
+  }
+  const Time quiet = quiet_ == kHoldsNot || quiet_ < 0 ? quiet_ : std::max(quiet_, conflicted_);
+  if (!conflicts_ && quiet >= 0 && quiet < command.ready) {  // without a command it returns at once
+    command.cause = {unit.rest, kNone, quiet};
+    command.ready = quiet;
+  }
+  const Time automatic_ready = first.to == kNone ? kHoldsNot : ready(unit.transitions[first.transition], first.since);
+  if (first.to != kNone && (automatic_ready <= command.ready || conflicts_)) return first;
+  return conflicts_ ? Cause{} : command.cause;
 }
 
 Cause Causes::of(const model::Unit& unit, std::uint32_t to, Time now, Time grace) const {
   const auto fits = [to](const Cause& cause) { return cause.to != kNone && (to == kNone || cause.to == to); };
   if (fits(pending_)) return pending_;
   for (std::uint32_t i = 0; i < unit.transitions.size(); ++i) {
-    const Cause cause{unit.transitions[i].to, i, since_[i]};
+    const bool clear = since_[i] >= conflicted_ && !conflicts_;
+    const Cause cause{unit.transitions[i].to, i, clear ? since_[i] : -1};
     if (unit.transitions[i].from == state_ && since_[i] >= 0 && since_[i] != kHoldsNot && fits(cause)) return cause;
   }
   if (fits(ended_) && now - ended_at_ <= grace) return ended_;
@@ -160,10 +190,43 @@ void Causes::leave(const model::Unit& unit, const Cause& cause) {
   }
 }
 
+void Causes::doubt(const model::Unit& unit) {
+  if (unit.actuation != tables::Actuation::latched) return;
+  const bool disarms = std::any_of(unit.transitions.begin(), unit.transitions.end(),
+                                   [](const Transition& t) { return t.on == kNone || t.once; });
+  if (disarms) doubtful_ |= level_ & ~disarmed_;
+}
+
 bool Causes::commands(const model::Unit& unit, std::uint32_t from, std::uint32_t to) const {
   return std::any_of(unit.transitions.begin(), unit.transitions.end(), [&](const Transition& t) {
     return t.on != kNone && t.from == from && t.to == to && (on_ & bit_of(t.on)) != 0;
   });
+}
+
+bool Causes::has_rival(const model::Unit& unit, const Cause& cause, bool to_any, bool prompt, Time resolution) const {
+  const auto goes_on = [&](std::uint32_t from) {
+    return std::any_of(unit.transitions.begin(), unit.transitions.end(), [&](const Transition& t) {
+      return t.from == from && t.to == cause.to && !t.spring_return && ready(t, 0) <= resolution;
+    });
+  };
+  for (std::uint32_t i = 0; i < unit.transitions.size(); ++i) {
+    const Transition& transition = unit.transitions[i];
+    if (transition.from != state_ || i == cause.transition || since_[i] == kHoldsNot) continue;
+    if (prompt && ready(transition, 0) > resolution) continue;
+    if (to_any || transition.to == cause.to || goes_on(transition.to)) return true;
+  }
+  // A return takes the time of the command to the same state.
+  return !prompt && cause.transition != kNone && quiet_ != kHoldsNot && (to_any || unit.rest == cause.to);
+}
+
+std::uint32_t Causes::passes_to(const model::Unit& unit, std::uint32_t state, const Known& known,
+                                Time resolution) const {
+  for (const Transition& transition : unit.transitions) {
+    if (transition.from != state || transition.spring_return || ready(transition, 0) > resolution) continue;
+    if (transition.on != kNone && (on_ & bit_of(transition.on)) == 0) continue;
+    if (cause_holds(unit, transition, on_, known_, known) != false) return transition.to;
+  }
+  return kNone;
 }
 
 }  // namespace symplant::observe

@@ -34,6 +34,12 @@ Dependents dependents_of(const model::PlantModel& plant) {
       for (const std::uint32_t other : disabled) dependents.of_unit[u].push_back(other);
     }
   }
+  dependents.read_by.resize(plant.units.size());
+  for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
+    for (const std::uint32_t other : dependents.of_unit[u]) {
+      if (other != u) dependents.read_by[other].push_back(u);
+    }
+  }
   return dependents;
 }
 

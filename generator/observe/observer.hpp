@@ -29,7 +29,9 @@ struct Move {
   Time left = kUnknown;     ///< kUnknown: no event shows it, since `from` has no event that is on
   Time arrived = kUnknown;  ///< kUnknown: no event shows it, since `to` has no event that is on
   Time stopped = 0;         ///< how long the model did not let it move meanwhile
-  bool turned = false;      ///< commanded back or without a command meanwhile: its times say little
+  /// Its times say little: it was commanded back or without a command meanwhile, or the recording does not show for
+  /// certain that it was at rest in `from`, that nothing else caused it, or whether it was stopped.
+  bool turned = false;
 
   bool is_caused() const { return cause != kUnknown; }
 };

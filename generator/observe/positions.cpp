@@ -8,6 +8,22 @@ namespace symplant::observe {
 
 using model::kNone;
 
+namespace {
+
+/// Events on the address of `event`, itself included.
+std::uint64_t on_address_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
+  const auto leader = [&](std::uint32_t symbol) {
+    return plant.symbols[symbol].leader == kNone ? symbol : plant.symbols[symbol].leader;
+  };
+  std::uint64_t same = 0;
+  for (std::size_t e = 0; e < unit.events.size(); ++e) {
+    if (leader(unit.events[e]) == leader(unit.events[event])) same |= std::uint64_t{1} << e;
+  }
+  return same;
+}
+
+}  // namespace
+
 Positions::Positions(const model::PlantModel& plant, const model::Unit& unit, const std::vector<bool>& recorded) {
   std::uint64_t known = 0;
   for (std::size_t e = 0; e < unit.events.size(); ++e) {
@@ -20,7 +36,12 @@ Positions::Positions(const model::PlantModel& plant, const model::Unit& unit, co
   }
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     Signature signature{of_states, 0};
-    if (unit.states[s].event != kNone) signature.bits |= std::uint64_t{1} << unit.states[s].event;
+    if (unit.states[s].event != kNone) {
+      const std::uint64_t same = on_address_of(plant, unit, unit.states[s].event);
+      signature.mask &= ~same;  // its level follows from that one
+      signature.mask |= std::uint64_t{1} << unit.states[s].event;
+      signature.bits |= std::uint64_t{1} << unit.states[s].event;
+    }
     if (!unit.outputs.empty()) {
       for (const auto& [event, on] : unit.outputs[s].enter) {
         const std::uint64_t bit = std::uint64_t{1} << event;
@@ -28,10 +49,22 @@ Positions::Positions(const model::PlantModel& plant, const model::Unit& unit, co
         signature.bits = on ? signature.bits | bit : signature.bits & ~bit;
       }
     }
-    signature.mask &= known;
-    signature.bits &= known;
-    signatures_.push_back(signature);
+    Signature left = signature;
+    if (unit.states[s].event != kNone) left.bits &= ~(std::uint64_t{1} << unit.states[s].event);
+    if (!unit.outputs.empty()) {
+      for (const auto& [event, on] : unit.outputs[s].leave) {
+        const std::uint64_t bit = std::uint64_t{1} << event;
+        left.mask |= bit;
+        left.bits = on ? left.bits | bit : left.bits & ~bit;
+      }
+    }
+    signatures_.push_back({signature.mask & known, signature.bits & known});
+    signature = signatures_.back();
+    left_.push_back({left.mask & known, left.bits & known});
     shown_ |= signature.bits;
+  }
+  for (std::uint32_t from = 0; from < unit.states.size(); ++from) {
+    for (std::uint32_t to = 0; to < unit.states.size(); ++to) misleads_ = misleads_ || shows_at_leaving(from, to);
   }
   // Without an event that is on it can move between two states with events, or be in a state without one.
   const auto lit = [this](std::uint32_t s) { return is_lit(s); };
@@ -46,6 +79,13 @@ Positions::Positions(const model::PlantModel& plant, const model::Unit& unit, co
     return t.from != kNone && lit(t.from) && lit(t.to);
   });
   if (!several && !passes && shown_ != 0) dark_state_ = dark;
+}
+
+bool Positions::shows_at_leaving(std::uint32_t from, std::uint32_t to) const {
+  const Signature& left = left_[from];
+  const Signature& state = signatures_[to];
+  const std::uint64_t both = left.mask & state.mask;
+  return is_lit(to) && (left.bits & both) == (state.bits & both) && (state.bits & ~left.mask) == 0;
 }
 
 Positions::Result Positions::at(std::uint64_t levels, std::uint32_t preferred) const {

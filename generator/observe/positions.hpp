@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/plant_model.hpp"
@@ -36,16 +37,28 @@ class Positions {
   }
   /// The state in which the unit is if no event is on: kNone if it may be moving, too, or if it may be one of several.
   std::uint32_t dark_state() const { return dark_state_; }
+  /// Whether the events that are on when the unit has left a state can be those of a state already: then nothing shows
+  /// when it arrives.
+  bool misleads() const { return misleads_; }
+  /// The level of an event in a state; nothing if the state does not say. O(1).
+  std::optional<bool> level(std::uint32_t state, std::uint64_t bit) const {
+    if ((signatures_[state].mask & bit) == 0) return std::nullopt;
+    return (signatures_[state].bits & bit) != 0;
+  }
   /// Whether any event shows a state.
   bool shows_anything() const { return shown_ != 0; }
 
  private:
+  bool shows_at_leaving(std::uint32_t from, std::uint32_t to) const;
+
   struct Signature {
     std::uint64_t mask = 0;  ///< the events that have a certain level in the state
     std::uint64_t bits = 0;  ///< those that are on
   };
   std::vector<Signature> signatures_;  ///< by state
-  std::uint64_t shown_ = 0;            ///< events of states
+  std::vector<Signature> left_;        ///< by state: the events when the unit has left it
+  bool misleads_ = false;
+  std::uint64_t shown_ = 0;  ///< events of states
   std::uint32_t dark_state_ = model::kNone;
 };
 
