@@ -109,8 +109,10 @@ void MoveCollector::add_move(const Move& move, std::uint32_t input) {
     if (is_return(move) ? one.spring_return && one.from == move.from && one.to == move.to : i == move.transition)
       taken[i] = true;
   }
+  const bool rests = move.left == kUnknown && move.since != kUnknown;
+  const Time rest = rests ? move.cause - move.since : kUnknown;
   moves_of_transition(by_unit_[move.unit], move, first_alike(plant_.units[move.unit], move))
-      .moves.push_back({move.cause, move.left, move.arrived, move.stopped, input});
+      .moves.push_back({move.cause, move.left, move.arrived, move.stopped, input, rest});
 }
 
 void MoveCollector::add_overruns(const Input& input, const std::vector<Move>& moves, std::uint32_t number) {

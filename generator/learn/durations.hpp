@@ -16,6 +16,8 @@ struct TimedMove {
   Time arrived = observe::kUnknown;
   Time stopped = 0;  ///< between cause and arrival
   std::uint32_t input = 0;
+  /// From a state without an event: for how long the device may have been there when the cause began; else kUnknown.
+  Time rest = observe::kUnknown;
 
   bool shows_leaving() const { return left != observe::kUnknown; }
   bool shows_arrival() const { return arrived != observe::kUnknown; }

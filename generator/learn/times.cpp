@@ -2,6 +2,8 @@
 #include "learn/times.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "learn/clusters.hpp"
@@ -11,6 +13,7 @@ namespace symplant::learn {
 namespace {
 
 constexpr Time kSmallResolutions = 2;
+constexpr std::size_t kLeastRests = 4;
 
 using Span = Time (*)(const TimedMove&);
 
@@ -51,15 +54,55 @@ LearnedTime time_of(std::vector<Sample> samples, const std::vector<Source>& sour
   return time;
 }
 
+Time resolution_of(const std::vector<Source>& sources) {
+  Time coarsest = 0;
+  for (const Source& source : sources) coarsest = std::max(coarsest, source.resolution);
+  return coarsest;
+}
+
+/// The moves that began at rest. No event shows when a device comes to a state without one; a cause that begins before
+/// that turns it back, or makes it go on later, so that its move is shorter or longer than others. How long that takes
+/// shows in the half of the moves with the longest rests: what rested no longer than one that differs from all of these
+/// is left out.
+std::vector<TimedMove> rested(const std::vector<TimedMove>& moves, Time resolution) {
+  const auto is_unsure = [](const TimedMove& move) { return move.rest != observe::kUnknown && move.shows_arrival(); };
+  std::vector<Time> rests;
+  for (const TimedMove& move : moves) {
+    if (is_unsure(move)) rests.push_back(move.rest);
+  }
+  if (rests.size() < kLeastRests) return moves;
+  const auto middle = rests.begin() + static_cast<std::ptrdiff_t>(rests.size() / 2);
+  std::nth_element(rests.begin(), middle, rests.end());
+  Time least = tables::kNever;
+  Time most = 0;
+  for (const TimedMove& move : moves) {
+    if (!is_unsure(move) || move.rest < *middle) continue;
+    least = std::min(least, kWhole(move));
+    most = std::max(most, kWhole(move));
+  }
+  Time too_short = -1;
+  const Time tolerance = kSmallResolutions * resolution;
+  for (const TimedMove& move : moves) {
+    if (!is_unsure(move) || move.rest >= *middle) continue;
+    if (kWhole(move) < least - tolerance || kWhole(move) > most + tolerance) too_short = std::max(too_short, move.rest);
+  }
+  std::vector<TimedMove> kept;
+  std::copy_if(moves.begin(), moves.end(), std::back_inserter(kept),
+               [&](const TimedMove& move) { return !is_unsure(move) || move.rest > too_short; });
+  return kept;
+}
+
 class Learner {
  public:
   Learner(const model::Unit& unit, const TransitionMoves& moves, const std::vector<Source>& sources)
-      : moves_(moves), sources_(sources) {
+      : moves_(moves), sources_(sources), usable_(rested(moves.moves, resolution_of(sources))) {
     if (moves.transition != kNone) transition_ = &unit.transitions[moves.transition];
-    for (const TimedMove& move : moves.moves) {
-      leaves_ = leaves_ || move.shows_leaving();
+    for (const TimedMove& move : usable_) {
+      const bool shows_leaving = move.shows_leaving() && move.stopped == 0;  // as samples_of() takes them
+      leaves_ = leaves_ || shows_leaving;
       arrives_ = arrives_ || move.shows_arrival();
-      both_ = both_ || (move.shows_leaving() && move.shows_arrival());
+      both_ = both_ || (shows_leaving && move.shows_arrival());
+      unstopped_ = unstopped_ || (move.shows_arrival() && move.stopped == 0);
     }
   }
 
@@ -128,10 +171,11 @@ class Learner {
 
   std::vector<Sample> samples_of(Span span, bool leaving, bool arrival) const {
     std::vector<Sample> samples;
-    samples.reserve(moves_.moves.size());
-    for (const TimedMove& move : moves_.moves) {
+    samples.reserve(usable_.size());
+    for (const TimedMove& move : usable_) {
       if ((leaving && !move.shows_leaving()) || (arrival && !move.shows_arrival())) continue;
-      if (leaving && move.stopped > 0) continue;  // before it left, or later: nothing shows which
+      if (leaving && move.stopped > 0) continue;     // before it left, or later: nothing shows which
+      if (unstopped_ && move.stopped > 0) continue;  // the times of a stop are less exact
       samples.push_back({std::max<Time>(0, span(move)), move.cause, move.input, moves_.unit});
     }
     return samples;
@@ -139,6 +183,8 @@ class Learner {
 
   const TransitionMoves& moves_;
   const std::vector<Source>& sources_;
+  const std::vector<TimedMove> usable_;
+  bool unstopped_ = false;
   const model::Transition* transition_ = nullptr;  ///< null: the return of a spring
   bool leaves_ = false;
   bool arrives_ = false;

@@ -98,6 +98,25 @@ TEST_CASE("A spring's return that a command can do, too, is one transition with 
   CHECK(contains(from.times(), "L_P_CL ADV->RET takes 0.9 s (2: 900 900 900)\n"));
 }
 
+TEST_CASE("Moves from a state without an event that the device hardly reached are left out") {
+  // It needs 2 s to open, and is commanded back after 1 s three times: then it shuts in half the time.
+  const std::vector<std::string> names = {"L_P_G_I_SHUT", "L_P_G_O_SHUT"};
+  std::string text = "0 O_SHUT 1; 0 I_SHUT 1";
+  int now = 0;
+  const auto open_for = [&](int rest, int shuts) {
+    now += 1000;
+    text += "; " + std::to_string(now) + " O_SHUT 0; " + std::to_string(now) + " I_SHUT 0";
+    now += rest;
+    text += "; " + std::to_string(now) + " O_SHUT 1";
+    now += shuts;
+    text += "; " + std::to_string(now) + " I_SHUT 1";
+  };
+  for (const int rest : {6000, 7000, 8000, 9000}) open_for(rest, 500);
+  for (int i = 0; i < 3; ++i) open_for(1000, 250);
+  const LearnedFrom from(names, R"("name": "x")", {bit_trace(text, "L_P_G_")});
+  CHECK(contains(from.times(), "L_P_G NOT_SHUT->SHUT takes 0.5 s (4: 500 500 500)\n"));
+}
+
 TEST_CASE("The dwell of an automatic transition is after") {
   const std::vector<std::string> names = {"L_P_MC_O_RUN2", "L_P_MC_I_RUN2", "L_P_MC_I_IDLE1"};
   const LearnedFrom from(names, R"("devices": {})",
