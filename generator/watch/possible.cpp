@@ -37,6 +37,7 @@ Possible::Possible(const model::PlantModel& plant, const std::vector<bool>& reco
 }
 
 Limits Possible::limits(const Move& move) const {
+  if (move.unit == kNone) return {};  // nothing is caused any more: the unit may be in one of several states
   const model::Unit& unit = plant_.units[move.unit];
   return unit.has_behaviour() ? Limits{} : limits_of(unit, move);
 }
