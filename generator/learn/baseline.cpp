@@ -10,13 +10,13 @@
 namespace symplant::learn {
 namespace {
 
-struct Span {
+struct MeasuredSpan {
   const char* name;
   bool (*shows)(const TimedMove&);
   Time (*of)(const TimedMove&);
 };
 
-constexpr Span kSpans[] = {
+constexpr MeasuredSpan kSpans[] = {
     {"after", [](const TimedMove& move) { return move.shows_leaving(); },
      [](const TimedMove& move) { return move.left - move.cause; }},
     {"takes", [](const TimedMove& move) { return move.shows_leaving() && move.shows_arrival(); },
@@ -25,7 +25,7 @@ constexpr Span kSpans[] = {
      [](const TimedMove& move) { return move.arrived - move.cause; }},
 };
 
-std::optional<Baseline> baseline_of(const TransitionMoves& moves, const Span& span,
+std::optional<Baseline> baseline_of(const TransitionMoves& moves, const MeasuredSpan& span,
                                     const std::vector<Source>& sources) {
   std::vector<Sample> samples;
   Time resolution = 0;
@@ -57,7 +57,7 @@ std::optional<Baseline> baseline_of(const TransitionMoves& moves, const Span& sp
 
 std::vector<Baseline> baselines_of(const TransitionMoves& moves, const std::vector<Source>& sources) {
   std::vector<Baseline> baselines;
-  for (const Span& span : kSpans) {
+  for (const MeasuredSpan& span : kSpans) {
     if (const auto baseline = baseline_of(moves, span, sources)) baselines.push_back(*baseline);
   }
   return baselines;

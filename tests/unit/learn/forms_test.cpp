@@ -94,6 +94,15 @@ TEST_CASE("The file of times says where each is from") {
         "      // 4 moves in line1.jsonl, resolution 0.05 s\n"
         "      \"CLOSED->OPEN\": { \"takes\": \"0.61s\" }\n"
         "    }\n"
+        "  },\n"
+        "  // means that `symplant watch` compares with\n"
+        "  \"learned\": {\n"
+        "    \"devices\": {\n"
+        "      \"L_P_CL\": {\n"
+        "        \"OPEN->CLOSED\": { \"takes\": { \"n\": 3, \"mean\": \"0.816666667s\", \"sd\": \"0.028867513s\" } },\n"
+        "        \"CLOSED->OPEN\": { \"takes\": { \"n\": 4, \"mean\": \"0.6125s\", \"sd\": \"0.025s\" } }\n"
+        "      }\n"
+        "    }\n"
         "  }\n"
         "}\n");
 }
