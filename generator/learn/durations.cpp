@@ -29,12 +29,13 @@ bool is_timed(const Move& move) {
 }
 
 /// The first transition whose times are the entry of plant.json for this move: with the same states and operation, or
-/// for the return of a spring with the same states. kNone: no transition but the spring's.
+/// for the return of a spring with the same states and any operation. kNone: no transition but the spring's.
 std::uint32_t first_alike(const model::Unit& unit, const Move& move) {
   const bool returns = is_return(move);
   const std::uint32_t on = returns ? kNone : unit.transitions[move.transition].on;
   const auto found = std::find_if(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& one) {
-    return one.from == move.from && one.to == move.to && (returns || one.on == on) && !one.spring_return;
+    return one.from == move.from && one.to == move.to && (returns ? one.on != kNone : one.on == on) &&
+           !one.spring_return;
   });
   return found == unit.transitions.end() ? kNone : static_cast<std::uint32_t>(found - unit.transitions.begin());
 }

@@ -117,6 +117,19 @@ TEST_CASE("Moves from a state without an event that the device hardly reached ar
   CHECK(contains(from.times(), "L_P_G NOT_SHUT->SHUT takes 0.5 s (4: 500 500 500)\n"));
 }
 
+TEST_CASE("A spring's return is not an automatic transition to the same state") {
+  const std::vector<std::string> names = {"L_P_CL_O_ADV", "L_P_CL_I_ADV", "L_P_CL_I_RET"};
+  const std::string spring = R"("devices": {"L_P_CL": {"actuation": "spring", "rest": "RET", "transitions": [
+      {"from": "ADV", "to": "RET", "automatic": true, "after": "9s"}]}})";
+  const LearnedFrom from(names, spring,
+                         {bit_trace("0 I_RET 1; 100 O_ADV 1; 100 I_RET 0; 700 I_ADV 1; 1000 O_ADV 0; 1000 I_ADV 0; "
+                                    "1900 I_RET 1",
+                                    kClampPrefix)});
+  CHECK(from.times() ==
+        "L_P_CL ADV->RET takes 0.9 s (1: 900 900 900)\n"
+        "L_P_CL RET->ADV takes 0.6 s (1: 600 600 600)\n");
+}
+
 TEST_CASE("The dwell of an automatic transition is after") {
   const std::vector<std::string> names = {"L_P_MC_O_RUN2", "L_P_MC_I_RUN2", "L_P_MC_I_IDLE1"};
   const LearnedFrom from(names, R"("devices": {})",
