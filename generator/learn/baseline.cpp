@@ -50,7 +50,9 @@ std::optional<Baseline> baseline_of(const TransitionMoves& moves, const Measured
                           kept.size(),
                           std::llround(sum / n),
                           std::llround(std::sqrt(squares / (n - 1)))};
-  return baseline.mean > 2 * resolution || &span != &kSpans[0] ? std::optional(baseline) : std::nullopt;
+  // The delay of a command is too short to be measured, unless it is all that shows.
+  const bool is_delay = &span == &kSpans[0] && moves.moves.front().shows_arrival();
+  return is_delay && baseline.mean <= 2 * resolution ? std::nullopt : std::optional(baseline);
 }
 
 }  // namespace

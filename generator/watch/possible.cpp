@@ -18,13 +18,14 @@ void add_units(const condition::Tree& tree, std::vector<std::uint32_t>& units) {
 }  // namespace
 
 Possible::Possible(const model::PlantModel& plant, const std::vector<bool>& recorded, const observe::Observer& observer,
-                   const Margin& margin)
+                   const Margin& margin, const std::vector<Statistic>& learned)
     : plant_(plant),
       recorded_(recorded),
       observer_(observer),
       margin_(margin),
       causes_(plant.units.size()),
       disablers_(plant.units.size()) {
+  for (const Statistic& one : learned) learned_.insert({one.unit, one.from, one.to});
   for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
     for (const condition::Tree& tree : plant.units[u].conditions) add_units(tree, causes_[u]);
     for (const auto& disabled : plant.units[u].disables) {
@@ -39,7 +40,13 @@ Possible::Possible(const model::PlantModel& plant, const std::vector<bool>& reco
 Limits Possible::limits(const Move& move) const {
   if (move.unit == kNone) return {};  // nothing is caused any more: the unit may be in one of several states
   const model::Unit& unit = plant_.units[move.unit];
-  return unit.has_behaviour() ? Limits{} : limits_of(unit, move);
+  return unit.has_behaviour() || !is_judged(move) ? Limits{} : limits_of(unit, move);
+}
+
+bool Possible::is_judged(const Move& move) const {
+  if (learned_.empty() || learned_.contains({move.unit, move.from, move.to})) return true;
+  return move.transition != kNone &&
+         plant_.units[move.unit].transitions[move.transition].origin == model::Origin::given;
 }
 
 bool Possible::shows(const model::Unit& unit, std::uint32_t state) const {

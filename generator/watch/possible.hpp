@@ -1,23 +1,27 @@
 // What a unit may have done by its model, although no reading shows it.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "model/plant_model.hpp"
 #include "observe/observer.hpp"
 #include "watch/limits.hpp"
+#include "watch/statistics.hpp"
 
 namespace symplant::watch {
 
 /// The doubts that a watcher has before it reports an anomaly. O(transitions) each, unless noted.
 class Possible {
  public:
-  /// `recorded`: by symbol. Everything given must outlive it.
+  /// `recorded`: by symbol. `learned`: if there is any, times that nobody gave and that were not learned are not known.
+  /// Everything given must outlive it, except `learned`.
   Possible(const model::PlantModel& plant, const std::vector<bool>& recorded, const observe::Observer& observer,
-           const Margin& margin);
+           const Margin& margin, const std::vector<Statistic>& learned);
 
-  /// Not known for a unit with custom code. O(1), for a spring's return O(transitions).
+  /// Not known for a unit with custom code, and where nothing was learned. O(1), for a spring's return O(transitions).
   Limits limits(const observe::Move& move) const;
   /// Whether a recorded event is on in the state; false for kNone. O(outputs of the state).
   bool shows(const model::Unit& unit, std::uint32_t state) const;
@@ -44,6 +48,8 @@ class Possible {
   bool passes_through(const observe::Move& move) const;
   std::optional<Range> onward(const model::Unit& unit, std::uint32_t transition) const;
   bool is_known(const condition::Tree& tree) const;
+  /// Whether the times of a move are more than the default of the model.
+  bool is_judged(const observe::Move& move) const;
 
   const model::PlantModel& plant_;
   const std::vector<bool>& recorded_;
@@ -51,6 +57,7 @@ class Possible {
   const Margin margin_;
   std::vector<std::vector<std::uint32_t>> causes_;     ///< by unit
   std::vector<std::vector<std::uint32_t>> disablers_;  ///< by unit
+  std::set<std::array<std::uint32_t, 3>> learned_;     ///< unit, from, to; empty: times were not learned
 };
 
 }  // namespace symplant::watch

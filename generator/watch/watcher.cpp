@@ -17,7 +17,7 @@ Watcher::Watcher(const model::PlantModel& plant, const std::vector<bool>& record
       observer_(observer),
       margin_(margin),
       report_(std::move(report)),
-      possible_(plant, recorded, observer, margin),
+      possible_(plant, recorded, observer, margin, learned),
       units_(plant.units.size()),
       timers_(plant.units.size()),
       drift_(plant, learned, margin.resolution) {

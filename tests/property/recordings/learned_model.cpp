@@ -2,8 +2,8 @@
 #include "property/recordings/learned_model.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "learn/learn.hpp"
@@ -14,31 +14,10 @@ namespace symplant::property {
 namespace {
 
 using description::Duration;
-using learn::LearnedTime;
 using learn::LearnedTransition;
 using tables::kNone;
 
-void add_statistic(std::uint32_t unit, const LearnedTransition& of, std::uint32_t on, watch::Span span,
-                   const LearnedTime& time, std::vector<watch::Statistic>& statistics) {
-  const std::vector<tables::Time> durations = [&] {
-    std::vector<tables::Time> kept;
-    for (const learn::Cluster& cluster : time.clusters.kept) {
-      for (std::size_t i = cluster.begin; i < cluster.end; ++i) kept.push_back(time.samples[i].duration);
-    }
-    return kept;
-  }();
-  if (durations.size() < 2) return;
-  double sum = 0;
-  for (const tables::Time duration : durations) sum += static_cast<double>(duration);
-  const double n = static_cast<double>(durations.size());
-  double squares = 0;
-  for (const tables::Time duration : durations) squares += std::pow(static_cast<double>(duration) - sum / n, 2);
-  statistics.push_back({unit, of.from, of.to, on, span, durations.size(), sum / n, std::sqrt(squares / (n - 1))});
-}
-
-void take(model::Unit& unit, std::uint32_t number, const LearnedTransition& learned,
-          std::vector<watch::Statistic>& statistics) {
-  std::uint32_t on = kNone;
+void take(model::Unit& unit, const LearnedTransition& learned) {
   const auto is_return = [&](const model::Transition& t) { return t.from == learned.from && t.to == learned.to; };
   if (learned.transition == kNone && std::none_of(unit.transitions.begin(), unit.transitions.end(), is_return)) {
     model::Transition added;
@@ -52,33 +31,34 @@ void take(model::Unit& unit, std::uint32_t number, const LearnedTransition& lear
     model::Transition& transition = unit.transitions[i];
     const bool returns = learned.transition == kNone;
     if (returns ? transition.from != learned.from || transition.to != learned.to : i != learned.transition) continue;
-    if (!returns) on = transition.on;
     if (learned.after && !returns) transition.after = learned.after->proposed;
     if (learned.resets_after) transition.after = Duration::fixed(0);
     if (learned.takes) transition.takes = learned.takes->proposed;
     if (learned.resets_takes) transition.takes = Duration::fixed(0);
   }
-  if (learned.after) add_statistic(number, learned, on, watch::Span::after, *learned.after, statistics);
-  const bool from_lit = unit.states[learned.from].event != kNone;
-  const watch::Span span = from_lit ? watch::Span::takes : watch::Span::total;
-  if (learned.takes) add_statistic(number, learned, on, span, *learned.takes, statistics);
 }
 
 }  // namespace
 
-LearnedModel learned_model(const model::PlantModel& described, recording::Recording recording,
-                           const model::PlantModel* rest) {
+LearnedModel learned_model(const model::PlantModel& described, recording::Recording recording) {
   observe::Matched matched = observe::match(described, recording);
   std::vector<learn::Input> inputs;
   inputs.push_back({std::move(recording), std::move(matched)});
   const learn::Learned learned = learn::learn_times(described, inputs);
-  LearnedModel model{rest == nullptr ? described : *rest, {}};
+  LearnedModel model{described, {}};
   for (const learn::LearnedGroup& group : learned.groups) {
     for (const std::uint32_t unit : group.units) {
       for (const LearnedTransition& transition : group.times.transitions) {
-        take(model.plant.units[unit], unit, transition, model.statistics);
+        take(model.plant.units[unit], transition);
       }
     }
+  }
+  static const std::map<std::string_view, watch::Span> spans{
+      {"after", watch::Span::after}, {"takes", watch::Span::takes}, {"total", watch::Span::total}};
+  for (const learn::Baseline& one : learned.baselines) {
+    const std::uint32_t on = one.transition == kNone ? kNone : described.units[one.unit].transitions[one.transition].on;
+    model.statistics.push_back({one.unit, one.from, one.to, on, spans.at(one.span), one.count,
+                                static_cast<double>(one.mean), static_cast<double>(one.deviation)});
   }
   return model;
 }

@@ -16,10 +16,8 @@ struct LearnedModel {
   std::vector<watch::Statistic> statistics;
 };
 
-/// What a description that includes the learned times gives. `rest`: has the times that could not be learned, instead
-/// of the description.
-LearnedModel learned_model(const model::PlantModel& described, recording::Recording recording,
-                           const model::PlantModel* rest = nullptr);
+/// What a description that includes the learned times gives.
+LearnedModel learned_model(const model::PlantModel& described, recording::Recording recording);
 
 /// The anomalies of a recording, with the margin that `symplant watch` has by default.
 std::vector<watch::Anomaly> anomalies_of(const LearnedModel& learned, const recording::Recording& recording);

@@ -142,8 +142,7 @@ double false_alarms(const Options& options, long& hours, std::string& text) {
     if (!is_plain(plant.real)) continue;
     const LearnedModel learned = learned_model(
         plant.described,
-        record_run(plant.real, {.seed = seed, .length = 2 * kHour, .every = 50 * tables::kMillisecond}).recording,
-        &plant.real);
+        record_run(plant.real, {.seed = seed, .length = 2 * kHour, .every = 50 * tables::kMillisecond}).recording);
     const RecordedRun run =
         record_run(plant.real, {.seed = seed + 5000, .length = kHour, .every = 50 * tables::kMillisecond});
     long own = 0;
