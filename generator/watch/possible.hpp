@@ -16,7 +16,7 @@ namespace symplant::watch {
 /// The doubts that a watcher has before it reports an anomaly. O(transitions) each, unless noted.
 class Possible {
  public:
-  /// `recorded`: by symbol. `learned`: if there is any, times that nobody gave and that were not learned are not known.
+  /// `recorded`: by symbol. `learned`: if there is any, times that were neither given nor learned are not known.
   /// Everything given must outlive it, except `learned`.
   Possible(const model::PlantModel& plant, const std::vector<bool>& recorded, const observe::Observer& observer,
            const Margin& margin, const std::vector<Statistic>& learned);
