@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -76,6 +77,23 @@ std::optional<recording::Recording> read_recording_file(const std::string& path,
   if (!read.error.empty()) return fail(context, read.error);
   warn(context, read.warnings);
   return std::move(read.recording);
+}
+
+std::string no_symbol_error(const std::string& recording, const std::string& plant, const observe::Matched& matched) {
+  constexpr std::size_t kMostNames = 5;
+  if (matched.unknown.empty() || std::any_of(matched.symbols.begin(), matched.symbols.end(),
+                                             [](std::uint32_t symbol) { return symbol != model::kNone; })) {
+    return {};
+  }
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kMostNames, matched.unknown.size()); ++i) {
+    const observe::Matched::Unknown& unknown = matched.unknown[i];
+    names += fmt::format("{}`{}`", i == 0 ? ": " : ", ", unknown.name);
+    if (!unknown.nearest.empty()) names += fmt::format(" (did you mean `{}`?)", unknown.nearest);
+  }
+  if (matched.unknown.size() > kMostNames) names += ", ...";
+  return fmt::format("no name in `{}` is a symbol of `{}`{}; give `--rename FILE`, with the symbol of each name",
+                     recording, plant, names);
 }
 
 }  // namespace symplant::app

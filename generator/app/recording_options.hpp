@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/context.hpp"
+#include "observe/play.hpp"
 #include "recording/recording.hpp"
 
 namespace CLI {
@@ -26,5 +27,8 @@ void add_recording_options(CLI::App& command, RecordingOptions& options);
 /// --rename, cannot be read, shows the error, returns no value and sets the exit code to 2.
 std::optional<recording::Recording> read_recording_file(const std::string& path, const RecordingOptions& options,
                                                         Context& context);
+
+/// The error if no name of a recording is a symbol of the plant, with some of the names; empty: one is.
+std::string no_symbol_error(const std::string& recording, const std::string& plant, const observe::Matched& matched);
 
 }  // namespace symplant::app

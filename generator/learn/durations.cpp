@@ -91,17 +91,22 @@ bool in_gap(const recording::Recording& recording, Time begin, Time end) {
 MoveCollector::MoveCollector(const model::PlantModel& plant) : plant_(plant), by_unit_(plant.units.size()) {
   moves_.moved.resize(plant.units.size());
   moves_.taken.resize(plant.units.size());
+  moves_.unused_of.resize(plant.units.size());
 }
 
 void MoveCollector::add_move(const Move& move, std::uint32_t input) {
   if (move.from != kNone) moves_.moved[move.unit] = true;  // else its state was seen for the first time
   add_states(move, moves_.states[input][move.unit]);
   if (!is_whole(move)) return;
+  UnusedMoves& of = moves_.unused_of[move.unit];
+  of.unit = move.unit;
   if (!is_timed(move)) {
     ++moves_.unused;
+    ++(move.turned ? of.turned : of.uncaused);
     return;
   }
   ++moves_.count;
+  ++of.used;
   std::vector<bool>& taken = moves_.taken[move.unit];
   const std::vector<model::Transition>& transitions = plant_.units[move.unit].transitions;
   taken.resize(transitions.size());

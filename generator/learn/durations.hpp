@@ -52,6 +52,7 @@ struct Moves {
   std::vector<std::vector<std::vector<StateChange>>> states;
   std::vector<std::vector<bool>> taken;  ///< by unit of the plant, by transition: a move that it caused was seen
   std::vector<bool> moved;               ///< by unit of the plant
+  std::vector<UnusedMoves> unused_of;    ///< by unit of the plant, without reasons
   std::size_t count = 0;                 ///< moves with the times of a transition
   std::size_t unused = 0;                ///< those that turned round, or without a cause
 };

@@ -30,6 +30,16 @@ class JsonForm {
     });
     json_.member("moves", learned_.moves);
     json_.member("moves_not_used", learned_.unused);
+    json_.key("not_used");
+    json_.array(learned_.unused_moves, [&](const UnusedMoves& moves) {
+      json_.begin_object();
+      json_.member("device", plant_.units[moves.unit].path);
+      json_.member("moves", moves.all());
+      json_.member("uncaused", moves.uncaused);
+      json_.member("turned", moves.turned);
+      if (moves.reason != UnusedReason::few) json_.member("reason", reason_name(moves.reason));
+      json_.end_object();
+    });
     json_.key("times");
     json_.array(time_rows(learned_), [&](const TimeRow& row) { write_time(row); });
     json_.key("not_seen");

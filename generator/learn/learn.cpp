@@ -10,6 +10,7 @@
 #include "learn/groups.hpp"
 #include "learn/not_seen.hpp"
 #include "learn/times.hpp"
+#include "learn/unused.hpp"
 
 namespace symplant::learn {
 namespace {
@@ -59,6 +60,7 @@ Learned learn_times(const model::PlantModel& plant, const std::vector<Input>& in
   learned.not_seen = not_seen(plant, inputs, moves);
   learned.moves = moves.count;
   learned.unused = moves.unused;
+  learned.unused_moves = unused_moves(plant, inputs, moves);
   return learned;
 }
 

@@ -125,6 +125,26 @@ struct UnknownName {
   std::uint32_t input = 0;
 };
 
+/// Why many moves of a device are not used.
+enum class UnusedReason : std::uint8_t {
+  few,           ///< not many are
+  inverted,      ///< they have a cause if the operations of the device are inverted
+  not_recorded,  ///< no recording has one of its operations
+  unknown,
+};
+
+/// The moves of a device of which some are not used.
+struct UnusedMoves {
+  std::uint32_t unit = kNone;
+  std::size_t used = 0;
+  std::size_t turned = 0;    ///< turned round, or not certain
+  std::size_t uncaused = 0;  ///< nothing in the model caused them
+  UnusedReason reason = UnusedReason::few;
+
+  std::size_t unused() const { return turned + uncaused; }
+  std::size_t all() const { return used + unused(); }
+};
+
 /// What the recordings do not show. All by index in the plant, ascending.
 struct NotSeen {
   std::vector<std::uint32_t> devices;                                ///< units that could move and never did
@@ -141,8 +161,9 @@ struct Learned {
   std::vector<Baseline> baselines;   ///< by unit and transition
   NotSeen not_seen;
   Pairs pairs;
-  std::size_t moves = 0;   ///< with the times of a transition
-  std::size_t unused = 0;  ///< moves that turned round, or that nothing in the model caused
+  std::size_t moves = 0;                  ///< with the times of a transition
+  std::size_t unused = 0;                 ///< moves that turned round, or that nothing in the model caused
+  std::vector<UnusedMoves> unused_moves;  ///< by unit: those of which some are not used
 };
 
 }  // namespace symplant::learn

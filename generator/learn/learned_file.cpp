@@ -30,7 +30,8 @@ std::string comment(const std::string& text) { return "      // " + diag::visibl
 /// Where a time is from, and its groups if it has several.
 std::string comments(const Learned& learned, const LearnedGroup& group, const LearnedTime& time,
                      std::string_view what) {
-  std::string text = comment(fmt::format("{}{}", what, provenance(learned, group, time)));
+  std::string text = comment(fmt::format("{}{}{}", what, provenance(learned, group, time),
+                                         is_of_few(time) ? "; few moves: others may differ" : ""));
   const std::string groups = groups_text(learned, time);
   return groups.empty() ? text : text + comment(groups);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -67,12 +68,15 @@ Cells cells_of(const TimeRow& row) {
 
 class TextWriter {
  public:
-  TextWriter(const Learned& learned, base::TextSink& sink)
-      : learned_(learned), plant_(*learned.plant), rows_(time_rows(learned)), out_(sink) {}
+  TextWriter(const Learned& learned, base::TextSink& sink, bool all)
+      : learned_(learned), plant_(*learned.plant), rows_(time_rows(learned)), all_(all), out_(sink) {}
 
   void write() {
     for (const Source& source : learned_.sources) put(source_text(source));
     put(summary(learned_));
+    if (all_) {
+      for (const UnusedMoves& moves : learned_.unused_moves) put("  not used: " + unused_text(learned_, moves));
+    }
     write_tables();
     write_groups();
     write_outliers();
@@ -82,6 +86,9 @@ class TextWriter {
   }
 
  private:
+  std::size_t most_rows() const { return all_ ? SIZE_MAX : kMostRows; }
+  std::size_t most_listed() const { return all_ ? SIZE_MAX : kMostListed; }
+
   void put(const std::string& line) { out_.add(diag::visible(line) + "\n"); }
 
   /// A table for each kind of device, in the order of their first device.
@@ -101,7 +108,7 @@ class TextWriter {
   void write_table(const std::string& kind, std::vector<const TimeRow*>& rows) {
     std::set<std::uint32_t> devices;
     for (const TimeRow* row : rows) devices.insert(row->group->units.begin(), row->group->units.end());
-    if (rows.size() > kMostRows) {
+    if (rows.size() > most_rows()) {
       std::stable_sort(rows.begin(), rows.end(), [](const TimeRow* a, const TimeRow* b) {
         return oddities_of(*a).rank() > oddities_of(*b).rank();
       });
@@ -110,12 +117,12 @@ class TextWriter {
     put(fmt::format("{}: {} {}", kind, devices.size(), devices.size() == 1 ? "device" : "devices"));
     std::vector<Cells> lines{
         {"device", "transition", "time", "learned", "model", "moves", "min", "median", "p95", "max", ""}};
-    for (std::size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
+    for (std::size_t i = 0; i < std::min(rows.size(), most_rows()); ++i) {
       lines.push_back(cells_of(*rows[i]));
       for (std::string& cell : lines.back()) cell = diag::visible(cell);
     }
     out_.add(table(lines));
-    if (rows.size() > kMostRows) put(fmt::format("  and {} more", rows.size() - kMostRows));
+    if (rows.size() > most_rows()) put(fmt::format("  and {} more", rows.size() - most_rows()));
   }
 
   std::string name_of(const TimeRow& row) const {
@@ -139,11 +146,11 @@ class TextWriter {
     for (const TimeRow& row : rows_) {
       for (const std::size_t i : row.time->clusters.outliers) {
         if (count++ == 0) out_.add("\nOutliers, not used:\n");
-        if (count > kMostListed) continue;
+        if (count > most_listed()) continue;
         put(fmt::format("  {}: {}", name_of(row), outlier_text(learned_, *row.group, row.time->samples[i])));
       }
     }
-    if (count > kMostListed) put(fmt::format("  and {} more", count - kMostListed));
+    if (count > most_listed()) put(fmt::format("  and {} more", count - most_listed()));
   }
 
   /// `names` makes the name of an index.
@@ -151,10 +158,10 @@ class TextWriter {
   void write_list(const std::string& title, const std::vector<Item>& items, Name name) {
     if (items.empty()) return;
     std::string text;
-    for (std::size_t i = 0; i < std::min(items.size(), kMostListed); ++i) {
+    for (std::size_t i = 0; i < std::min(items.size(), most_listed()); ++i) {
       text += (i == 0 ? "" : ", ") + std::string(name(items[i]));
     }
-    if (items.size() > kMostListed) text += fmt::format(" and {} more", items.size() - kMostListed);
+    if (items.size() > most_listed()) text += fmt::format(" and {} more", items.size() - most_listed());
     put(fmt::format("{} ({}): {}", title, items.size(), text));
   }
 
@@ -183,11 +190,14 @@ class TextWriter {
   const Learned& learned_;
   const model::PlantModel& plant_;
   const std::vector<TimeRow> rows_;
+  const bool all_;
   base::PartCollector out_;
 };
 
 }  // namespace
 
-void write_text(const Learned& learned, base::TextSink& sink) { TextWriter(learned, sink).write(); }
+void write_text(const Learned& learned, base::TextSink& sink) { TextWriter(learned, sink, false).write(); }
+
+void write_long_text(const Learned& learned, base::TextSink& sink) { TextWriter(learned, sink, true).write(); }
 
 }  // namespace symplant::learn

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,7 @@ constexpr Time kWideResolutions = 4;
 constexpr Time kFarResolutions = 2;
 constexpr Time kFarShare = 5;  ///< of the model's time: 20 %
 constexpr std::size_t kMostFiles = 3;
+constexpr std::size_t kMostDevices = 10;  ///< of a sentence
 
 using Kind = description::Duration::Kind;
 
@@ -118,6 +120,8 @@ std::string Oddities::text(const TimeRow& row) const {
   return text;
 }
 
+bool is_of_few(const LearnedTime& time) { return time.statistics.count < kFewSamples; }
+
 Oddities oddities_of(const TimeRow& row) {
   const LearnedTime& time = *row.time;
   const Statistics& of = time.statistics;
@@ -125,7 +129,7 @@ Oddities oddities_of(const TimeRow& row) {
   odd.has_groups = time.clusters.kept.size() > 1;
   odd.outliers = time.clusters.outliers.size();
   odd.is_wide = of.max > 2 * of.min && of.max - of.min > kWideResolutions * time.resolution;
-  odd.is_rare = of.count < kFewSamples;
+  odd.is_rare = is_of_few(time);
   const Time off = row.kind == "overrun" ? std::max<Time>(0, of.max - row.model.a) : distance(of.median, row.model);
   odd.is_far_off = off > std::max(kFarResolutions * time.resolution, row.model.a / kFarShare);
   return odd;
@@ -194,6 +198,58 @@ std::string summary(const Learned& learned) {
                         counted_words(learned.unused, "more move"));
   }
   return text;
+}
+
+std::vector<std::string> unused_warnings(const Learned& learned) {
+  struct Group {
+    UnusedReason reason;
+    std::string_view text;
+  };
+  static constexpr std::array<Group, 3> kGroups{{
+      {UnusedReason::inverted,
+       "would have a cause if their operations were active-low: name these in `inverted` of plant.json"},
+      {UnusedReason::not_recorded, "have no cause, since their operations are not recorded"},
+      {UnusedReason::unknown,
+       "are without a cause that the model knows: is an operation not recorded, or the model of the device wrong?"},
+  }};
+  std::vector<std::string> texts;
+  for (const Group& group : kGroups) {
+    std::size_t unused = 0;
+    std::size_t all = 0;
+    std::size_t devices = 0;
+    std::string names;
+    for (const UnusedMoves& moves : learned.unused_moves) {
+      if (moves.reason != group.reason) continue;
+      unused += moves.unused();
+      all += moves.all();
+      if (++devices > kMostDevices) continue;
+      names += (names.empty() ? "" : ", ") + std::string(learned.plant->units[moves.unit].path);
+    }
+    if (devices == 0) continue;
+    if (devices > kMostDevices) names += fmt::format(" and {} more", devices - kMostDevices);
+    texts.push_back(fmt::format("{} of {} of {} {} ({})", unused, counted_words(all, "move"),
+                                counted_words(devices, "device"), group.text, names));
+  }
+  return texts;
+}
+
+std::string unused_text(const Learned& learned, const UnusedMoves& moves) {
+  return fmt::format("{} {} of {} ({} without a cause, {} turned round)", learned.plant->units[moves.unit].path,
+                     moves.unused(), moves.all(), moves.uncaused, moves.turned);
+}
+
+std::string_view reason_name(UnusedReason reason) {
+  switch (reason) {
+    case UnusedReason::inverted:
+      return "inverted";
+    case UnusedReason::not_recorded:
+      return "not_recorded";
+    case UnusedReason::unknown:
+      return "unknown";
+    case UnusedReason::few:
+      break;
+  }
+  return {};
 }
 
 std::string_view file_name(std::string_view path) {

@@ -36,6 +36,9 @@ struct Oddities {
 };
 Oddities oddities_of(const TimeRow& row);
 
+/// Whether it is from so few moves that others may differ more.
+bool is_of_few(const LearnedTime& time);
+
 /// "0.8 s", "0.65 s to 0.9 s".
 std::string duration_words(const description::Duration& duration);
 
@@ -57,6 +60,15 @@ std::string source_text(const Source& source);
 
 /// "412 moves of 28 devices".
 std::string summary(const Learned& learned);
+
+/// A sentence for each reason why many moves of devices are not used.
+std::vector<std::string> unused_warnings(const Learned& learned);
+
+/// "L_P_CL 76 of 80 (70 without a cause, 6 turned round)".
+std::string unused_text(const Learned& learned, const UnusedMoves& moves);
+
+/// The word in JSON; empty: `few`.
+std::string_view reason_name(UnusedReason reason);
 
 /// The file without its folders.
 std::string_view file_name(std::string_view path);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every command of a page: the lines of its ```sh blocks, each of which must end with exit code 0.
-# A block after a line `<!-- run by .ci/run -->` is skipped, since .ci/run runs it.
+# A block after a line `<!-- run by .ci/run -->` is skipped, since .ci/run runs it. Port 15027 of a page is a free one.
 #
 #   run_commands.sh SYMPLANT SOURCE_DIR PAGE
 set -euo pipefail
@@ -12,6 +12,11 @@ mkdir "$work/bin"
 ln -s "$symplant" "$work/bin/symplant"
 cp -r "$source_dir/examples" "$work/examples"
 PATH="$work/bin:$PATH"
+controller=examples/excell/controller/excell_controller
+if [ -x "${symplant%/*}/$controller" ]; then
+  mkdir -p "$work/build/release/${controller%/*}"
+  ln -s "${symplant%/*}/$controller" "$work/build/release/$controller"
+fi
 export CPATH=${symplant%/*}/runtime/include # of symplant/program.h, as if it were installed
 
 awk '
@@ -24,6 +29,10 @@ if [ ! -s "$work/commands" ]; then
   echo "$page holds no command: has its form changed?"
   exit 1
 fi
+
+port=$((20000 + RANDOM % 10000))
+while (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; do port=$((port + 1)); done
+sed -i "s/127\.0\.0\.1:15027/127.0.0.1:$port/g" "$work/commands"
 
 cd "$work"
 count=0

@@ -10,10 +10,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -45,12 +47,32 @@ struct LearnOptions {
   RecordingOptions reading;
 };
 
+using WriteLearned = void (*)(const learn::Learned&, base::TextSink&);
+
 struct LearnFormat {
   const char* name;
-  void (*write)(const learn::Learned&, base::TextSink&);
+  WriteLearned write;
+  WriteLearned write_verbose;
 };
-constexpr std::array<LearnFormat, 3> kLearnFormats{
-    {{"text", learn::write_text}, {"json", learn::write_json}, {"html", learn::write_html}}};
+constexpr std::array<LearnFormat, 3> kLearnFormats{{{"text", learn::write_text, learn::write_long_text},
+                                                    {"json", learn::write_json, learn::write_json},
+                                                    {"html", learn::write_html, learn::write_html}}};
+
+namespace fs = std::filesystem;
+
+/// The path of a file as the `include` of a description in `plant` names it, with `/`, which every system accepts.
+std::string include_path(const std::string& file, const std::string& plant) {
+  std::error_code unknown;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(plant, unknown).parent_path(), unknown);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file, unknown), unknown);
+  const fs::path relative = whole.lexically_relative(folder);
+  return (relative.empty() ? whole : relative).generic_string();
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code unknown;
+  return fs::weakly_canonical(a, unknown) == fs::weakly_canonical(b, unknown);
+}
 
 /// What is learned from, kept until the program ends.
 struct LearnedPlant {
@@ -65,6 +87,9 @@ class Learn {
   Learn(const LearnOptions& options, Context& context) : options_(options), context_(context) {}
 
   void run() {
+    if (!options_.output.empty() && !options_.links.empty() && is_same_file(options_.output, options_.links)) {
+      return fail("-o and --links name the same file `" + options_.links + "`: give two");
+    }
     auto compiled = compile_for(context_, options_.plant, options_.how);
     if (!compiled) return;
     const auto all = std::make_shared<LearnedPlant>(LearnedPlant{std::move(*compiled), {}, {}});
@@ -74,6 +99,8 @@ class Learn {
       auto recording = read_recording_file(path, options_.reading, context_);
       if (!recording) return;
       observe::Matched matched = observe::match(plant, *recording);
+      const std::string stranger = no_symbol_error(path, options_.plant, matched);
+      if (!stranger.empty()) return fail(stranger);
       all->inputs.push_back({std::move(*recording), std::move(matched)});
     }
     all->learned = learn::learn_times(plant, all->inputs);
@@ -81,11 +108,16 @@ class Learn {
     const learn::Learned& learned = all->learned;
     std::set<std::size_t> refused;
     if (!take_refused(learned.pairs, refused)) return;
-    if (!learned.groups.empty() && !write_times(learned)) return;
-    if (!learned.pairs.pairs.empty() && !write_links(learned, refused)) return;
+    if (!write_times(learned) || !write_links(learned, refused)) return;
+    for (const std::string& warning : learn::unused_warnings(learned)) {
+      context_.err << "warning: " << diag::visible(warning) << "\n";
+    }
     const auto format = std::find_if(kLearnFormats.begin(), kLearnFormats.end(),
                                      [&](const LearnFormat& one) { return options_.format == one.name; });
-    write_result(context_, "", [&](base::TextSink& sink) { format->write(learned, sink); }, {});
+    write_result(
+        context_, "",
+        [&](base::TextSink& sink) { (options_.how.verbose ? format->write_verbose : format->write)(learned, sink); },
+        {});
     if (!learned.groups.empty() || !learned.pairs.pairs.empty()) return;
     context_.err << "nothing was learned: the recordings show no move that the model explains, and no pair\n";
     context_.exit_code = host::kFindings;
@@ -111,17 +143,33 @@ class Learn {
     return true;
   }
 
+  /// Says that a file is not written, and why.
+  void leave_out(const std::string& file, std::string_view why) {
+    context_.err << diag::visible(fmt::format("{} is not written: the recordings show no {}", file, why)) << "\n";
+  }
+
   /// Writes the file for plant.json.
   bool write_times(const learn::Learned& learned) {
     if (options_.output.empty()) return true;
+    if (learned.groups.empty()) {
+      leave_out(options_.output, "times");
+      return true;
+    }
     if (!write_own(options_.output, with_mark(learn::learned_file(learned)), learned)) return false;
-    context_.err << fmt::format("wrote {}; plant.json takes it by \"include\": [\"{}\"]\n",
-                                diag::visible(options_.output), diag::visible(learn::file_name(options_.output)));
+    const bool described = learned.plant->description_source != nullptr;
+    context_.err << diag::visible(fmt::format("wrote {}; {} takes it by \"include\": [\"{}\"]", options_.output,
+                                              described ? options_.plant : "a plant.json next to " + options_.plant,
+                                              include_path(options_.output, options_.plant)))
+                 << "\n";
     return true;
   }
 
   bool write_links(const learn::Learned& learned, const std::set<std::size_t>& refused) {
     if (options_.links.empty()) return true;
+    if (learned.pairs.pairs.empty()) {
+      leave_out(options_.links, "pairs that names do not show");
+      return true;
+    }
     const std::string text = learn::pairs_links(learned.pairs, *learned.plant, refused);
     if (context_.files.holds(options_.links, base::whole(text))) return true;
     if (!write_own(options_.links, text, learned)) return false;
@@ -185,7 +233,7 @@ void add_learn(CLI::App& app, Context& context) {
   add_recording_options(*command, options->reading);
   add_plant_options(*command, options->how);
   command->footer(
-      "Exit codes: 0 something was learned; 1 the recordings show no move and no pair; 2 bad input or usage.\n"
+      "Exit codes: 0 something was learned; 1 the recordings show no move and no pair; 2 bad input or usage, or no name in a recording is a symbol.\n"
       "Examples:\n  symplant learn plant.json monday.jsonl tuesday.jsonl -o learned.json\n"
       "  symplant learn plant.json scope.csv --rename names.csv --format html > times.html");
   command->callback([options, &context] { Learn(*options, context).run(); });

@@ -1,4 +1,5 @@
 // Tests of symplant learn: from the trace of a run to times, and back.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app_support.hpp"
@@ -118,7 +119,7 @@ TEST_CASE("learn: A plant that includes the result gives the same file again") {
   const std::string first = folder.text("learned.json");
   const ToolRun run = folder.run(
       {"learn", folder.file("with-times.json"), folder.file("truth.jsonl"), "-o", folder.file("learned.json")});
-  CHECK(contains(run.err, "plant.json takes it by \"include\": [\"learned.json\"]"));
+  CHECK(contains(run.err, "with-times.json takes it by \"include\": [\"learned.json\"]"));
   CHECK(folder.text("learned.json") == first);
 }
 
@@ -179,6 +180,50 @@ TEST_CASE("learn: Pairs that names do not show are reported and written") {
   const ToolRun refused = run_tool(arguments, folder.files());
   CHECK(refused.code == 2);
   CHECK(contains(refused.err, "--refuse 2: the pairs are 1 to 1"));
+}
+
+TEST_CASE("learn: A recording without a name of the plant is code 2, with a hint at --rename") {
+  LearnFolder folder;
+  folder.write("other.jsonl",
+               "{\"symplant-trace\":1,\"recorded\":true}\n{\"t\":0,\"symbol\":\"L_P_CL1_I_OPN\",\"value\":true}\n{"
+               "\"t\":9000000000}\n");
+  const ToolRun run = run_tool({"learn", folder.file("plant.json"), folder.file("other.jsonl")}, folder.files());
+  CHECK(run.code == 2);
+  CHECK(contains(run.err, ": `L_P_CL1_I_OPN` (did you mean `L_P_CL1_I_OPEN`?); give `--rename FILE`"));
+}
+
+TEST_CASE("learn: The `include` of the result is relative to the description") {
+  LearnFolder folder;
+  folder.run({"run", folder.file("truth.json"), "--scenario", folder.file("cycles.json"), "--trace",
+              folder.file("truth.jsonl")});
+  std::filesystem::create_directories(folder.file("out/deep"));
+  const ToolRun run = folder.run(
+      {"learn", folder.file("plant.json"), folder.file("truth.jsonl"), "-o", folder.file("out/deep/l.json")});
+  CHECK(contains(run.err, "plant.json takes it by \"include\": [\"out/deep/l.json\"]"));
+  folder.write("deep.json",
+               R"({ "symplant": 1, "include": ["out/deep/l.json"], "symbols": ["symbols.csv"], "devices": { )" +
+                   std::string(kActuations) + " } }");
+  folder.run({"check", folder.file("deep.json")});
+  const ToolRun list =
+      folder.run({"learn", folder.file("symbols.csv"), folder.file("truth.jsonl"), "-o", folder.file("list.json")});
+  CHECK(contains(list.err, "; a plant.json next to "));
+}
+
+TEST_CASE("learn: Times and links are two files, and one that is not written is named") {
+  LearnFolder folder;
+  folder.run({"run", folder.file("truth.json"), "--scenario", folder.file("cycles.json"), "--trace",
+              folder.file("truth.jsonl")});
+  std::vector<std::string> arguments{
+      "learn",   folder.file("plant.json"), folder.file("truth.jsonl"), "-o", folder.file("a.json"),
+      "--links", folder.file("./a.json")};
+  const ToolRun same = run_tool(arguments, folder.files());
+  CHECK(same.code == 2);
+  CHECK(contains(same.err, "-o and --links name the same file"));
+  CHECK(!folder.files().exists(folder.file("a.json")));
+  arguments.back() = folder.file("links.csv");
+  const ToolRun run = folder.run(arguments);
+  CHECK(contains(run.err, "links.csv is not written: the recordings show no pairs that names do not show"));
+  CHECK(!folder.files().exists(folder.file("links.csv")));
 }
 
 TEST_CASE("learn: What cannot be read is code 2") {

@@ -89,9 +89,9 @@ TEST_CASE("The file of times says where each is from") {
         "  \"symplant\": 1,\n"
         "  \"times\": {\n"
         "    \"L_P_CL\": {\n"
-        "      // 3 moves in line1.jsonl, resolution 0.05 s, without 1 outlier\n"
+        "      // 3 moves in line1.jsonl, resolution 0.05 s, without 1 outlier; few moves: others may differ\n"
         "      \"OPEN->CLOSED\": { \"takes\": \"0.82s\" },\n"
-        "      // 4 moves in line1.jsonl, resolution 0.05 s\n"
+        "      // 4 moves in line1.jsonl, resolution 0.05 s; few moves: others may differ\n"
         "      \"CLOSED->OPEN\": { \"takes\": \"0.61s\" }\n"
         "    }\n"
         "  },\n"
@@ -105,6 +105,28 @@ TEST_CASE("The file of times says where each is from") {
         "    }\n"
         "  }\n"
         "}\n");
+}
+
+TEST_CASE("The long text and JSON have the moves that are not used, by device") {
+  const LearnedFrom from(
+      kClamp, kBistable,
+      {bit_trace("0 O_OPEN 0; 0 O_CLOSED 0; 0 I_OPEN 1; 0 I_CLOSED 0; 9000 I_OPEN 0; 9500 I_CLOSED 1", "L_P_CL_",
+                 kEvery50)});
+  const std::string line = "  not used: L_P_CL 1 of 1 (1 without a cause, 0 turned round)\n";
+  CHECK(contains(shown(from, learn::write_long_text), line));
+  CHECK(!contains(shown(from, learn::write_text), line));
+  const Json json = Json::parse(shown(from, learn::write_json));
+  CHECK(json["not_used"] == Json::array({{{"device", "L_P_CL"}, {"moves", 1}, {"uncaused", 1}, {"turned", 0}}}));
+}
+
+TEST_CASE("The long text has all names that are no symbol") {
+  std::string changes = "0 I_OPEN 1";
+  for (int i = 10; i < 40; ++i) changes += "; 0 NOTHING_" + std::to_string(i) + " 1";
+  const LearnedFrom from(kClamp, kBistable, {bit_trace(changes, "L_P_CL_", kEvery50)});
+  CHECK(contains(shown(from, learn::write_text), " and 10 more\n"));
+  const std::string all = shown(from, learn::write_long_text);
+  CHECK(!contains(all, " more\n"));
+  CHECK(contains(all, "L_P_CL_NOTHING_39"));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST_CASE("Recordings count together, with the coarsest resolution") {
                           bit_trace(clamp_moves({{850, 600}}), kClampPrefix, kEvery50)});
   CHECK(contains(from.times(), "OPEN->CLOSED takes 0.83 s (2: 810 830 850)"));
   CHECK(contains(learn::learned_file(from.learned),
-                 "      // 2 moves in line1.jsonl, line2.jsonl, resolution 0.05 s\n"
+                 "      // 2 moves in line1.jsonl, line2.jsonl, resolution 0.05 s; few moves: others may differ\n"
                  "      \"OPEN->CLOSED\": { \"takes\": \"0.83s\" },\n"));
 }
 
@@ -236,6 +236,56 @@ TEST_CASE("Devices, transitions, events, symbols and names that were not seen ar
                  "events that never changed (2): L_P_CLB_I_OPEN, L_P_CLB_I_CLOSED\n"
                  "symbols in no recording (6): "));
   CHECK(contains(text, "names in recordings that are no symbol (1): L_P_CLB_OO_CLOSED (similar: L_P_CLB_O_CLOSED)\n"));
+}
+
+/// The same trace with the bits of the operations the other way round.
+std::string active_low(std::string changes) {
+  for (std::size_t at = 0; (at = changes.find(" O_", at)) != std::string::npos; ++at) {
+    char& bit = changes[changes.find(' ', at + 1) + 1];
+    bit = bit == '1' ? '0' : '1';
+  }
+  return changes;
+}
+
+const std::vector<std::pair<int, int>> kTenMoves(5, {800, 600});
+
+TEST_CASE("Moves without a cause whose operations have the other polarity are said to be of active-low outputs") {
+  const std::string changes = active_low(clamp_moves(kTenMoves));
+  const LearnedFrom wrong(kClamp, kBistable, {bit_trace(changes, "L_P_CL_", kEvery50)});
+  REQUIRE(wrong.learned.unused_moves.size() == 1);
+  CHECK(wrong.learned.unused_moves[0].all() == 10);
+  CHECK(wrong.learned.unused_moves[0].reason == learn::UnusedReason::inverted);
+  CHECK(learn::unused_warnings(wrong.learned) ==
+        std::vector<std::string>{"10 of 10 moves of 1 device would have a cause if their operations were active-low: "
+                                 "name these in `inverted` of plant.json (L_P_CL)"});
+  const LearnedFrom right(kClamp, std::string(kBistable) + R"(, "inverted": ["*_O_*"])",
+                          {bit_trace(changes, "L_P_CL_", kEvery50)});
+  CHECK(right.learned.unused_moves.empty());
+  CHECK(right.learned.moves == 10);
+}
+
+TEST_CASE("Moves without a cause have the reason that operations are not recorded, or none that is known") {
+  std::string events = clamp_moves(kTenMoves);
+  for (std::size_t at = 0; (at = events.find("O_", at)) != std::string::npos;) events.replace(at, 2, "X_");
+  const LearnedFrom lost(kClamp, kBistable, {bit_trace(events, "L_P_CL_", kEvery50)});
+  REQUIRE(lost.learned.unused_moves.size() == 1);
+  CHECK(lost.learned.unused_moves[0].reason == learn::UnusedReason::not_recorded);
+  CHECK(contains(learn::unused_warnings(lost.learned).at(0), "their operations are not recorded (L_P_CL)"));
+
+  const LearnedFrom still(kClamp, kBistable, {bit_trace("0 O_OPEN 0; 0 O_CLOSED 0; " + events, "L_P_CL_", kEvery50)});
+  REQUIRE(still.learned.unused_moves.size() == 1);
+  CHECK(still.learned.unused_moves[0].uncaused == 10);
+  CHECK(still.learned.unused_moves[0].reason == learn::UnusedReason::unknown);
+  CHECK(learn::unused_warnings(still.learned).size() == 1);
+}
+
+TEST_CASE("A few moves by hand are no reason for a warning") {
+  const LearnedFrom from(
+      kClamp, kBistable,
+      {bit_trace(clamp_moves(kTenMoves) + "; 9000 O_OPEN 0; 9500 I_OPEN 0; 9900 I_CLOSED 1", "L_P_CL_", kEvery50)});
+  REQUIRE(from.learned.unused_moves.size() == 1);
+  CHECK(from.learned.unused_moves[0].unused() == 1);
+  CHECK(learn::unused_warnings(from.learned).empty());
 }
 
 }  // namespace
