@@ -9,7 +9,7 @@ namespace symplant::learn {
 namespace {
 
 constexpr std::size_t kLeastUnused = 3;  ///< fewer may be moves by hand
-constexpr std::size_t kManyShare = 4;    ///< one of so many moves
+constexpr std::size_t kManyShare = 4;    ///< a quarter of the moves
 
 bool are_many(const UnusedMoves& of) { return of.unused() >= kLeastUnused && kManyShare * of.unused() >= of.all(); }
 

@@ -238,7 +238,7 @@ TEST_CASE("Devices, transitions, events, symbols and names that were not seen ar
   CHECK(contains(text, "names in recordings that are no symbol (1): L_P_CLB_OO_CLOSED (similar: L_P_CLB_O_CLOSED)\n"));
 }
 
-/// The same trace with the bits of the operations the other way round.
+/// The same trace with opposite bits of the operations.
 std::string active_low(std::string changes) {
   for (std::size_t at = 0; (at = changes.find(" O_", at)) != std::string::npos; ++at) {
     char& bit = changes[changes.find(' ', at + 1) + 1];
