@@ -64,10 +64,7 @@ class Run {
     for (const auto& [unit, state] : start_.states) plant_.set_state(unit, state);
     for (const auto& [value, number] : start_.numbers) plant_.set_value(value, number);
     if (recording_.of_plant) {
-      for (std::uint32_t symbol = 0; symbol < tables_.symbols.size(); ++symbol) {
-        const tables::SymbolRow& row = tables_.symbols[symbol];
-        if (row.direction() == tables::Direction::operation) write(symbol, 0);  // without a line it is 0
-      }
+      for (std::uint32_t symbol = 0; symbol < tables_.symbols.size(); ++symbol) write(symbol, 0);  // without a line
     }
     for (std::size_t s = 0; s < recording_.series.size(); ++s) {
       if (start_.known[s] && matched_.symbols[s] != tables::kNone) write(matched_.symbols[s], start_.values[s]);
@@ -90,12 +87,12 @@ class Run {
     });
   }
 
+  /// An event that the plant drives stays as it is.
   void write(std::uint32_t symbol, double number) {
     const tables::SymbolRow& row = tables_.symbols[symbol];
     const bool is_bit = row.type() == tables::DataType::boolean;
     if (row.direction() == tables::Direction::event) {
-      // A trace has the bit, an input is set to what it means.
-      plant_.set_input(symbol, is_bit ? (number != 0) != row.inverted() : slot_value(row.type(), number));
+      plant_.set_input(symbol, is_bit ? (number != 0 ? 1 : 0) : slot_value(row.type(), number));
     } else if (is_bit) {
       plant_.set_operation(row.index, number != 0);
     } else {

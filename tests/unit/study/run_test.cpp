@@ -88,6 +88,16 @@ TEST_CASE("Events that the plant does not drive come from the recording") {
   CHECK(changes_of(ran.run, "L_P_CL_I_CLOSED") == "0 off");
 }
 
+TEST_CASE("An inverted event that the plant does not drive has the bit of the recording") {
+  const DescribedPlant plant(bits(kClamp), R"("inverted": ["L_P_KEY_I_*"])");
+  const Ran recorded(plant, "0 L_P_KEY_I_ON on; 500 L_P_KEY_I_ON off; 600 L_P_KEY_I_ON on; 1000");
+  CHECK(changes_of(recorded.run, "L_P_KEY_I_ON") == "0 on, 500 off, 600 on");
+  const Ran traced(plant, "0 L_P_KEY_I_ON on; 500 L_P_KEY_I_ON off; 1000", "");
+  CHECK(changes_of(traced.run, "L_P_KEY_I_ON") == "0 on, 500 off");
+  const Ran without_line(plant, "0 L_P_CL_I_OPEN on; 1000", "");
+  CHECK(changes_of(without_line.run, "L_P_KEY_I_ON") == "");
+}
+
 TEST_CASE("Numeric operations and the numbers of signals begin as recorded") {
   const DescribedPlant plant(axis_rows(), kAxis);
   const std::string first =
