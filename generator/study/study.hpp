@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/plant_model.hpp"
+#include "observe/play.hpp"
 #include "recording/recording.hpp"
 #include "study/movement.hpp"
 
@@ -38,6 +39,9 @@ struct Study {
 /// Gives the symbols of a recording the types and directions that they have in the plant: a column of 0 and 1 may be
 /// BOOL or a number, and names need not have a direction. O(changes).
 void adopt_types(const model::PlantModel& plant, recording::Recording& recording);
+
+/// A name of the recording that is no symbol, with the nearest one, for messages.
+std::string words_of(const observe::Matched::Unknown& unknown);
 
 /// The rows of movements, by name, and the row of all. O(movements * log(movements)).
 std::vector<Row> rows_of(const std::vector<Movement>& movements);

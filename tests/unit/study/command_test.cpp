@@ -80,6 +80,50 @@ TEST_CASE("The accuracy is in every format but JUnit, with the options of compar
             .is_null());
 }
 
+TEST_CASE("A recording without a symbol of the plant cannot be compared with its run") {
+  Command command;
+  const std::string plant = command.path("symbols.csv");
+  command.write("scope.csv", "t/ms,L_P_CL_I_OPENED,b\n0,1,0\n10,0,1\n");
+  const ToolRun names = command.run_of("scope.csv", {"--plant", plant});
+  INFO(names.out << names.err);
+  CHECK(names.code == 2);
+  CHECK(names.out == "");
+  CHECK(contains(names.err, "error: no name in `" + command.path("scope.csv") + "` is a symbol of `" + plant +
+                                "`, such as `L_P_CL_I_OPENED` (did you mean `L_P_CL_I_OPEN`?); give `--rename FILE`, "
+                                "with the symbol of each name\n"));
+  command.write("names.csv", "b,L_P_CL_O_OPEN\n");
+  CHECK(command.run_of("scope.csv", {"--plant", plant, "--rename", command.path("names.csv")}).code != 2);
+
+  command.write("empty.jsonl", recording_text("10", ",\"recorded\":true"));
+  const ToolRun empty = command.run_of("empty.jsonl", {"--plant", plant});
+  CHECK(empty.code == 2);
+  CHECK(contains(empty.err, "error: `" + command.path("empty.jsonl") + "` has no change of a symbol\n"));
+}
+
+TEST_CASE("A trace of another plant is reported") {
+  Command command;
+  const std::string plant = command.path("symbols.csv");
+  const std::string header = ",\"plant\":\"harbour\",\"model_hash\":\"0123456789abcdef\"";
+  const std::string of_other = " is a trace of another plant: of `harbour`, not of `symbols`";
+  command.write("other.jsonl", recording_text("0 SPARE on; 10", header));
+  const ToolRun other = command.run_of("other.jsonl", {"--plant", plant});
+  INFO(other.out << other.err);
+  CHECK(other.code == 2);
+  CHECK(contains(other.err, "error: `" + command.path("other.jsonl") + "`" + of_other + "; no name in "));
+
+  command.write("some.jsonl", recording_text("0 L_P_CL_I_OPEN on; 10", header));
+  const ToolRun some = command.run_of("some.jsonl", {"--plant", plant});
+  CHECK(some.code == 0);
+  CHECK(contains(some.err, "warning: `" + command.path("some.jsonl") + "`" + of_other + "\n"));
+  // A recording may be made with a list, and compared with its description.
+  command.write("recorded.jsonl", recording_text("0 L_P_CL_I_OPEN on; 10", header + ",\"recorded\":true"));
+  CHECK_FALSE(contains(command.run_of("recorded.jsonl", {"--plant", plant}).err, "another plant"));
+  // Another model of the same plant is what is compared.
+  const std::string same = ",\"plant\":\"symbols\",\"model_hash\":\"0123456789abcdef\"";
+  command.write("same.jsonl", recording_text("0 L_P_CL_I_OPEN on; 10", same));
+  CHECK(command.run_of("same.jsonl", {"--plant", plant}).err == "");
+}
+
 TEST_CASE("Numbers of a recording that are BOOL in the plant are compared as such") {
   Command command;
   std::string text = recording_text(kRecording, ",\"recorded\":true,\"every\":50000000");
