@@ -279,6 +279,9 @@ class Comparer {
     }
     compare_numbers(walk);
     add_ends(walk);
+    drop_unseen_pulses();
+    const Time exact_to = std::max(result_.expected->resolution, result_.actual->resolution);
+    for (Difference& difference : result_.differences) difference.exact_to = exact_to;
     std::stable_sort(result_.differences.begin(), result_.differences.end(),
                      [](const Difference& a, const Difference& b) { return a.time < b.time; });
     return std::move(result_);
@@ -350,6 +353,18 @@ class Comparer {
       }
       if (other != nullptr) behind_actual_ += changes_after(*other, until + walk.offsets().last());
     }
+  }
+
+  /// A trace has every change, a recording only what its readings see.
+  void drop_unseen_pulses() {
+    const auto shortest = [&](const Recording& without) {
+      return without.of_plant ? 0 : std::min(result_.window, 2 * without.resolution);
+    };
+    const Time in_expected = shortest(*result_.expected);
+    const Time in_actual = shortest(*result_.actual);
+    std::erase_if(result_.differences, [&](const Difference& difference) {
+      return difference.is_pulse && difference.by < (difference.kind == Kind::missing ? in_actual : in_expected);
+    });
   }
 
   /// Changes of one trace after the end of the other.

@@ -33,8 +33,9 @@ struct Difference {
   tables::Time by = 0;         ///< late, early: the difference; deviates, a pulse: how long
   double expected = 0;         ///< the value; deviates: where the difference is greatest
   double actual = 0;
-  bool is_pulse = false;    ///< missing, unexpected: the change and the change back
-  std::size_t changes = 0;  ///< ends: how many changes of the other follow
+  bool is_pulse = false;      ///< missing, unexpected: the change and the change back
+  std::size_t changes = 0;    ///< ends: how many changes of the other follow
+  tables::Time exact_to = 0;  ///< times are; 0: to 1 ns
 };
 
 enum class Align : std::uint8_t {
@@ -75,7 +76,8 @@ struct Comparison {
 /// Removes what is missing or unexpected within the window before the earlier end: its counterpart may come after it.
 void drop_unsure(Comparison& comparison);
 
-/// Compares two traces. O(changes * log(differences)).
+/// Compares two traces. A pulse that a recording cannot have seen, as it is shorter than the window and than two of its
+/// resolutions, is no difference. O(changes * log(differences)).
 Comparison compare(const Recording& expected, const Recording& actual, const Options& options);
 
 }  // namespace symplant::compare

@@ -29,10 +29,18 @@ std::string value_words(const Series& series, double value) {
   return fmt::format("{}", value);
 }
 
+/// A time without the digits far below what times are exact to.
+std::string seconds(const Difference& difference, tables::Time time) {
+  tables::Time step = 1;
+  while (step <= difference.exact_to / 100) step *= 10;
+  const tables::Time rounded = (time + step / 2) / step * step;
+  return trace::seconds(rounded == 0 ? time : rounded);
+}
+
 std::string pulse_words(const Difference& difference) {
   const double value = difference.kind == Kind::missing ? difference.expected : difference.actual;
   return fmt::format("{}: {}{}", kind_name(difference.kind), value_words(*difference.of, value),
-                     difference.is_pulse ? " for " + trace::seconds(difference.by) : "");
+                     difference.is_pulse ? " for " + seconds(difference, difference.by) : "");
 }
 
 }  // namespace
@@ -50,10 +58,10 @@ std::string difference_words(const Difference& difference) {
       return pulse_words(difference);
     case Kind::late:
     case Kind::early:
-      return fmt::format("{} by {}: {}", kind_name(difference.kind), trace::seconds(difference.by),
+      return fmt::format("{} by {}: {}", kind_name(difference.kind), seconds(difference, difference.by),
                          value_words(*difference.of, difference.expected));
     case Kind::deviates:
-      return fmt::format("deviates for {}: {}, not {}", trace::seconds(difference.by), difference.actual,
+      return fmt::format("deviates for {}: {}, not {}", seconds(difference, difference.by), difference.actual,
                          difference.expected);
     case Kind::expected_ends:
       return fmt::format("EXPECTED ends here: {} of ACTUAL {} later", counted(difference.changes, "change"),
@@ -67,7 +75,7 @@ std::string difference_words(const Difference& difference) {
 
 std::string sentence(const Difference& difference) {
   const std::string words = difference_words(difference);
-  const std::string at = trace::seconds(difference.time);
+  const std::string at = seconds(difference, difference.time);
   if (difference.of == nullptr) return fmt::format("at {}: {}", at, words);
   return fmt::format("at {}: `{}` {}", at, name_of(*difference.of), words);
 }

@@ -52,6 +52,36 @@ TEST_CASE("A change that comes only after the next one of its symbol is missing,
         "at 0.06 s: `X` unexpected: on");
 }
 
+TEST_CASE("A pulse that a recording cannot have seen is no difference") {
+  const std::string recorded = ",\"recorded\":true,\"every\":50000000";
+  const std::string exact = "10 X 1; 10 X 0; 1000 X 1; 1090 X 0; 2000 X 1; 2100 X 0; 3000 X 1; 3500";
+  const std::string read = "0 X 0; 3050 X 1; 3500";
+  CHECK(Compared(exact, read, {}, "", recorded).lines() == "at 2 s: `X` missing: on for 0.1 s");
+  CHECK(Compared(read, exact, {}, recorded).lines() == "at 2 s: `X` unexpected: on for 0.1 s");
+  CHECK(Compared(exact, "3050 X 1; 3500", {}, "", ",\"cycle\":50000000").comparison.differences.size() ==
+        3);  // a trace
+  CHECK(Compared(read, exact, {}, recorded, "").comparison.differences.size() == 1);
+  CHECK(Compared("0 X 0; 500 X 1; 550 X 0; 3000", "0 Y 1; 10 X 0; 3000", {}, recorded).lines() ==
+        "at 0.5 s: `X` missing: on for 0.05 s");  // ACTUAL, a trace, would have it
+  CHECK(Compared(exact, read, with_window(50), "", recorded).lines() ==
+        "at 1 s: `X` missing: on for 0.09 s\nat 2 s: `X` missing: on for 0.1 s");
+}
+
+TEST_CASE("Words have the digits that times of a recording are exact to") {
+  const auto words = [](tables::Time time, tables::Time by, tables::Time exact_to) {
+    const recording::Series series{"X", recording::Series::Kind::boolean, {}, {}, {}};
+    compare::Difference late{compare::Difference::Kind::late, &series, time, by, 1, 1};
+    late.exact_to = exact_to;
+    return compare::sentence(late);
+  };
+  CHECK(words(1'234'567'891, 250'000'001, 50 * kMillisecond) == "at 1.235 s: `X` late by 0.25 s: on");
+  CHECK(words(1'234'567'891, 250'000'001, 0) == "at 1.234567891 s: `X` late by 0.250000001 s: on");
+  CHECK(words(0, 250, 50 * kMillisecond) == "at 0 s: `X` late by 0.00000025 s: on");
+  CHECK(Compared("0 X 1", "250 X 1; 300", {}, ",\"recorded\":true,\"every\":20000000")
+            .comparison.differences.front()
+            .exact_to == 20 * kMillisecond);
+}
+
 TEST_CASE("With follow what comes after a late change is not late again") {
   const std::string good = "10 X 1; 110 Y 1; 210 X 0; 310 Y 0; 400";
   const std::string late = "40 X 1; 140 Y 1; 240 X 0; 340 Y 0; 400";
