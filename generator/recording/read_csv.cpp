@@ -79,7 +79,7 @@ class TableReader {
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const TimeColumn& time = layout_.times[i];
       TimeForm form = shown[i] == TimeForm::calendar || time.form == TimeForm::unknown ? shown[i] : time.form;
-      if (unit_ != TimeForm::unknown) form = unit_;
+      if (unit_ != TimeForm::unknown) form = given_unit(time, shown[i]);
       if (form == TimeForm::unknown) {
         read_.error = changes_.at_cell(
             {layout_.header_line, time.column},
@@ -90,6 +90,18 @@ class TableReader {
       clocks_.push_back({TimeReader(form), {}});
     }
     return true;
+  }
+
+  /// The unit of --time-unit, with a warning if the header has another one. Cells with dates are dates.
+  TimeForm given_unit(const TimeColumn& time, TimeForm shown) {
+    const bool are_dates = unit_ == TimeForm::calendar && shown == unit_;
+    if (time.form != TimeForm::unknown && time.form != unit_ && !are_dates) {
+      read_.warnings.push_back(changes_.at_cell(
+          {layout_.header_line, time.column},
+          fmt::format("the times in column `{}` are in {} by the header, and --time-unit is {}, which counts",
+                      layout_.names[time.column], words_of(time.form), words_of(unit_))));
+    }
+    return unit_;
   }
 
   void add_columns() {
@@ -231,6 +243,10 @@ class TableReader {
   }
 
   void finish() {
+    if (const std::string wrong = renamer_.same_symbol(changes_.names()); !wrong.empty()) {
+      read_.error = fmt::format("{}: {}", read_.recording.name, wrong);
+      return;
+    }
     if (invalid_ != 0) {
       read_.warnings.push_back(
           fmt::format("{}: rows left out, since their validity is 0: {}", read_.recording.name, invalid_));

@@ -23,9 +23,11 @@ class Renamer {
     return found == symbols_.end() ? name : found->second;
   }
 
-  /// A warning for each renamed name that is not among `names`, with the nearest of them; at most 10. O(names)
-  /// for each of these 10.
+  /// A warning for each renamed name that is not among `names`, with the nearest of them; at most 10. None if another
+  /// name of its symbol is. One warning if `names` are the symbols of renames. O(names) for each of these 10.
   std::vector<std::string> not_found(const std::string& file, const std::vector<std::string>& names) const;
+  /// What is wrong if two of `names` are renamed to one symbol; empty: nothing. O(names).
+  std::string same_symbol(const std::vector<std::string>& names) const;
 
  private:
   const Renames& renames_;

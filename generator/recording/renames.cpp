@@ -23,7 +23,11 @@ class RenamesReader {
   ReadRenames run() {
     for (bool first = true; read_.error.empty() && rows_.next();) {
       if (rows_.blank() || rows_.cell(0).starts_with('#')) continue;
-      if (!first || !is_header()) take();
+      if (first && text::equal_ignoring_case(rows_.cell(0), "symbol")) {
+        fail(0, "the columns are swapped; write the name in the recording first, then the symbol");
+      } else if (!first || !is_header()) {
+        take();
+      }
       first = false;
     }
     if (read_.error.empty() && rows_.has_unclosed_quote()) {
@@ -55,17 +59,12 @@ class RenamesReader {
     if (!is_new) {
       return fail(0, fmt::format("`{}` is in line {}, too; delete one row", cells[0], from->second));
     }
-    const auto [to, is_free] = to_.emplace(std::string(cells[1]), rows_.line());
-    if (!is_free) {
-      return fail(1, fmt::format("`{}` is the symbol of line {}, too; a symbol has one name", cells[1], to->second));
-    }
     read_.renames.emplace_back(cells[0], cells[1]);
   }
 
   const std::string& name_;
   TableRows rows_;
   std::unordered_map<std::string, std::uint32_t> from_;
-  std::unordered_map<std::string, std::uint32_t> to_;
   ReadRenames read_;
 };
 

@@ -18,8 +18,8 @@ struct ReadRenames {
 };
 
 /// Reads a table of two columns: the name in the recording, the symbol. Cells are separated by `,`, `;` or TAB. Lines
-/// that begin with `#` are comments; a first row whose second cell is `symbol` or `new` is a header. `name` is that of
-/// the file, for messages. O(file).
+/// that begin with `#` are comments; a first row whose second cell is `symbol` or `new` is a header. Several names may
+/// be one symbol: recordings may have different ones. `name` is that of the file, for messages. O(file).
 ReadRenames read_renames(std::string bytes, const std::string& name);
 
 }  // namespace symplant::recording

@@ -257,6 +257,28 @@ constexpr const char* kIsoExample = "2024-12-31T23:59:59.5";
 
 }  // namespace
 
+std::string_view words_of(TimeForm form) {
+  switch (form) {
+    case TimeForm::s:
+      return "s";
+    case TimeForm::ms:
+      return "ms";
+    case TimeForm::us:
+      return "us";
+    case TimeForm::ns:
+      return "ns";
+    case TimeForm::filetime:
+      return "FILETIME";
+    case TimeForm::day_million:
+      return "millionths of a day";
+    case TimeForm::calendar:
+      return "dates";
+    case TimeForm::unknown:
+      break;
+  }
+  return "a unit that is not known";
+}
+
 TimeForm time_form_of(std::string_view unit) {
   const auto found = std::find_if(kUnitWords.begin(), kUnitWords.end(),
                                   [&](const UnitWord& one) { return text::equal_ignoring_case(one.word, unit); });

@@ -25,6 +25,9 @@ enum class TimeForm : std::uint8_t {
 /// A unit as headers and --time-unit have it: `ms`, `[ms]`, `seconds`. unknown if the text is no unit.
 TimeForm time_form_of(std::string_view unit);
 
+/// `ms`, `FILETIME`, `millionths of a day`, `dates`: for messages.
+std::string_view words_of(TimeForm form);
+
 /// The form that a cell shows by itself: a date or time of day, a number that only a clock has, a number with decimals
 /// (s). unknown for other numbers and other texts.
 TimeForm time_form_in(std::string_view cell);

@@ -25,7 +25,8 @@ TEST_CASE("What is wrong with a file of renames has row and column") {
   CHECK(error_of("a,A,1\n") ==
         "names.csv:1:3: there is `1`; a row has two cells: the name in the recording, and the symbol");
   CHECK(error_of("a,A\na,B\n") == "names.csv:2:1: `a` is in line 1, too; delete one row");
-  CHECK(error_of("a,A\nb,A\n") == "names.csv:2:2: `A` is the symbol of line 1, too; a symbol has one name");
+  CHECK(error_of("Symbol,Name\nA,a\n") ==
+        "names.csv:1:1: the columns are swapped; write the name in the recording first, then the symbol");
   CHECK(error_of("a,A\n\"b,B\n") == "names.csv:2: a quote is never closed; close it");
   CHECK(contains(error_of(std::string("a,\0\n", 4)), "names.csv:1:3: "));
 }
@@ -47,6 +48,31 @@ TEST_CASE("A name that is not in the recording is reported with the nearest one"
         "MAIN.bClosed bool 0=1\nend 0, resolution 0\n"
         "t.csv: there is no `MAIN.bClose` to be renamed `A`; did you mean `MAIN.bClosed`?\n"
         "t.csv: there is no `nothing` to be renamed `B`\n");
+}
+
+TEST_CASE("A file of renames serves recordings that have different names for a symbol") {
+  CHECK(error_of("a,A\nb,A\n") == "");
+  const recording::ReadOptions options{"", "", {{"a", "A"}, {"b", "A"}, {"other", "C"}}};
+  CHECK(csv("t/ms,a\n0,1\n", options) ==
+        "A bool 0=1\nend 0, resolution 0\nt.csv: there is no `other` to be renamed `C`\n");
+  CHECK(csv("t/ms,b,other\n0,1,0\n", options) == "A bool 0=1\nC bool 0=0\nend 0, resolution 0\n");
+  CHECK(csv("t/ms,a,b\n0,1,0\n", options) == "t.csv: `a` and `b` are both the symbol `A`; correct the file of renames");
+  CHECK(csv("t/ms,name,value\n0,a,1\n1,b,0\n2,a,0\n", options) ==
+        "t.csv: `a` and `b` are both the symbol `A`; correct the file of renames");
+  CHECK(read_csv_text("{\"symplant-trace\":1}\n{\"t\":1,\"symbol\":\"a\",\"value\":true}\n"
+                      "{\"t\":1,\"symbol\":\"b\",\"value\":true}\n",
+                      options)
+            .error == "t.csv: `a` and `b` are both the symbol `A`; correct the file of renames");
+}
+
+TEST_CASE("Swapped columns of a file of renames are one warning") {
+  const std::string swapped =
+      "t.csv: the columns of the file of renames are swapped; write the name in the recording first, then the symbol\n";
+  CHECK(csv("t/ms,a,b\n0,1,0\n", {"", "", {{"A", "a"}, {"B", "b"}, {"C", "c"}}}) ==
+        "a bool 0=1\nb bool 0=0\nend 0, resolution 0\n" + swapped);
+  // The names of this recording are symbols, the renames are for another one.
+  CHECK_FALSE(contains(csv("t/ms,a,b\n0,1,0\n", {"", "", {{"A", "a"}, {"B", "y"}, {"C", "z"}}}), "swapped"));
+  CHECK_FALSE(contains(csv("t/ms,a,b\n0,1,0\n", {"", "", {{"a", "b2"}, {"B", "b"}}}), "swapped"));
 }
 
 TEST_CASE("Two names of one symbol are reported") {

@@ -34,6 +34,21 @@ TEST_CASE("A unit that is given counts more than that of the header") {
   CHECK(times("t", "5", "7", "filetime") == "0.0002");
 }
 
+TEST_CASE("A unit that is given and is not that of the header is a warning") {
+  const auto warnings = [](const std::string& header, const std::string& cell, const std::string& unit) {
+    const recording::ReadRecording read = read_csv_text("X;" + header + "\n0;" + cell + "\n", {"", unit, {}});
+    CHECK(read.error == "");
+    return read.warnings;
+  };
+  const auto ms = warnings("t [ms]", "5", "s");
+  REQUIRE(ms.size() == 1);
+  CHECK(ms[0] == "t.csv:1:2: the times in column `t [ms]` are in ms by the header, and --time-unit is s, which counts");
+  CHECK(warnings("t [ms]", "5", "ms").empty());
+  CHECK(warnings("t [ms]", "5", "").empty());
+  CHECK(warnings("t", "5", "s").empty());
+  CHECK(warnings("t [ms]", "2024-05-01T23:59:59Z", "iso").empty());
+}
+
 TEST_CASE("Times of clocks show their unit by their size, and a number with decimals is in s") {
   CHECK(times("t", "1714550400", "1714550401") == "1000");
   CHECK(times("t", "1714550400000", "1714550400001") == "1");
