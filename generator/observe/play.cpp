@@ -2,9 +2,11 @@
 #include "observe/play.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 
+#include "observe/addresses.hpp"
 #include "symplant/tables/nearest.hpp"
 
 namespace symplant::observe {
@@ -75,16 +77,48 @@ Matched match(const model::PlantModel& plant, const Recording& recording) {
   matched.recorded.resize(plant.symbols.size(), recording.of_plant);
   std::unordered_map<std::string_view, std::uint32_t> names;
   for (std::uint32_t s = 0; s < plant.symbols.size(); ++s) names.emplace(plant.symbols[s].name(), s);
+  std::vector<bool> taken(plant.symbols.size());
   for (const Series& series : recording.series) {
     const auto found = series.kind == Series::Kind::parts ? names.end() : names.find(series.name);
     matched.symbols.push_back(found == names.end() ? kNone : found->second);
-    if (found != names.end()) {
-      matched.recorded[found->second] = true;
-    } else if (series.kind != Series::Kind::parts) {
+    if (found != names.end()) taken[found->second] = matched.recorded[found->second] = true;
+  }
+  std::optional<Addresses> addresses;
+  for (std::size_t s = 0; s < recording.series.size(); ++s) {
+    const Series& series = recording.series[s];
+    if (matched.symbols[s] != kNone || series.kind == Series::Kind::parts) continue;
+    if (!addresses) addresses.emplace(plant);
+    const std::uint32_t symbol = addresses->symbol_at(series.name);
+    if (symbol == kNone || taken[symbol]) {
       matched.unknown.push_back({series.name, {}});
+      continue;
     }
+    matched.symbols[s] = symbol;
+    taken[symbol] = matched.recorded[symbol] = true;
   }
   suggest(plant, matched);
+  return matched;
+}
+
+Matched adopt(const model::PlantModel& plant, Recording& recording) {
+  Matched matched = match(plant, recording);
+  for (std::size_t s = 0; s < recording.series.size(); ++s) {
+    if (matched.symbols[s] == kNone) continue;
+    Series& series = recording.series[s];
+    const model::Symbol& symbol = plant.symbols[matched.symbols[s]];
+    if (series.name != symbol.name()) {
+      recording.index.erase(series.key());
+      series.name = symbol.name();
+      recording.index.emplace(series.key(), s);
+    }
+    series.is_operation = symbol.direction == tables::Direction::operation;
+    const bool is_bit = symbol.type == tables::DataType::boolean;
+    series.kind = is_bit ? Series::Kind::boolean : Series::Kind::number;
+    series.may_be_number = false;
+    if (!is_bit) continue;
+    for (Series::Change& change : series.changes) change.value = change.value != 0 ? 1 : 0;
+  }
+  recording::order_operations(recording);
   return matched;
 }
 

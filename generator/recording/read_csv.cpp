@@ -179,7 +179,7 @@ class TableReader {
   std::optional<Time> time_of(const TimeColumn& column, TimeReader& reader) {
     const std::string_view cell = rows_.cell(column.column);
     const auto time = column.date ? reader.read(rows_.cell(*column.date), cell) : reader.read(cell);
-    if (!time) fail(column.column, fmt::format("there is `{}`, which is no time; {}", cell, reader.error()));
+    if (!time) fail(column.column, fmt::format("`{}` is not a time; {}", cell, reader.error()));
     return time;
   }
 

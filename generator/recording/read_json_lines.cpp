@@ -75,25 +75,46 @@ class Reader {
   }
 
   std::string header(const Json& json) {
-    if (json.contains("part")) {
+    const bool is_recorded = json.value("recorded", Json()) == true;
+    const bool is_part = json.contains("part");
+    if (is_part && !is_recorded) {
       return "this is a later part of a trace: record it without `--trace-limit`, so that it has its beginning";
     }
     Recording& recording = read_.recording;
-    recording.of_plant = json.value("recorded", Json()) != true;
+    recording.of_plant = !is_recorded;
+    is_begun_ = is_begun_ || !is_part;
     for (const char* const key : {"every", "cycle", "end"}) {
       const auto found = json.find(key);
       if (found == json.end()) continue;
       if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kLatestTime) {
-        return fmt::format("the key `{}` is no time in ns up to {}", key, kLatestTime);
+        return fmt::format("the key `{}` is not a time in ns up to {}", key, kLatestTime);
       }
       (key == std::string_view("end") ? recording.end : recording.resolution) = found->get<tables::Time>();
     }
+    if (std::string wrong = take_programs(json); !wrong.empty()) return wrong;
+    return is_part ? part_of_recording(json) : std::string();
+  }
+
+  /// A later part of a recording has what all symbols are at its time.
+  std::string part_of_recording(const Json& json) {
+    Recording& recording = read_.recording;
+    const auto number = json["part"].is_number_unsigned() ? json["part"].get<std::uint64_t>() : 0;
+    if (is_begun_ && number != part_ + 1 && lines_.time() > recording.end) {  // a part is missing before it
+      recording.gaps.push_back({recording.end, lines_.time() - recording.end});
+    }
+    part_ = number;
+    is_begun_ = true;
+    if (std::string wrong = take_time(); !wrong.empty()) return wrong;
+    return values(json);
+  }
+
+  std::string take_programs(const Json& json) {
     const auto programs = json.find("programs");
     if (programs == json.end()) return "";
     for (const Json& program : *programs) {
       const auto writes = program.is_object() ? program.find("writes") : program.end();
       if (!program.is_object() || writes == program.end() || !writes->is_array()) {
-        return "an entry of `programs` is no object with an array `writes`";
+        return "an entry of `programs` is not an object with an array `writes`";
       }
       for (const Json& symbol : *writes) {
         if (symbol.is_string()) changes_.add_written(symbol.get<std::string>());
@@ -115,13 +136,20 @@ class Reader {
     const auto found = json.find("values");
     if (found == json.end() || !found->is_object()) return "";
     for (const auto& [name, value] : found->items()) {
+      const auto known = read_.recording.index.find(name);
+      if (known != read_.recording.index.end()) {
+        const auto& changes = read_.recording.series[known->second].changes;
+        if (!changes.empty() && number_of(value) == changes.back().value) continue;
+      }
       if (std::string wrong = change(name, value); !wrong.empty()) return wrong;
     }
     return "";
   }
 
   std::string symbol(const Json& json) {
-    if (!json["symbol"].is_string() || !json.contains("value")) return "a change has `symbol` and `value`";
+    if (!json["symbol"].is_string() || !json.contains("value")) {
+      return "a change needs a text `symbol` and a `value`; correct or delete the line";
+    }
     return change(json["symbol"].get_ref<const std::string&>(), json["value"]);
   }
 
@@ -134,7 +162,10 @@ class Reader {
   std::string change(std::string_view name, bool is_boolean, double value) {
     const auto kind = is_boolean ? Series::Kind::boolean : Series::Kind::number;
     const std::uint32_t series = changes_.symbol(kind, name);
-    if (read_.recording.series[series].kind != kind) return fmt::format("`{}` is a BOOL and a number", name);
+    if (read_.recording.series[series].kind != kind) {
+      return fmt::format("the value of `{}` is {}, but {} in the lines above; write one kind of values", name,
+                         is_boolean ? "TRUE or FALSE" : "a number", is_boolean ? "a number" : "TRUE or FALSE");
+    }
     changes_.add(series, lines_.time(), value);
     return "";
   }
@@ -143,7 +174,7 @@ class Reader {
   std::string gap(const Json& json) {
     const Json& length = json["gap"];
     if (!length.is_number_unsigned() || length.get<std::uint64_t>() > static_cast<std::uint64_t>(kLatestTime)) {
-      return fmt::format("the key `gap` is no time in ns up to {}", kLatestTime);
+      return fmt::format("the key `gap` is not a time in ns up to {}", kLatestTime);
     }
     read_.recording.gaps.push_back({lines_.time(), length.get<tables::Time>()});
     return "";
@@ -152,7 +183,7 @@ class Reader {
   std::string part(const Json& json) {
     read_.recording.has_parts = true;
     const auto kind = json.find("kind");
-    if (kind == json.end() || !kind->is_string()) return "a part has a `kind`";
+    if (kind == json.end() || !kind->is_string()) return "a part needs a text `kind`; correct or delete the line";
     const auto to = json.find("to");
     if (to == json.end() || !to->is_string()) return "";
     const auto& at = to->get_ref<const std::string&>();
@@ -163,6 +194,8 @@ class Reader {
   trace::TraceLines lines_;
   ReadRecording read_;
   Collector changes_{read_.recording};
+  bool is_begun_ = false;   ///< a header was read
+  std::uint64_t part_ = 1;  ///< the number of the last one
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "recording/collector.hpp"
@@ -53,11 +54,14 @@ class VcdReader {
     while (wrong.empty() && std::getline(file_, line_)) {
       ++number_;
       if (!line_.empty() && line_.back() == '\r') line_.pop_back();
-      if (file_.eof() && has_values_) {
-        read_.warnings.push_back(at_line("the last line is cut off, and is left out"));
-        break;
+      const bool is_open = file_.eof() && has_values_;
+      if (!line_.empty() && !(is_open && may_be_cut(line_))) {
+        wrong = has_values_ ? take(line_) : take_header(words_of(line_));
+        if (wrong.empty() || !is_open) continue;
       }
-      if (!line_.empty()) wrong = has_values_ ? take(line_) : take_header(words_of(line_));
+      if (!is_open) continue;
+      wrong.clear();
+      read_.warnings.push_back(at_line("the last line is cut off, and is left out"));
     }
     if (wrong.empty() && !has_values_) wrong = "the header is not complete: `$enddefinitions $end` is missing";
     if (!wrong.empty()) read_.error = at_line(wrong);
@@ -85,7 +89,9 @@ class VcdReader {
     if (what == "$timescale") return take_scale(words);
     if (what == "$scope") scopes_.emplace_back(words.size() > 2 ? words[2] : "");
     if (what == "$upscope" && !scopes_.empty()) scopes_.pop_back();
-    if (what == "$comment" && words.size() > 1 && words[1] == "signed") signed_.assign(words.begin() + 2, words.end());
+    if (what == "$comment" && words.size() > 1 && words[1] == "signed") {
+      for (std::size_t i = 2; i < words.size(); ++i) signed_.emplace(words[i]);
+    }
     if (what == "$var") return take_variable(words);
     if (what == "$enddefinitions") end_header();
     return "";
@@ -120,8 +126,18 @@ class VcdReader {
     has_values_ = true;
     for (auto& [identifier, variable] : variables_) {
       if (variable_number(identifier) >= first_string_) variable.is_symbol = false;
-      if (std::find(signed_.begin(), signed_.end(), identifier) != signed_.end()) variable.is_signed = true;
+      variable.is_signed = signed_.contains(identifier);
     }
+  }
+
+  /// Whether a change without a line end has an identifier with which a longer one begins.
+  bool may_be_cut(std::string_view line) const {
+    if (line[0] == '#' || line[0] == '$') return false;
+    const std::size_t blank = line.find(' ');
+    const std::string_view identifier = line.substr(blank == line.npos ? 1 : blank + 1);
+    return std::any_of(variables_.begin(), variables_.end(), [&](const auto& variable) {
+      return variable.first.size() > identifier.size() && variable.first.starts_with(identifier);
+    });
   }
 
   std::string take(std::string_view line) {
@@ -142,7 +158,7 @@ class VcdReader {
         return take_value(line.substr(blank + 1), line.substr(1, blank - 1), line[0] == 'b' ? 2 : 10);
       }
       default:
-        return fmt::format("there is `{}`, which is no time and no change that symplant writes", line);
+        return fmt::format("`{}` is not a time or a change as symplant writes them", line);
     }
   }
 
@@ -150,7 +166,7 @@ class VcdReader {
     Time time = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), time);
     if (error != std::errc() || end != digits.data() + digits.size() || time < 0 || time > kLatestTime) {
-      return fmt::format("the time `#{}` is no number of ns up to {}", digits, kLatestTime);
+      return fmt::format("the time `#{}` is not a number of ns up to {}", digits, kLatestTime);
     }
     if (time < time_) return "this time is before that above";
     time_ = read_.recording.end = time;
@@ -198,7 +214,7 @@ class VcdReader {
   Time time_ = 0;
   bool has_values_ = false;  ///< the header is complete
   std::vector<std::string> scopes_;
-  std::vector<std::string> signed_;                      ///< identifiers
+  std::unordered_set<std::string> signed_;               ///< identifiers
   std::unordered_map<std::string, Variable> variables_;  ///< by identifier
   std::uint64_t first_string_ = std::numeric_limits<std::uint64_t>::max();
   std::string key_;  ///< reused

@@ -60,4 +60,7 @@ struct Recording {
   const Series* find(const Series& same) const;
 };
 
+/// Puts the operations of each time first in `order`, after Series::is_operation changed. O(changes).
+void order_operations(Recording& recording);
+
 }  // namespace symplant::recording

@@ -51,12 +51,16 @@ bool TableChanges::take(std::uint32_t number, tables::Time time, std::string_vie
   if (undo_) undo_->symbols.emplace_back(number, symbol);
   const auto value = cell_value(cell);
   if (!value) {
-    if (!symbol.begun && !is_no_value(cell)) {
+    if (is_no_value(cell)) {
+      if (unknown_++ == 0) first_unknown_ = at_cell(at, fmt::format("`{}`", cell));
+      return true;
+    }
+    if (!symbol.begun) {
       leave_out(symbol, cell, at);
       return true;
     }
-    read_.error = at_cell(at, fmt::format("there is `{}`, which is no value; write TRUE, FALSE or a number, or nothing "
-                                          "if the value did not change",
+    read_.error = at_cell(at, fmt::format("`{}` is not a value; write TRUE, FALSE or a number, or nothing if the value "
+                                          "did not change",
                                           cell));
     return false;
   }
@@ -76,12 +80,13 @@ bool TableChanges::take(std::uint32_t number, tables::Time time, std::string_vie
   return true;
 }
 
-void TableChanges::begin_undo() { undo_ = Undo{all_.size(), read_.warnings.size(), left_out_, {}}; }
+void TableChanges::begin_undo() { undo_ = Undo{all_.size(), read_.warnings.size(), left_out_, unknown_, {}}; }
 
 void TableChanges::undo() {
   all_.resize(undo_->changes);
   read_.warnings.resize(undo_->warnings);
   left_out_ = undo_->left_out;
+  unknown_ = undo_->unknown;
   for (std::size_t i = undo_->symbols.size(); i-- != 0;) {
     auto& [number, symbol] = undo_->symbols[i];
     symbols_[number] = std::move(symbol);
@@ -99,6 +104,10 @@ void TableChanges::leave_out(Symbol& symbol, std::string_view cell, CellAt at) {
 void TableChanges::finish(tables::Time begin) {
   if (left_out_ > kMostWarnings) {
     read_.warnings.push_back(fmt::format("{}: {} more are left out", read_.recording.name, left_out_ - kMostWarnings));
+  }
+  if (unknown_ != 0) {
+    read_.warnings.push_back(
+        fmt::format("{} says that the value is not known; such cells count as empty: {}", first_unknown_, unknown_));
   }
   const auto before = [](const Change& a, const Change& b) { return a.time < b.time; };
   if (!std::is_sorted(all_.begin(), all_.end(), before)) std::stable_sort(all_.begin(), all_.end(), before);

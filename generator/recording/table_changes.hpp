@@ -35,8 +35,8 @@ class TableChanges {
   /// The number of the symbol with this name in a row; it is added if it is new. O(1).
   std::uint32_t symbol(std::string_view name, CellAt at);
 
-  /// Takes a cell that is not empty. Times of one symbol must not decrease. False if it is no value; then read.error is
-  /// set.
+  /// Takes a cell that is not empty. Times of one symbol must not decrease. False if it is not a value;
+  /// then read.error is set. A cell that says that there is no value counts as empty.
   bool take(std::uint32_t symbol, tables::Time time, std::string_view cell, CellAt at);
 
   /// From now on take() can be undone.
@@ -79,10 +79,13 @@ class TableChanges {
   std::unordered_map<std::string, CellAt> begins_;          ///< of symbols
   std::vector<Change> all_;
   std::size_t left_out_ = 0;
+  std::size_t unknown_ = 0;    ///< cells that say that there is no value
+  std::string first_unknown_;  ///< the first of them, with its place
   struct Undo {
     std::size_t changes;
     std::size_t warnings;
     std::size_t left_out;
+    std::size_t unknown;
     std::vector<std::pair<std::uint32_t, Symbol>> symbols;  ///< as they were before
   };
   std::optional<Undo> undo_;

@@ -199,7 +199,7 @@ class LayoutFinder {
                                         [&](std::size_t column) { return cell_value(rows_.cell(column)).has_value(); });
     if (!has_values || cell.empty() || cell.front() == '#' || !layout_.error.empty()) return;
     layout_.error = fmt::format(
-        "{}:{}:{}: there is `{}`, which is no time; write a number, or a time such as "
+        "{}:{}:{}: `{}` is not a time; write a number, or a time such as "
         "2024-12-31T23:59:59.5",
         name_, rows_.line(), time.column + 1, cell);
   }

@@ -61,7 +61,6 @@ class TimeReader {
   std::optional<tables::Time> calendar(std::string_view cell);
   std::optional<std::int64_t> day_of(std::string_view date);
   std::optional<std::int64_t> day_in_order(const Date& date);
-  std::optional<tables::Time> time_of_day(std::string_view text, bool has_date);
 
   TimeForm form_;
   Order order_ = Order::unknown;                  ///< of dates such as 3/4/2024

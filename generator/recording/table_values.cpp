@@ -48,8 +48,9 @@ std::optional<CellValue> cell_value(std::string_view cell) {
 }
 
 bool is_no_value(std::string_view cell) {
-  constexpr std::array<std::string_view, 12> kNoValues{"nan", "null", "none", "nil",  "n/a", "#n/a",
-                                                       "inf", "-inf", "+inf", "-nan", "?",   "-"};
+  constexpr std::array<std::string_view, 19> kNoValues{"nan", "-nan", "null", "none",    "nil",   "n/a", "#n/a",
+                                                       "na",  "#na",  "inf",  "-inf",    "+inf",  "?",   "-",
+                                                       "--",  "---",  "bad",  "invalid", "(null)"};
   return std::any_of(kNoValues.begin(), kNoValues.end(),
                      [&](std::string_view text) { return text::equal_ignoring_case(cell, text); });
 }

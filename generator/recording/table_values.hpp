@@ -20,7 +20,8 @@ struct CellValue {
 /// and `inf` included. O(cell).
 std::optional<CellValue> cell_value(std::string_view cell);
 
-/// Whether a text says that there is no value: `nan`, `null`, `n/a` and the like.
+/// Whether a text says that there is no value: `nan`, `null`, `n/a`, `bad`, `---` and the like, as loggers
+/// write them while a connection is lost.
 bool is_no_value(std::string_view cell);
 
 }  // namespace symplant::recording

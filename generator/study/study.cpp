@@ -113,20 +113,6 @@ Row total_of(const std::vector<Movement>& movements) {
   return total;
 }
 
-void adopt_types(const model::PlantModel& plant, recording::Recording& recording) {
-  const observe::Matched matched = observe::match(plant, recording);
-  for (std::size_t s = 0; s < recording.series.size(); ++s) {
-    if (matched.symbols[s] == model::kNone) continue;
-    recording::Series& series = recording.series[s];
-    const model::Symbol& symbol = plant.symbols[matched.symbols[s]];
-    series.is_operation = symbol.direction == tables::Direction::operation;
-    const bool is_bit = symbol.type == tables::DataType::boolean;
-    series.kind = is_bit ? recording::Series::Kind::boolean : recording::Series::Kind::number;
-    if (!is_bit) continue;
-    for (recording::Series::Change& change : series.changes) change.value = change.value != 0 ? 1 : 0;
-  }
-}
-
 std::string words_of(const observe::Matched::Unknown& unknown) {
   if (unknown.nearest.empty()) return fmt::format("`{}`", unknown.name);
   return fmt::format("`{}` (did you mean `{}`?)", unknown.name, unknown.nearest);

@@ -36,10 +36,6 @@ struct Study {
   Row total;
 };
 
-/// Gives the symbols of a recording the types and directions that they have in the plant: a column of 0 and 1 may be
-/// BOOL or a number, and names need not have a direction. O(changes).
-void adopt_types(const model::PlantModel& plant, recording::Recording& recording);
-
 /// A name of the recording that is no symbol, with the nearest one, for messages.
 std::string words_of(const observe::Matched::Unknown& unknown);
 

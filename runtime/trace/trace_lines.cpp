@@ -33,8 +33,9 @@ bool TraceLines::next_text() {
 
 bool TraceLines::parse(nlohmann::json& line) {
   line = nlohmann::json::parse(text_, nullptr, false);
-  if (!line.is_object() && file_.eof() && begun_) {
-    cut_off_ = true;
+  if (!line.is_object() && file_.eof() && (begun_ || text_.starts_with('{'))) {
+    cut_off_ = begun_;
+    if (!begun_) error_ = "the file ends within its first line, so it has no changes";
     return false;
   }
   error_ = check(line);

@@ -147,7 +147,7 @@ std::optional<study::Study> study_of(const CompareOptions& options, recording::R
   const auto compiled = compile_for(context, options.plant, options.plant_options);
   if (!compiled) return std::nullopt;
   if (!is_of_plant(options, recorded, *compiled, context)) return std::nullopt;
-  study::adopt_types(compiled->plant, recorded);
+  observe::adopt(compiled->plant, recorded);
   study::Study study =
       study::study(compiled->plant, compiled->tables.tables(), recorded, options.plant,
                    [&](std::string_view name) { return compare::is_chosen(options.how, std::string(name)); });

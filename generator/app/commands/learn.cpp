@@ -98,7 +98,7 @@ class Learn {
     for (const std::string& path : options_.recordings) {
       auto recording = read_recording_file(path, options_.reading, context_);
       if (!recording) return;
-      observe::Matched matched = observe::match(plant, *recording);
+      observe::Matched matched = observe::adopt(plant, *recording);
       const std::string stranger = no_symbol_error(path, options_.plant, matched);
       if (!stranger.empty()) return fail(stranger);
       all->inputs.push_back({std::move(*recording), std::move(matched)});

@@ -13,7 +13,6 @@
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -21,6 +20,7 @@
 #include "app/panel_view.hpp"
 #include "app/recording_options.hpp"
 #include "app/stream_sink.hpp"
+#include "observe/play.hpp"
 #include "recording/write_json_lines.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/run_options.hpp"
@@ -78,19 +78,11 @@ bool is_trace(const std::string& path) {
 }
 
 /// A file of another format as a trace; nothing, with a message and the exit code, if it cannot be read.
-std::optional<trace::ReadTrace> converted(const ShowOptions& options, const trace::PlantNames& names,
-                                          std::uint64_t model_hash, Context& context) {
+std::optional<trace::ReadTrace> converted(const ShowOptions& options, const model::PlantModel& plant,
+                                          const trace::PlantNames& names, std::uint64_t model_hash, Context& context) {
   auto recording = read_recording_file(options.trace, options.recordings, context);
   if (!recording) return std::nullopt;
-  std::unordered_map<std::string_view, recording::Series::Kind> kinds;
-  for (std::uint32_t symbol = 0; symbol < names.tables().symbols.size(); ++symbol) {
-    const bool is_bit = names.tables().symbols[symbol].type() == tables::DataType::boolean;
-    kinds.emplace(names.symbol(symbol), is_bit ? recording::Series::Kind::boolean : recording::Series::Kind::number);
-  }
-  recording::settle_kinds(*recording, [&](const std::string& symbol) -> std::optional<recording::Series::Kind> {
-    const auto found = kinds.find(symbol);
-    return found == kinds.end() ? std::nullopt : std::optional(found->second);
-  });
+  observe::adopt(plant, *recording);
   std::stringstream lines;
   StreamSink sink(lines);
   recording::write_json_lines(*recording, sink);
@@ -99,10 +91,10 @@ std::optional<trace::ReadTrace> converted(const ShowOptions& options, const trac
   return trace;
 }
 
-std::optional<trace::ReadTrace> read_shown(const ShowOptions& options, const trace::PlantNames& names,
-                                           std::uint64_t model_hash, Context& context) {
+std::optional<trace::ReadTrace> read_shown(const ShowOptions& options, const model::PlantModel& plant,
+                                           const trace::PlantNames& names, std::uint64_t model_hash, Context& context) {
   const bool is_as_it_is = is_trace(options.trace) && options.recordings.rename_file.empty();
-  if (!is_as_it_is) return converted(options, names, model_hash, context);
+  if (!is_as_it_is) return converted(options, plant, names, model_hash, context);
   std::ifstream file(options.trace);
   return trace::read_trace(file, names);
 }
@@ -114,7 +106,7 @@ void show(ShowOptions options, Context& context) {
   const tables::PlantTables tables = compiled->tables.tables();
   const trace::PlantNames names(tables);
   const std::uint64_t model_hash = tables::model_hash(tables);
-  std::optional<trace::ReadTrace> trace = read_shown(options, names, model_hash, context);
+  std::optional<trace::ReadTrace> trace = read_shown(options, compiled->plant, names, model_hash, context);
   if (!trace || !is_of_plant(context, options, *trace, model_hash)) return;
   const tables::Time length = trace->end - trace->begin;
   const PanelView view(compiled->plant);

@@ -20,6 +20,7 @@
 #include "app/watch_output.hpp"
 #include "compare/difference.hpp"
 #include "diag/visible_text.hpp"
+#include "observe/play.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/tables/duration.hpp"
 #include "symplant/trace/words.hpp"
@@ -120,7 +121,7 @@ void watch_plant(const WatchOptions& options, Context& context) {
   auto recording = read_recording_file(options.trace, options.recording, context);
   if (!recording) return;
   watched->recording = std::move(*recording);
-  const observe::Matched matched = observe::match(plant, watched->recording);
+  const observe::Matched matched = observe::adopt(plant, watched->recording);
   if (!report_unknown(options, matched, context)) return;
 
   const watch::Margin margin{options.live.margin, watched->recording.resolution};

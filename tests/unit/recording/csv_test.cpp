@@ -98,6 +98,14 @@ TEST_CASE("Nothing of a last line that is cut off counts") {
         "t.csv:3: the last line is cut off, and is left out\n");
 }
 
+TEST_CASE("Cells that say that a value is not known count as empty, with one warning") {
+  CHECK(csv("t/ms,X,N\n0,0,NaN\n10,BAD,---\n20,1,5\n30,n/a,5\n40,1,null\n50,0,Bad\n") ==
+        "X bool 0=0 20=1 50=0\nN number 20=5\nend 50, resolution 10\n"
+        "t.csv:2:3: `NaN` says that the value is not known; such cells count as empty: 6\n");
+  CHECK(csv("t/ms,X,Y\n0,0,1\n10,BAD,TR") ==
+        "X bool 0=0\nY bool 0=1\nend 0, resolution 0\nt.csv:3: the last line is cut off, and is left out\n");
+}
+
 TEST_CASE("Regular rows that are missing are a gap") {
   std::string text = "t/ms,X\n";
   for (int i = 0; i < 100; ++i) text += std::to_string(i * 50 + (i > 60 ? 1000 : 0)) + ",0\n";
@@ -112,18 +120,16 @@ TEST_CASE("What cannot be read is reported with row and column") {
   const auto error = [](const std::string& text, const ReadOptions& options = {}) {
     return read_csv_text(text, options).error;
   };
-  CHECK(
-      error("t/ms,X\n0,1\n10,maybe\n20,0\n") ==
-      "t.csv:3:2: there is `maybe`, which is no value; write TRUE, FALSE or a number, or nothing if the value did not "
-      "change");
-  CHECK(contains(error("t/ms,X\n0,NaN\n10,1\n"), "t.csv:2:2: there is `NaN`, which is no value"));
+  CHECK(error("t/ms,X\n0,1\n10,maybe\n20,0\n") ==
+        "t.csv:3:2: `maybe` is not a value; write TRUE, FALSE or a number, or nothing if the value did not "
+        "change");
   CHECK(error("t/ms,X\n0,TRUE\n10,5\n") ==
         "t.csv:3:2: there is `5`, but `X` has TRUE or FALSE before; write one kind of values");
   CHECK(error("t/ms,X\n0,5\n10,ON\n") ==
         "t.csv:3:2: there is `ON`, but `X` has numbers before; write one kind of values");
   CHECK(error("t/ms,X\n10,1\n5,0\n") ==
         "t.csv:3:1: the time `5` is before that of the row above; sort the rows by time");
-  CHECK(error("t/ms,X\n0,1\nsoon,0\n20,1\n") == "t.csv:3:1: there is `soon`, which is no time; write a number");
+  CHECK(error("t/ms,X\n0,1\nsoon,0\n20,1\n") == "t.csv:3:1: `soon` is not a time; write a number");
   CHECK(error("t/ms,X\n0,1\n,0\n") == "t.csv:3:1: there are values and no time; write it, or delete the row");
   CHECK(
       error("t/ms,X\n0,1\n1,5,2\n") ==
@@ -133,7 +139,7 @@ TEST_CASE("What cannot be read is reported with row and column") {
   CHECK(error("t/ms,symbol,value\n0,,1\n") == "t.csv:2:2: there is no name of a symbol; write it, or delete the row");
   CHECK(error("t/ms,X\n") == "t.csv:1: no row with a time and values follows this header");
   CHECK(error("t/ms,X\nsoon,1\n") ==
-        "t.csv:2:1: there is `soon`, which is no time; write a number, or a time such as 2024-12-31T23:59:59.5");
+        "t.csv:2:1: `soon` is not a time; write a number, or a time such as 2024-12-31T23:59:59.5");
   CHECK(error("t/ms,X\n0,\"1\n1,0\n") == "t.csv:2: a quote is never closed; close it");
   CHECK(
       error("A,B\n0,1\n") ==
@@ -155,8 +161,7 @@ TEST_CASE("Large tables and cells are no matter") {
     row += ",1";
   }
   CHECK(read_csv_text(header + "\n" + row + "\n").recording.series.size() == 100'000);
-  CHECK(
-      contains(read_csv_text("t/ms,X\n0,1\n5," + std::string(1'000'000, '9') + "\n9,1\n").error, "which is no value"));
+  CHECK(contains(read_csv_text("t/ms,X\n0,1\n5," + std::string(1'000'000, '9') + "\n9,1\n").error, "is not a value"));
   CHECK(contains(read_csv_text(std::string(3'000'000, ',')).error, "no table with a column of times"));
 }
 

@@ -51,21 +51,61 @@ TEST_CASE("Times in which nothing was read are gaps") {
   CHECK(gaps.recording.gaps[0].begin == 20 * tables::kMillisecond);
   CHECK(gaps.recording.gaps[0].length == 5 * tables::kMillisecond);
   CHECK(read(trace_text("10 X 1") + "{\"t\":20000000,\"gap\":-1}\n").error ==
-        "t.jsonl:3: the key `gap` is no time in ns up to 2305843009213693951");
+        "t.jsonl:3: the key `gap` is not a time in ns up to 2305843009213693951");
+}
+
+std::string part_text(const std::string& header, const std::string& changes) {
+  return trace_text(changes, ",\"recorded\":true,\"every\":5000000" + header);
+}
+
+TEST_CASE("A later part of a recording begins with the values of its header, at its time") {
+  const recording::ReadRecording part =
+      read(part_text(R"(,"part":3,"t":40000000,"values":{"X":true,"N":7,"Y_O_A":false})", "50 X 0; 60"));
+  CHECK(part.error == "");
+  CHECK_FALSE(part.recording.of_plant);
+  REQUIRE(part.recording.series.size() == 3);
+  for (const recording::Series& series : part.recording.series) {
+    INFO(series.name);
+    CHECK(series.changes.front().time == 40 * tables::kMillisecond);
+  }
+  CHECK(part.recording.series[part.recording.index.at("N")].changes.front().value == 7);
+  CHECK(part.recording.series[part.recording.index.at("X")].changes.size() == 2);
+  CHECK(part.recording.series[part.recording.order.front()].name == "Y_O_A");
+  CHECK(part.recording.end == 60 * tables::kMillisecond);
+  CHECK(part.recording.resolution == 5 * tables::kMillisecond);
+  CHECK(read(part_text(R"(,"part":2,"t":9000000000000000000)", "")).error ==
+        "t.jsonl:1: the time 9000000000000000000 is out of range: at most 2305843009213693951 ns");
+}
+
+TEST_CASE("Parts of a recording in one file are one recording, and a part that is missing is a gap") {
+  const std::string first = part_text("", "10 X 1; 20 N 5");
+  const std::string second = part_text(R"(,"part":2,"t":20000000,"values":{"X":true,"N":5})", "30 X 0");
+  const std::string fourth = part_text(R"(,"part":4,"t":80000000,"values":{"X":true,"N":5})", "90 N 6");
+  const recording::ReadRecording both = read(first + second);
+  CHECK(both.error == "");
+  CHECK(both.recording.order.size() == 3);
+  CHECK(both.recording.gaps.empty());
+  const recording::ReadRecording all = read(first + second + fourth);
+  CHECK(all.error == "");
+  CHECK(all.recording.order.size() == 5);
+  REQUIRE(all.recording.gaps.size() == 1);
+  CHECK(all.recording.gaps[0].begin == 30 * tables::kMillisecond);
+  CHECK(all.recording.gaps[0].length == 50 * tables::kMillisecond);
 }
 
 TEST_CASE("What cannot be read is reported with its line") {
   CHECK(read(trace_text("10 X 1", ",\"part\":2,\"t\":0")).error ==
         "t.jsonl:1: this is a later part of a trace: record it without `--trace-limit`, so that it has its beginning");
   CHECK(read(trace_text("10 N \"high\"")).error == "t.jsonl:2: `N` cannot have the value \"high\"");
-  CHECK(read(trace_text("10 N 1; 20 N true")).error == "t.jsonl:3: `N` is a BOOL and a number");
+  CHECK(read(trace_text("10 N 1; 20 N true")).error ==
+        "t.jsonl:3: the value of `N` is TRUE or FALSE, but a number in the lines above; write one kind of values");
   CHECK(read(trace_text("10 X 1") + "{\"t\":1,").warnings ==
         std::vector<std::string>{"t.jsonl:3: the last line is cut off, and is left out"});
-  const char* const no_writes = "t.jsonl:1: an entry of `programs` is no object with an array `writes`";
+  const char* const no_writes = "t.jsonl:1: an entry of `programs` is not an object with an array `writes`";
   CHECK(read(trace_text("10 X 1", R"(,"programs":["cell"])")).error == no_writes);
   CHECK(read(trace_text("10 X 1", R"(,"programs":[{"writes":"X"}])")).error == no_writes);
   CHECK(read(trace_text("10 X 1", ",\"cycle\":9223372036854775807")).error ==
-        "t.jsonl:1: the key `cycle` is no time in ns up to 2305843009213693951");
+        "t.jsonl:1: the key `cycle` is not a time in ns up to 2305843009213693951");
   CHECK(read(trace_text("10 X 1") + "{\"t\":9223372036854775806}\n").error ==
         "t.jsonl:3: the time 9223372036854775806 is out of range: at most 2305843009213693951 ns");
   CHECK(read(trace_text("10 X 1") + "{\"t\":1}\n").error == "t.jsonl:3: this time is before that of the line above");

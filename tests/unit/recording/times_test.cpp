@@ -86,22 +86,22 @@ TEST_CASE("Which number of a date is the month is decided by the dates") {
   CHECK(csv("t;X\n03/04/2024 00:00:00;0\n04/04/2024 00:00:00;1\n06/04/2024 00:00:00;0\n") ==
         "X bool 0=0 8.64e+07=1 2.592e+08=0\nend 2.592e+08, resolution 8.64e+07\n");
   CHECK(times("t", "03/04/2024 00:00:00", "05/06/2024 00:00:00") ==
-        "t.csv:3:1: there is `05/06/2024 00:00:00`, which is no time; it is not known which number is the month; write "
+        "t.csv:3:1: `05/06/2024 00:00:00` is not a time; it is not known which number is the month; write "
         "dates such as 2024-12-31");
 }
 
 TEST_CASE("Wrong times are reported") {
   CHECK(times("t", "2024-05-01 10:00", "2024-02-30 10:00") ==
-        "t.csv:3:1: there is `2024-02-30 10:00`, which is no time; there is no such day; write a time such as "
+        "t.csv:3:1: `2024-02-30 10:00` is not a time; there is no such day; write a time such as "
         "2024-12-31T23:59:59.5");
   for (const char* const wrong : {"2024-05-01 24:00:00", "2024-05-01 10:60:00", "2024-05-01 10:00:00 XX", "2024-05",
                                   "2024-05-01 13:00:00 PM", "2024-05-01 10:00:00+1", "x", "2024-05-01T"}) {
     INFO(wrong);
-    CHECK(contains(times("t", "2024-05-01 10:00:00", wrong), "which is no time; write a time such as 20"));
+    CHECK(contains(times("t", "2024-05-01 10:00:00", wrong), "is not a time; write a time such as 20"));
   }
-  CHECK(contains(times("t/s", "0", "99999999999999999999"), "which is no time; write a number"));
-  CHECK(contains(times("t/s", "0", "99999999999"), "which is no time; write a number"));
-  CHECK(contains(times("t/s", "0", "1e99"), "which is no time; write a number"));
+  CHECK(contains(times("t/s", "0", "99999999999999999999"), "is not a time; write a number"));
+  CHECK(contains(times("t/s", "0", "99999999999"), "is not a time; write a number"));
+  CHECK(contains(times("t/s", "0", "1e99"), "is not a time; write a number"));
 }
 
 TEST_CASE("A date and a time of day may have a column each") {

@@ -148,7 +148,7 @@ TEST_CASE("compare reports what it cannot read of a table and of the renames") {
   const std::string table = folder.write("scope.csv", "t/ms;A\n0;0\nx;1\n30;0\n");
   const ToolRun unreadable = run_on_disk({"compare", trace, table});
   CHECK(unreadable.code == 2);
-  CHECK(unreadable.err == "error: " + table + ":3:1: there is `x`, which is no time; write a number\n");
+  CHECK(unreadable.err == "error: " + table + ":3:1: `x` is not a time; write a number\n");
   const std::string names = folder.write("names.csv", "a,A\na,B\n");
   const ToolRun renames = run_on_disk({"compare", trace, trace, "--rename", names});
   CHECK(renames.code == 2);

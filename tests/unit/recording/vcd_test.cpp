@@ -29,14 +29,25 @@ TEST_CASE("A VCD file is of a plant, and a last line that is cut off is left out
   CHECK(read.warnings == std::vector<std::string>{"t.csv:24: the last line is cut off, and is left out"});
 }
 
+TEST_CASE("A last line of a VCD file without a line end is read if it is complete") {
+  const std::string variables =
+      "$scope module plant $end\n$var wire 1 ! A $end\n$var wire 1 \" B $end\n"
+      "$var wire 1 \"! C $end\n$upscope $end\n";
+  CHECK(csv(vcd(variables, "$end\n#5000000\n1!")) == "A bool 5=1\nend 5, resolution 0\n");
+  CHECK(csv(vcd(variables, "$end\n#5000000\n1!\n#7000000")) == "A bool 5=1\nend 7, resolution 0\n");
+  const std::string warning = ": the last line is cut off, and is left out\n";
+  CHECK(csv(vcd(variables, "$end\n#5000000\n1\"")) == "end 5, resolution 0\nt.csv:13" + warning);
+  CHECK(csv(vcd(variables, "$end\n#5000000\n1")) == "end 5, resolution 0\nt.csv:13" + warning);
+}
+
 TEST_CASE("What cannot be read of a VCD file is reported with its line") {
   const auto error = [](const std::string& changes) { return read_csv_text(vcd(kVariables, changes)).error; };
   CHECK(error("#5\n#4\n") == "t.csv:21: this time is before that above");
-  CHECK(error("#x\n") == "t.csv:20: the time `#x` is no number of ns up to 2305843009213693951");
+  CHECK(error("#x\n") == "t.csv:20: the time `#x` is not a number of ns up to 2305843009213693951");
   CHECK(error("1z\n") == "t.csv:20: there is no variable with the identifier `z`");
   CHECK(error("b12 \"\n") == "t.csv:20: `N` cannot have the value `12`");
   CHECK(error("b1\n") == "t.csv:20: the change `b1` has no identifier");
-  CHECK(error("x!\n") == "t.csv:20: there is `x!`, which is no time and no change that symplant writes");
+  CHECK(error("x!\n") == "t.csv:20: `x!` is not a time or a change as symplant writes them");
   CHECK(error("$version symplant 0.1.0 $end\n") == "t.csv:20: another VCD file begins here: read one at a time");
   CHECK(read_csv_text("$timescale 1 ps $end\n").error ==
         "t.csv:1: the time scale is not `1 ns`; only VCD files that symplant wrote are read");

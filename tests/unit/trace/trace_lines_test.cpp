@@ -46,7 +46,8 @@ TEST_CASE("A last line that is cut off is left out, another one is an error") {
   const Read broken = read(kHeader + "{\"t\":5\n{\"t\":7}\n");
   CHECK(broken.error == "this is not a line of a trace");
   CHECK(broken.number == 2);
-  CHECK(read("{\"symplant-tr").error == "this is not a line of a trace");  // without a header nothing says what it is
+  CHECK(read("{\"symplant-tr").error == "the file ends within its first line, so it has no changes");
+  CHECK(read("symplant-tr").error == "this is not a line of a trace");
 }
 
 TEST_CASE("Times do not go back, except where the plant was set back") {
