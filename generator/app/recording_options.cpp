@@ -16,6 +16,7 @@
 
 #include "diag/visible_text.hpp"
 #include "recording/read.hpp"
+#include "recording/renamer.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
@@ -62,21 +63,36 @@ void add_recording_options(CLI::App& command, RecordingOptions& options) {
       ->check(CLI::IsMember({"s", "ms", "us", "ns", "filetime", "iso"}));
 }
 
-std::optional<recording::Recording> read_recording_file(const std::string& path, const RecordingOptions& options,
-                                                        Context& context) {
+std::optional<std::vector<recording::Recording>> read_recording_files(const std::vector<std::string>& paths,
+                                                                      const RecordingOptions& options,
+                                                                      Context& context) {
   const auto how = read_options(options, context);
   if (!how) return std::nullopt;
-  std::error_code unknown;
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, unknown)) {
-    return fail(context,
-                fmt::format("cannot read the trace `{}`: {}", path, file ? "it is a directory" : std::strerror(errno)));
+  std::vector<recording::Recording> recordings;
+  std::vector<std::string> names;  // in all files
+  for (const std::string& path : paths) {
+    std::error_code unknown;
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file || std::filesystem::is_directory(path, unknown)) {
+      return fail(context, fmt::format("cannot read the trace `{}`: {}", path,
+                                       file ? "it is a directory" : std::strerror(errno)));
+    }
+    recording::ReadRecording read = recording::read_recording(file, path, *how);
+    if (!read.error.empty()) return fail(context, read.error);
+    warn(context, read.warnings);
+    names.insert(names.end(), read.names.begin(), read.names.end());
+    recordings.push_back(std::move(read.recording));
   }
-  recording::ReadRecording read = recording::read_recording(file, path, *how);
-  if (!read.error.empty()) return fail(context, read.error);
-  warn(context, read.warnings);
-  return std::move(read.recording);
+  warn(context, recording::not_found(how->renames, options.rename_file, names));
+  return recordings;
+}
+
+std::optional<recording::Recording> read_recording_file(const std::string& path, const RecordingOptions& options,
+                                                        Context& context) {
+  auto all = read_recording_files({path}, options, context);
+  if (!all) return std::nullopt;
+  return std::move(all->front());
 }
 
 std::string no_symbol_error(const std::string& recording, const std::string& plant, const observe::Matched& matched) {

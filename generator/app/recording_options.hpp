@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/context.hpp"
 #include "observe/play.hpp"
@@ -23,8 +24,13 @@ struct RecordingOptions {
 /// Adds --rename, --time-column and --time-unit.
 void add_recording_options(CLI::App& command, RecordingOptions& options);
 
-/// The trace or recording in a file of any format. Shows what was left out as warnings. If the file, or that of
-/// --rename, cannot be read, shows the error, returns no value and sets the exit code to 2.
+/// The traces or recordings in files of any format. Shows what was left out as warnings, and the names of --rename that
+/// no file has. If a file, or that of --rename, cannot be read, shows the error, returns no value and sets the exit
+/// code to 2.
+std::optional<std::vector<recording::Recording>> read_recording_files(const std::vector<std::string>& paths,
+                                                                      const RecordingOptions& options,
+                                                                      Context& context);
+/// The same for one file.
 std::optional<recording::Recording> read_recording_file(const std::string& path, const RecordingOptions& options,
                                                         Context& context);
 

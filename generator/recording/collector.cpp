@@ -9,7 +9,7 @@ std::uint32_t Collector::series_of(Series::Kind kind, std::string_view name, std
   Series wanted{std::string(name), kind, std::string(part), {}, {}};
   const auto [found, added] = recording_.index.emplace(wanted.key(), recording_.series.size());
   if (added) {
-    wanted.is_operation = wanted.name.find("_O_") != wanted.name.npos || written_.contains(wanted.name);
+    wanted.is_operation = is_operation_name(wanted.name) || written_.contains(wanted.name);
     recording_.series.push_back(std::move(wanted));
   }
   return static_cast<std::uint32_t>(found->second);

@@ -40,7 +40,11 @@ ReadRecording read_recording(std::istream& file, const std::string& name, const 
   const std::string_view head = input.head();
   const auto format = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& one) { return one.is(head); });
   ReadRecording read = format->read(input.stream(), name, options);
-  if (read.error.empty() && format->read != read_csv) read.error = rename_series(options.renames, read.recording);
+  if (!read.error.empty() || format->read == read_csv || options.renames.empty()) return read;
+  for (const Series& series : read.recording.series) {
+    if (series.kind != Series::Kind::parts) read.names.push_back(series.name);
+  }
+  read.error = rename_series(options.renames, read.recording);
   return read;
 }
 

@@ -34,6 +34,7 @@ class TableReader {
       : read_(read),
         text_(text),
         layout_(std::move(layout)),
+        options_(options),
         renamer_(options.renames),
         changes_(read, renamer_),
         rows_(text, layout_.delimiter) {
@@ -271,8 +272,7 @@ class TableReader {
     measure();
     read_.recording.end = end - begin;
     changes_.finish(begin);
-    auto not_found = renamer_.not_found(read_.recording.name, changes_.names());
-    read_.warnings.insert(read_.warnings.end(), not_found.begin(), not_found.end());
+    if (!options_.renames.empty()) read_.names = changes_.names();
   }
 
   void measure() {
@@ -295,6 +295,7 @@ class TableReader {
   std::string_view text_;
   TableLayout layout_;
   TimeForm unit_ = TimeForm::unknown;  ///< that of the options
+  const ReadOptions& options_;
   Renamer renamer_;
   TableChanges changes_;
   TableRows rows_;

@@ -21,6 +21,7 @@ struct ReadRecording {
   Recording recording;
   std::string error;                  ///< `FILE:4: ...`; empty: the whole file could be read
   std::vector<std::string> warnings;  ///< as error: what was left out
+  std::vector<std::string> names;     ///< of symbols in the file, before ReadOptions::renames; empty without these
 };
 
 }  // namespace symplant::recording

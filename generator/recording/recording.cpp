@@ -10,6 +10,8 @@ const Series* Recording::find(const Series& same) const {
   return found == index.end() ? nullptr : &series[found->second];
 }
 
+bool is_operation_name(std::string_view name) { return name.find("_O_") != name.npos; }
+
 void order_operations(Recording& recording) {
   std::vector<std::uint32_t>& order = recording.order;
   std::vector<std::size_t> next(recording.series.size(), 0);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -59,6 +60,9 @@ struct Recording {
   /// The series of the same element; null if there is none. O(1).
   const Series* find(const Series& same) const;
 };
+
+/// Whether a symbol is an operation by its name, which has the level `O`.
+bool is_operation_name(std::string_view name);
 
 /// Puts the operations of each time first in `order`, after Series::is_operation changed. O(changes).
 void order_operations(Recording& recording);

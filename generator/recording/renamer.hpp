@@ -13,7 +13,7 @@ namespace symplant::recording {
 
 class Renamer {
  public:
-  explicit Renamer(const Renames& renames) : renames_(renames) {
+  explicit Renamer(const Renames& renames) {
     for (const auto& [from, to] : renames) symbols_.emplace(from, to);
   }
 
@@ -23,18 +23,21 @@ class Renamer {
     return found == symbols_.end() ? name : found->second;
   }
 
-  /// A warning for each renamed name that is not among `names`, with the nearest of them; at most 10. None if another
-  /// name of its symbol is. One warning if `names` are the symbols of renames. O(names) for each of these 10.
-  std::vector<std::string> not_found(const std::string& file, const std::vector<std::string>& names) const;
   /// What is wrong if two of `names` are renamed to one symbol; empty: nothing. O(names).
   std::string same_symbol(const std::vector<std::string>& names) const;
 
  private:
-  const Renames& renames_;
   std::unordered_map<std::string_view, std::string_view> symbols_;
 };
 
-/// Gives the series of a recording the names of their symbols. The error, if two are the same symbol; empty: none.
+/// A warning for each name of the file of renames `file` that is not among `names`, with the nearest of them; at most
+/// 10, then their number. None if another name of its symbol is there. One warning if `names` are the symbols of
+/// renames. O(names) for each of these 10.
+std::vector<std::string> not_found(const Renames& renames, const std::string& file,
+                                   const std::vector<std::string>& names);
+
+/// Gives the series of a recording the names of their symbols. Those that get one are operations by it. The error,
+/// if two are the same symbol; empty: none. O(changes).
 std::string rename_series(const Renames& renames, Recording& recording);
 
 }  // namespace symplant::recording

@@ -169,15 +169,15 @@ void compare_traces(const CompareOptions& options, Context& context) {
     context.exit_code = host::kBadInput;
     return;
   }
-  auto expected = read_recording_file(options.expected, options.recordings, context);
-  if (!expected) return;
+  std::vector<std::string> paths{options.expected};
+  if (options.plant.empty()) paths.push_back(options.actual);
+  auto recordings = read_recording_files(paths, options.recordings, context);
+  if (!recordings) return;
   const auto compared = std::make_shared<ComparedTraces>();
   context.kept = compared;
-  compared->expected = std::move(*expected);
+  compared->expected = std::move(recordings->front());
   if (options.plant.empty()) {
-    auto actual = read_recording_file(options.actual, options.recordings, context);
-    if (!actual) return;
-    compared->actual = std::move(*actual);
+    compared->actual = std::move(recordings->back());
     settle_kinds(compared->expected, compared->actual);
     settle_kinds(compared->actual, compared->expected);
   } else {

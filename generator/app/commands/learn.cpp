@@ -95,13 +95,13 @@ class Learn {
     const auto all = std::make_shared<LearnedPlant>(LearnedPlant{std::move(*compiled), {}, {}});
     context_.kept = all;
     const model::PlantModel& plant = all->compiled.plant;
-    for (const std::string& path : options_.recordings) {
-      auto recording = read_recording_file(path, options_.reading, context_);
-      if (!recording) return;
-      observe::Matched matched = observe::adopt(plant, *recording);
-      const std::string stranger = no_symbol_error(path, options_.plant, matched);
+    auto recordings = read_recording_files(options_.recordings, options_.reading, context_);
+    if (!recordings) return;
+    for (std::size_t i = 0; i < recordings->size(); ++i) {
+      observe::Matched matched = observe::adopt(plant, (*recordings)[i]);
+      const std::string stranger = no_symbol_error(options_.recordings[i], options_.plant, matched);
       if (!stranger.empty()) return fail(stranger);
-      all->inputs.push_back({std::move(*recording), std::move(matched)});
+      all->inputs.push_back({std::move((*recordings)[i]), std::move(matched)});
     }
     all->learned = learn::learn_times(plant, all->inputs);
     all->learned.pairs = learn::learn_pairs(plant, all->inputs, options_.seed);

@@ -1,6 +1,7 @@
 // Names of recordings and their symbols.
 #include "recording/renames.hpp"
 
+#include "recording/renamer.hpp"
 #include "recording_support.hpp"
 
 namespace symplant::test {
@@ -42,12 +43,26 @@ TEST_CASE("A recording has the names of the symbols, in each format") {
   CHECK(trace.recording.index.contains("LINE_O_RUN"));
 }
 
-TEST_CASE("A name that is not in the recording is reported with the nearest one") {
-  const recording::ReadOptions options{"", "", {{"MAIN.bClose", "A"}, {"nothing", "B"}}};
-  CHECK(csv("t/ms,MAIN.bClosed\n0,1\n", options) ==
-        "MAIN.bClosed bool 0=1\nend 0, resolution 0\n"
-        "t.csv: there is no `MAIN.bClose` to be renamed `A`; did you mean `MAIN.bClosed`?\n"
-        "t.csv: there is no `nothing` to be renamed `B`\n");
+TEST_CASE("A name that no recording has is reported with the nearest one") {
+  const recording::Renames renames{{"MAIN.bClose", "A"}, {"nothing", "B"}, {"x", "C_O_D"}};
+  const auto names = [&](const std::string& text) { return read_csv_text(text, {"", "", renames}).names; };
+  CHECK(names("t/ms,MAIN.bClosed,x\n0,1,1\n") == std::vector<std::string>{"MAIN.bClosed", "x"});
+  CHECK(names("{\"symplant-trace\":1}\n{\"t\":1,\"symbol\":\"x\",\"value\":true}\n") == std::vector<std::string>{"x"});
+  CHECK(recording::not_found(renames, "names.csv", {"x", "MAIN.bClosed"}) ==
+        std::vector<std::string>{"names.csv: `MAIN.bClose` is not in the recordings; did you mean `MAIN.bClosed`?",
+                                 "names.csv: `nothing` is not in the recordings"});
+  recording::Renames many;
+  for (int i = 0; i < 12; ++i) many.emplace_back("long name " + std::to_string(i), std::to_string(i));
+  const auto warnings = recording::not_found(many, "names.csv", {"x"});
+  REQUIRE(warnings.size() == 11);
+  CHECK(warnings.back() == "names.csv: 2 more names are not in the recordings");
+}
+
+TEST_CASE("A series that is renamed to an operation comes first at its time") {
+  const std::string trace =
+      "{\"symplant-trace\":1}\n{\"t\":1,\"symbol\":\"y\",\"value\":true}\n"
+      "{\"t\":1,\"symbol\":\"x\",\"value\":true}\n";
+  CHECK(read_csv_text(trace, {"", "", {{"x", "LINE_O_RUN"}}}).recording.order == std::vector<std::uint32_t>{1, 0});
 }
 
 TEST_CASE("A file of renames serves recordings that have different names for a symbol") {

@@ -142,6 +142,15 @@ TEST_CASE("compare reads tables with the options for their names and times") {
   CHECK(run_on_disk(arguments).code == 0);
 }
 
+TEST_CASE("A name of the renames is reported if no file has it, once") {
+  const Folder folder;
+  const std::string trace = folder.write("good.jsonl", kTrace);
+  const std::string table = folder.write("scope.csv", "t/ms;\"MAIN\".a;N\n0;0;0\n10;1;0\n20;0;1\n");
+  const std::string names = folder.write("names.csv", "\"MAIN\".a;A\nother;B\n");
+  CHECK(run_on_disk({"compare", trace, table, "--rename", names}).err ==
+        "warning: " + names + ": `other` is not in the recordings\n");
+}
+
 TEST_CASE("compare reports what it cannot read of a table and of the renames") {
   const Folder folder;
   const std::string trace = folder.write("good.jsonl", kTrace);
@@ -167,6 +176,23 @@ TEST_CASE("A recording that begins with a value of each symbol does not differ b
   const ToolRun run = run_on_disk({"compare", trace, table});
   CHECK(run.code == 0);
   CHECK(contains(run.out, "no difference"));
+}
+
+TEST_CASE("A table with addresses is a recording of a plant") {
+  const Folder folder;
+  const std::string list = folder.write("list.csv",
+                                        "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n"
+                                        "VAR_GLOBAL,L_P_CL_O_OPEN,Y0001,,BOOL,FALSE\n"
+                                        "VAR_GLOBAL,L_P_CL_I_OPEN,X0001,,BOOL,FALSE\n");
+  const std::string table = folder.write("a.csv", "t/ms;X0001;Y0001\n0;0;0\n1000;0;255\n2000;1;255\n3000;1;255\n");
+  const ToolRun watch = run_on_disk({"watch", list, table});
+  INFO(watch.err);
+  CHECK(watch.code != 2);
+  CHECK_FALSE(contains(watch.err, "no symbol"));
+  const ToolRun compare = run_on_disk({"compare", table, "--plant", list});
+  INFO(compare.out + compare.err);
+  CHECK(compare.code == 0);
+  CHECK(compare.err == "");
 }
 
 TEST_CASE("show reads tables, and reports what it cannot read") {
