@@ -17,7 +17,7 @@ LinkError wrong_link(std::string message) { return {LinkError::Kind::usage, std:
 
 }  // namespace
 
-std::variant<link::LinkChoice, LinkError> link_to_read(const std::vector<std::string>& links,
+std::variant<link::LinkChoice, LinkError> link_to_read(std::string_view command, const std::vector<std::string>& links,
                                                        const model::PlantModel& plant,
                                                        const tables::PlantTables& tables) {
   std::vector<link::LinkRequest> requests;
@@ -30,9 +30,8 @@ std::variant<link::LinkChoice, LinkError> link_to_read(const std::vector<std::st
   if (requests.empty()) return wrong_link("the plant has no link: give `--link URL`");
   if (requests.size() > 1) {
     return wrong_link(fmt::format(
-        "a recording is of one PLC, and there are {} links: give one `--link PLC1=URL`, and record the others by more "
-        "calls at the same time; the header of each file has the time of day of its t = 0",
-        requests.size()));
+        "there are {} links, and one call reads one PLC: give one `--link PLC1=URL`, and run one `{}` for each PLC",
+        requests.size(), command));
   }
   if (const std::string& url = requests.front().url; !link::is_client(url)) {
     const std::string fault = link::url_fault(url);

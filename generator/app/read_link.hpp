@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -11,8 +12,9 @@
 
 namespace symplant::app {
 
-/// The one link of `--link` options, else that of the plant; it only reads.
-std::variant<link::LinkChoice, link::LinkError> link_to_read(const std::vector<std::string>& links,
+/// The one link of `--link` options, else that of the plant; it only reads. `command`: its name in messages.
+std::variant<link::LinkChoice, link::LinkError> link_to_read(std::string_view command,
+                                                             const std::vector<std::string>& links,
                                                              const model::PlantModel& plant,
                                                              const tables::PlantTables& tables);
 

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <iterator>
 #include <ostream>
 #include <system_error>
 #include <thread>
@@ -15,15 +14,14 @@
 
 #include "app/read_link.hpp"
 #include "diag/visible_text.hpp"
-#include "record/recorder.hpp"
+#include "record/interval.hpp"
+#include "record/reader.hpp"
+#include "recording/is_gap.hpp"
+#include "recording/of_run.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/signals.hpp"
 #include "symplant/link/client/steady_now.hpp"
 #include "symplant/link/client_parts.hpp"
-#include "symplant/link/net/no_signals.hpp"
-#include "symplant/link/record/read_loop.hpp"
-#include "symplant/tables/compare.hpp"
-#include "symplant/trace/value_text.hpp"
 #include "watch/shadow.hpp"
 
 namespace symplant::app {
@@ -35,88 +33,10 @@ using tables::Time;
 /// These images only measure the interval of reading, which is longer than wanted if the PLC is slow.
 constexpr std::size_t kMeasured = 10;
 constexpr auto kLookForImages = std::chrono::milliseconds(20);
+/// A machine that is busy for so long is no silence of the PLC.
+constexpr Time kLeastSilence = 40 * tables::kMillisecond;
 /// With --until: how long a PLC is waited for at least, as in `record`.
 constexpr Time kLeastPatience = 5 * tables::kSecond;
-
-/// Reads on a separate thread, which never waits for the terminal.
-class LiveReader final : private link::record::ImageSink {
- public:
-  /// Parts and tables must outlive it. Throws std::system_error if there is no thread left.
-  LiveReader(link::client::ClientParts& parts, const tables::PlantTables& tables, Time every)
-      : dialog_(*parts.dialog), changes_(parts.map.points.size()), loop_(parts, tables, every, clock_, *this, meter_) {
-    const link::net::NoSignals blocked;
-    reading_ = std::jthread([this] { loop_.run(); });
-  }
-  LiveReader(const LiveReader&) = delete;
-  LiveReader& operator=(const LiveReader&) = delete;
-  ~LiveReader() override {
-    clock_.stop();
-    dialog_.interrupt();
-    reading_.join();
-  }
-
-  /// What was read since the last call.
-  std::vector<Batch> take() {
-    const std::scoped_lock lock(mutex_);
-    return std::exchange(batches_, {});
-  }
-  std::vector<std::string> take_messages() {
-    const std::scoped_lock lock(mutex_);
-    return std::exchange(messages_, {});
-  }
-
- private:
-  class Clock final : public link::record::LoopClock {
-   public:
-    Time now() override { return link::client::steady_now(); }
-    bool sleep_until(Time time) override {
-      std::unique_lock lock(mutex_);
-      const std::chrono::steady_clock::time_point until{std::chrono::nanoseconds(time)};
-      wake_.wait_until(lock, until, [this] { return stopped_; });
-      return !stopped_;
-    }
-    void stop() {
-      const std::scoped_lock lock(mutex_);
-      stopped_ = true;
-      wake_.notify_all();
-    }
-
-   private:
-    std::mutex mutex_;
-    std::condition_variable wake_;
-    bool stopped_ = false;
-  };
-
-  void image(const link::record::Image& image) override {
-    Batch batch = changes_.of(image);
-    changes_.accept(image);
-    const std::scoped_lock lock(mutex_);
-    batches_.push_back(std::move(batch));
-  }
-  void lost() override {}
-  void message(std::string text) override {
-    const std::scoped_lock lock(mutex_);
-    messages_.push_back(std::move(text));
-  }
-
-  link::client::Dialog& dialog_;
-  Clock clock_;
-  link::record::LoopMeter meter_;
-  record::Changes changes_;  ///< of the reading thread
-  link::record::ReadLoop loop_;
-  std::mutex mutex_;
-  std::vector<Batch> batches_;
-  std::vector<std::string> messages_;
-  std::jthread reading_;  // the last member: it uses the others
-};
-
-double number_of(tables::DataType type, std::uint64_t value) {
-  using tables::NumberKind;
-  return tables::number_of(trace::is_real(type)     ? NumberKind::real
-                           : trace::is_signed(type) ? NumberKind::signed_integer
-                                                    : NumberKind::unsigned_integer,
-                           value);
-}
 
 /// By symbol: whether it is in the images. The first one has a line for each symbol.
 std::vector<bool> symbols_of(const std::vector<Batch>& batches, std::size_t symbols) {
@@ -131,52 +51,62 @@ std::vector<bool> symbols_of(const std::vector<Batch>& batches, std::size_t symb
 class LiveFeed {
  public:
   LiveFeed(const tables::PlantTables& tables, watch::Shadow& shadow, Time begin, Time resolution)
-      : tables_(tables), shadow_(shadow), begin_(begin), resolution_(resolution) {}
+      : tables_(tables), shadow_(shadow), begin_(begin), interval_(resolution) {}
 
-  void add(const Batch& batch) {
+  /// How long nothing was read before this image, if it ends a silence that look() has shown; else 0.
+  Time add(const Batch& batch) {
     const Time first = batch.first - begin_;
-    if (last_ >= 0 && (batch.reconnected || first - last_ >= 3 * resolution_)) shadow_.gap(last_, first - last_);
+    const Time silence = std::exchange(is_silent_, false) ? first - last_ : 0;
+    if (last_ >= 0) {
+      if (!batch.after_loss) interval_.add(first - begun_);
+      if (silence > 0) {
+        shadow_.gap(first, 0);  // it is shown already; what was before it still does not count
+      } else if (batch.after_loss || recording::is_gap(first - last_, interval_.now())) {
+        shadow_.gap(last_, first - last_);
+      }
+    }
+    begun_ = first;
     Time time = std::max(first, last_);
     for (const record::Line& line : batch.lines) {
       if (line.time - begin_ > time) shadow_.close(time);
       time = std::max(line.time - begin_, time);
-      shadow_.set(line.symbol, number_of(tables_.symbols[line.symbol].type(), line.value));
+      shadow_.set(line.symbol, recording::number_of(tables_.symbols[line.symbol], line.value));
     }
     last_ = std::max(batch.last - begin_, time);
     if (last_ > time) shadow_.close(time);
     shadow_.close(last_);
+    return silence;
   }
-  /// Nothing came since the last image.
-  void end(Time now) {
-    if (now - begin_ - last_ >= 3 * resolution_) shadow_.gap(last_, now - begin_ - last_);
+  /// All images that were complete at `now` are added: shows a silence as soon as it is one.
+  void look(Time now) {
+    const Time silence = now - begin_ - last_;
+    if (is_silent_ || silence < kLeastSilence || !recording::is_gap(silence, interval_.now())) return;
+    is_silent_ = true;
+    shadow_.gap(last_, silence);
   }
-  Time last() const { return last_; }
 
  private:
   const tables::PlantTables& tables_;
   watch::Shadow& shadow_;
   const Time begin_;
-  const Time resolution_;
-  Time last_ = -1;
+  record::Interval interval_;
+  Time begun_ = -1;  ///< when the latest image began
+  Time last_ = -1;   ///< when it ended
+  bool is_silent_ = false;
 };
 
-/// The median interval of images, at least `every`.
 Time measured_interval(const std::vector<Batch>& batches, Time every) {
-  std::vector<Time> intervals;
+  record::Interval interval(every);
   for (std::size_t i = 1; i < batches.size(); ++i) {
-    if (!batches[i].reconnected) intervals.push_back(batches[i].first - batches[i - 1].first);
+    if (!batches[i].after_loss) interval.add(batches[i].first - batches[i - 1].first);
   }
-  if (intervals.empty()) return every;
-  std::nth_element(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2),
-                   intervals.end());
-  const Time median = intervals[intervals.size() / 2];
-  return median - median / 32 > every ? median : every;
+  return record::Interval::reached(every, interval.now());
 }
 
 class LiveWatch {
  public:
   LiveWatch(const Compiled& compiled, const tables::PlantTables& tables, const std::vector<watch::Statistic>& learned,
-            const LiveOptions& options, LiveReader& reader, Context& context)
+            const LiveOptions& options, record::Reader& reader, Context& context)
       : compiled_(compiled),
         tables_(tables),
         learned_(learned),
@@ -202,16 +132,22 @@ class LiveWatch {
       output.add(anomaly);
       output.flush();
     });
-    LiveFeed feed(tables_, shadow, batches.front().first, margin.resolution);
-    for (;;) {
-      for (const Batch& batch : batches) feed.add(batch);
-      report();
-      if (host::stop_requested().load() || (options_.until && feed.last() >= *options_.until)) break;
+    const Time begin = batches.front().first;
+    const Time until = options_.until.value_or(tables::kNever);
+    Time now = batches.back().last;
+    for (LiveFeed feed(tables_, shadow, begin, margin.resolution);;) {
+      for (const Batch& batch : batches) {
+        if (const Time silence = feed.add(batch); silence > 0) {
+          context_.err << "link: read again after " << trace::seconds(silence) << "\n" << std::flush;
+        }
+      }
+      feed.look(now);
+      if (host::stop_requested().load() || now - begin >= until) break;
       std::this_thread::sleep_for(kLookForImages);
-      batches = reader_.take();
+      now = link::client::steady_now();  // before take(): each image that was complete then is in it
+      batches = take();
     }
-    feed.end(link::client::steady_now());
-    output.end(shadow.counts(), feed.last(), inputs);
+    output.end(shadow.counts(), std::min(now - begin, until), inputs);
   }
 
  private:
@@ -221,24 +157,28 @@ class LiveWatch {
     std::vector<Batch> batches;
     while (batches.size() < kMeasured && !host::stop_requested().load()) {
       std::this_thread::sleep_for(kLookForImages);
-      for (Batch& batch : reader_.take()) batches.push_back(std::move(batch));
-      report();
-      if (options_.until && link::client::steady_now() - begin > patience) break;
+      const Time now = link::client::steady_now();
+      for (Batch& batch : take()) batches.push_back(std::move(batch));
+      if (options_.until && now - begin > patience) break;
+      if (!batches.empty() && now - batches.back().last > kLeastPatience) break;  // that is what is shown
     }
     return batches;
   }
 
-  void report() {
-    for (const std::string& message : reader_.take_messages()) {
+  /// What was read since the last call; shows the messages.
+  std::vector<Batch> take() {
+    record::ImageQueue::Taken taken = reader_.take();
+    for (const std::string& message : taken.messages) {
       context_.err << diag::visible("link: " + message) << "\n" << std::flush;
     }
+    return std::move(taken.batches);
   }
 
   const Compiled& compiled_;
   const tables::PlantTables& tables_;
   const std::vector<watch::Statistic>& learned_;
   const LiveOptions& options_;
-  LiveReader& reader_;
+  record::Reader& reader_;
   Context& context_;
 };
 
@@ -251,7 +191,7 @@ void watch_live(const Compiled& compiled, const std::vector<watch::Statistic>& l
     context.err << "error: " << diag::visible(error.message) << "\n";
     context.exit_code = error.kind == link::LinkError::Kind::usage ? host::kBadInput : host::kEnvironment;
   };
-  const auto chosen = link_to_read(options.links, compiled.plant, tables);
+  const auto chosen = link_to_read("watch", options.links, compiled.plant, tables);
   if (const auto* error = std::get_if<link::LinkError>(&chosen)) return fail(*error);
   const auto& choice = std::get<link::LinkChoice>(chosen);
   auto opened = link::client_parts(choice, tables);
@@ -259,7 +199,7 @@ void watch_live(const Compiled& compiled, const std::vector<watch::Statistic>& l
   auto& parts = std::get<link::client::ClientParts>(opened);
   host::catch_signals();
   try {
-    LiveReader reader(parts, tables, options.every);
+    record::Reader reader(parts, tables, options.every);
     LiveWatch(compiled, tables, learned, options, reader, context).run(files, choice.url, inputs);
   } catch (const std::system_error& error) {
     fail({link::LinkError::Kind::environment, std::string("cannot start a thread: ") + error.what()});

@@ -21,10 +21,10 @@ struct Line {
 
 /// What one image has that the one before did not have.
 struct Batch {
-  std::vector<Line> lines;   ///< by time; no gaps. Symbols that were read for the first time are changes
-  Time first = 0;            ///< the time of the image's first request
-  Time last = 0;             ///< of its last request
-  bool reconnected = false;  ///< the connection was lost before
+  std::vector<Line> lines;  ///< by time; no gaps. Symbols that were read for the first time are changes
+  Time first = 0;           ///< the time of the image's first request
+  Time last = 0;            ///< of its last request
+  bool after_loss = false;  ///< images are missing before it: the connection was lost, or the queue was full
 };
 
 }  // namespace symplant::record

@@ -70,7 +70,7 @@ class Checker {
 
  private:
   static std::string no_symbol(const std::string& what) {
-    return what + ", which is not read from a PLC: a recording has symbols only, name one that shows it";
+    return what + ", which is not read from a PLC; name a symbol instead that shows it";
   }
 
   std::string fault(const Atom& atom) const {

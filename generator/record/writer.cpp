@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "recording/is_gap.hpp"
 #include "symplant/tables/duration.hpp"
 
 namespace symplant::record {
 namespace {
 
-constexpr Time kGapIntervals = 3;
 /// An image that was requested before the end may still come.
 constexpr Time kLastImage = tables::kSecond;
 
@@ -24,7 +24,10 @@ Writer::Writer(trace::OutputFile file, const trace::PlantNames& names, What what
       history_(names),
       kept_(names.tables().symbols.size(), what_.before),
       values_(names.tables().symbols.size()),
-      known_(names.tables().symbols.size()) {}
+      known_(names.tables().symbols.size()),
+      interval_(what_.every) {
+  state_.resolution = what_.every;
+}
 
 void Writer::take(const Batch& batch) {
   if (has_ended()) return;
@@ -48,6 +51,7 @@ void Writer::take(const Batch& batch) {
     for (const Line& line : batch.lines) {
       if (line.time <= end_) write(line, false);
     }
+    note_interval();
     trace_->part(std::max(latest_ - zero_, last_line_), history_);
     if (what_.stop && what_.stop->holds(values_)) end(latest_);
   }
@@ -61,12 +65,24 @@ std::optional<Line> Writer::gap_before(const Batch& batch) {
   const Time before = std::exchange(latest_, batch.last);
   const Time begun = std::exchange(begun_, batch.first);
   if (before < 0) return std::nullopt;
-  if (!batch.reconnected) {
-    const Time distance = batch.first - begun;
-    least_ = least_ < 0 ? distance : std::min(least_, distance);
-    if (distance <= kGapIntervals * std::max(what_.every, least_)) return std::nullopt;
+  if (!batch.after_loss) {
+    interval_.add(batch.first - begun);
+    if (!is_gap(batch.first - begun)) return std::nullopt;
   }
   return Line{before, static_cast<std::uint64_t>(batch.first - before), Line::kGap};
+}
+
+bool Writer::is_gap(Time distance) const { return recording::is_gap(distance, interval_.now()); }
+
+/// A reader of the file must not take its times for more exact than they are, also if there is no last line.
+void Writer::note_interval() {
+  if (interval_.count() < note_at_) return;
+  note_at_ = 2 * interval_.count();
+  const Time resolution = interval_.reached();
+  if (resolution <= state_.resolution) return;
+  state_.resolution = resolution;
+  last_line_ = std::max(last_line_, std::min(latest_, end_) - zero_);
+  trace_->interval(last_line_, resolution);
 }
 
 void Writer::wait_for_start(const Batch& batch, const std::optional<Line>& gap) {
@@ -88,6 +104,7 @@ void Writer::start(Time begin, Time now) {
   state_.has_started = true;
   state_.kept = now - begin;
   if (what_.until) end_ = now + *what_.until;
+  file_->replace();
   trace_.emplace(std::move(*file_), names_.tables(), what_.model_hash,
                  trace::RecordedFrom{what_.link, what_.every, what_.utc(begin)});
 }
@@ -121,14 +138,12 @@ void Writer::write(const Line& line, bool is_first) {
 }
 
 void Writer::look(Time now) {
-  if (trace_ && what_.until && !has_ended() && now > end_ + std::max(kLastImage, kGapIntervals * what_.every))
-    finish(end_);
+  if (trace_ && what_.until && !has_ended() && now > end_ + kLastImage && is_gap(now - end_)) finish(end_);
 }
 
 void Writer::finish(Time now) {
   if (trace_ && !ended_) {
-    const bool is_gap = state_.is_lost || now - latest_ > kGapIntervals * std::max(what_.every, least_);
-    end(std::min(is_gap ? now : latest_, end_));
+    end(std::min(state_.is_lost || is_gap(now - latest_) ? now : latest_, end_));
   }
   flush();
 }
@@ -137,11 +152,12 @@ void Writer::finish(Time now) {
 void Writer::end(Time time) {
   ended_ = true;
   const Time reached = std::min(latest_, time);
-  if (state_.is_lost || time - reached > kGapIntervals * std::max(what_.every, least_)) {
+  if (state_.is_lost || is_gap(time - reached)) {
     write({reached, static_cast<std::uint64_t>(time - reached), Line::kGap}, false);
   }
   state_.length = time - zero_;
-  trace_->end(std::max(state_.length, last_line_));
+  state_.resolution = interval_.reached();
+  trace_->end(std::max(state_.length, last_line_), state_.resolution > what_.every ? state_.resolution : 0);
 }
 
 void Writer::flush() {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "record/interval.hpp"
 #include "record/kept_part.hpp"
 #include "record/line.hpp"
 #include "record/trigger.hpp"
@@ -39,14 +40,16 @@ struct RecordState {
   std::uint64_t symbols = 0;  ///< that were read
   std::uint64_t changes = 0;  ///< without the first values
   std::uint64_t gaps = 0;
-  Time gap_time = 0;  ///< of all gaps together
+  Time gap_time = 0;    ///< of all gaps together
+  Time resolution = 0;  ///< the interval of readings that was reached
 };
 
 /// Takes images one after the other. It has no thread and no clock. A time between two images of more than three
-/// intervals is a gap, as is each loss of the connection; the PLC's own slowness counts as the interval.
+/// intervals is a gap, as is each loss of the connection; the interval of a slow PLC is the median of the last images.
+/// The file gets a line with the interval if the PLC is slower than wanted, as a killed process writes no end.
 class Writer {
  public:
-  /// `file` is open. Names must outlive it.
+  /// `file` is open; what it has is replaced at the start. Names must outlive it.
   Writer(trace::OutputFile file, const trace::PlantNames& names, What what);
 
   void take(const Batch& batch);
@@ -68,6 +71,8 @@ class Writer {
 
  private:
   std::optional<Line> gap_before(const Batch& batch);
+  bool is_gap(Time distance) const;
+  void note_interval();
   void wait_for_start(const Batch& batch, const std::optional<Line>& gap);
   void start(Time begin, Time now);
   void write_kept();
@@ -85,7 +90,8 @@ class Writer {
   Time zero_ = 0;     ///< t = 0
   Time latest_ = -1;  ///< the time of the latest image; -1: there was none
   Time begun_ = -1;   ///< the first time of the latest image
-  Time least_ = -1;   ///< from one image to the next
+  Interval interval_;
+  std::uint64_t note_at_ = 20;  ///< images; then twice as many each time
   Time end_ = tables::kNever;
   Time last_line_ = 0;
   bool ended_ = false;

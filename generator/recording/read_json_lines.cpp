@@ -69,6 +69,7 @@ class Reader {
     if (lines_.is_set_back()) set_back();
     if (std::string wrong = take_time(); !wrong.empty()) return wrong;
     if (lines_.is_set_back()) return values(json);
+    if (json.contains("every")) return slower(json["every"]);
     if (json.contains("symbol")) return symbol(json);
     if (json.contains("gap")) return gap(json);
     return json.contains("part") ? part(json) : std::string();
@@ -120,6 +121,15 @@ class Reader {
         if (symbol.is_string()) changes_.add_written(symbol.get<std::string>());
       }
     }
+    return "";
+  }
+
+  /// The PLC was slower than the header says.
+  std::string slower(const Json& every) {
+    if (!every.is_number_unsigned() || every.get<std::uint64_t>() > kLatestTime) {
+      return fmt::format("the key `every` is no time in ns up to {}", kLatestTime);
+    }
+    read_.recording.resolution = std::max(read_.recording.resolution, every.get<tables::Time>());
     return "";
   }
 

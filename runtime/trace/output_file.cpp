@@ -10,12 +10,18 @@
 
 namespace symplant::trace {
 
-OutputFile::OutputFile(std::string what, std::string path, std::uint64_t limit)
+OutputFile::OutputFile(std::string what, std::string path, std::uint64_t limit, Old old)
     : what_(std::move(what)), path_(std::move(path)), limit_(limit) {
-  open();
+  open(old == Old::kept ? "ab" : "wb");
   // A pipe or a device has no size to limit, and cannot be renamed.
   std::error_code unknown;
   if (file_ && !std::filesystem::is_regular_file(path_, unknown)) limit_ = kNoLimit;
+  // A pipe has nothing to keep, and its reader would see its end.
+  keeps_ = old == Old::kept && std::filesystem::is_regular_file(path_, unknown);
+}
+
+void OutputFile::replace() {
+  if (std::exchange(keeps_, false)) open("wb");
 }
 
 OutputFile::OutputFile(std::string what, std::ostream& stream) : what_(std::move(what)), stream_(&stream) {
@@ -26,9 +32,9 @@ OutputFile::OutputFile(OutputFile&&) noexcept = default;
 
 OutputFile::~OutputFile() { flush(); }
 
-void OutputFile::open() {
-  file_.reset(std::fopen(path_.c_str(), "wb"));
-  written_ = 0;
+void OutputFile::open(const char* mode) {
+  file_.reset(std::fopen(path_.c_str(), mode));
+  written_ = whole_ = 0;
   if (!file_) {
     fail();
     return;
@@ -49,6 +55,10 @@ void OutputFile::write_lines() {
 }
 
 void OutputFile::write_out(std::size_t size) {
+  const auto lines_in = [this](std::size_t bytes) {  // the end of the last line of the first bytes, in the file
+    const std::size_t end = std::string_view(buffer_).substr(0, bytes).rfind('\n');
+    return end == std::string_view::npos ? whole_ : written_ + end + 1;
+  };
   if (stream_ != nullptr) {
     stream_->write(buffer_.data(), static_cast<std::streamsize>(size));
     if (!stream_->good()) {
@@ -60,13 +70,13 @@ void OutputFile::write_out(std::size_t size) {
     const std::size_t done = std::fwrite(buffer_.data(), 1, size, file_.get());
     if (done != size) {
       fail();
-      const std::size_t whole = std::string_view(buffer_).substr(0, done).rfind('\n') + 1;  // npos: 0
       std::error_code ignored;
       if (std::filesystem::is_regular_file(path_, ignored)) {
-        std::filesystem::resize_file(path_, written_ + whole, ignored);
+        std::filesystem::resize_file(path_, lines_in(done), ignored);
       }
     }
   }
+  whole_ = lines_in(size);
   written_ += size;
   buffer_.erase(0, size);
 }
@@ -86,7 +96,7 @@ void OutputFile::begin_again() {
     error_ = "cannot move the " + what_ + " `" + path_ + "` to `" + path_ + ".1`: " + failed.message();
     return;
   }
-  open();
+  open("wb");
 }
 
 }  // namespace symplant::trace

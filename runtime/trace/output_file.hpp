@@ -18,8 +18,13 @@ inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
 /// after its last whole line; error() has the reason.
 class OutputFile {
  public:
-  /// Opens a file. `what` is its name in messages ("trace"). full() is true from `limit` bytes on.
-  OutputFile(std::string what, std::string path, std::uint64_t limit = kNoLimit);
+  enum class Old : bool {
+    replaced,  ///< at once
+    kept,      ///< until replace(): until then it is only proved that the file can be written
+  };
+  /// Opens a file. `what` is its name in messages ("trace"). full() is true from `limit` bytes on. `old`: what the file
+  /// has.
+  OutputFile(std::string what, std::string path, std::uint64_t limit = kNoLimit, Old old = Old::replaced);
   /// Writes to a stream, which is never full and must outlive this.
   OutputFile(std::string what, std::ostream& stream);
   OutputFile(OutputFile&&) noexcept;
@@ -30,6 +35,8 @@ class OutputFile {
     buffer_.append(text);
     if (buffer_.size() >= kBuffer) write_lines();
   }
+  /// Empties a file whose contents were kept. To be called before the first put().
+  void replace();
   /// Passes everything written so far to the system.
   void flush();
 
@@ -48,7 +55,7 @@ class OutputFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  void open();
+  void open(const char* mode);
   void write_lines();
   void write_out(std::size_t size);
   void fail();
@@ -60,6 +67,8 @@ class OutputFile {
   std::string buffer_;
   std::uint64_t limit_ = kNoLimit;
   std::uint64_t written_ = 0;
+  std::uint64_t whole_ = 0;  ///< of these, up to the end of the last line
+  bool keeps_ = false;       ///< what the file had
   std::string error_;
 };
 

@@ -142,11 +142,12 @@ void TraceFile::write(const Record& record) {
 
 void TraceFile::part(tables::Time time, const History& history) {
   if (!file_.full() || !has_lines_) return;
-  has_lines_ = false;
   file_.begin_again();
   file_.put(head_);
   file_.put(fmt::format(R"(,"part":{},"t":{})", ++parts_, time));
   put_values(history);
+  if (every_ != 0) interval(time, every_);
+  has_lines_ = false;
 }
 
 void TraceFile::set_back(std::string_view what, std::string_view name, tables::Time time, const History& history) {
@@ -177,10 +178,17 @@ void TraceFile::gap(tables::Time time, tables::Time length) {
   file_.put(fmt::format(",\"gap\":{}}}\n", length));
 }
 
-void TraceFile::end(tables::Time time) {
+void TraceFile::interval(tables::Time time, tables::Time every) {
+  if (!file_.is_open()) return;
+  every_ = every;
+  put_time(time);
+  file_.put(fmt::format(",\"every\":{}}}\n", every));
+}
+
+void TraceFile::end(tables::Time time, tables::Time every) {
   if (!file_.is_open()) return;
   put_time(time);
-  file_.put(",\"end\":true}\n");
+  file_.put(every == 0 ? ",\"end\":true}\n" : fmt::format(",\"end\":true,\"every\":{}}}\n", every));
 }
 
 void TraceFile::lost(tables::Time time, std::uint64_t changes) {

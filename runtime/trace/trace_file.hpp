@@ -47,8 +47,11 @@ class TraceFile {
   void quality(tables::Time time, std::string_view device, bool well);
   /// A line about a time in which nothing was recorded: `{"t":0,"gap":800000000}`.
   void gap(tables::Time time, tables::Time length);
-  /// The last line of a recording: `{"t":0,"end":true}`.
-  void end(tables::Time time);
+  /// A line about the interval of readings that a PLC reaches, if it is slower than wanted:
+  /// `{"t":0,"every":222000000}`. Later parts have the latest one, too.
+  void interval(tables::Time time, tables::Time every);
+  /// The last line of a recording: `{"t":0,"end":true}`; with the key `every` if the interval is not 0.
+  void end(tables::Time time, tables::Time every = 0);
   /// A line about changes that are missing: `{"t":0,"lost":3}`.
   void lost(tables::Time time, std::uint64_t changes);
   /// To be called between two instants: starts a new part if the file is full. Its header has `part`, counted from 1,
@@ -83,6 +86,7 @@ class TraceFile {
   tables::Time last_time_ = -1;
   std::uint64_t parts_ = 1;
   bool recorded_ = false;         ///< of a real plant
+  tables::Time every_ = 0;        ///< of the latest interval(); 0: there was none
   std::vector<bool> has_values_;  ///< by symbol: it has had a line; of a recording
   bool has_lines_ = false;        ///< whether this part has lines, so that no part is only a header
 };

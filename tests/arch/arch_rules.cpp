@@ -69,7 +69,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"diff", " tables "},
     RuntimeUse{"map", " tables link trace why "},
     RuntimeUse{"recording", " tables trace "},
-    RuntimeUse{"record", " tables condition link trace scenario "},
+    RuntimeUse{"record", " tables condition exec link trace scenario "},
     RuntimeUse{"compare", " tables trace "},
     RuntimeUse{"observe", " tables condition "},
     RuntimeUse{"study", " tables condition plant trace "},

@@ -16,6 +16,7 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/read_link.hpp"
+#include "diag/visible_text.hpp"
 #include "record/recorder.hpp"
 #include "symplant/host/console.hpp"
 #include "symplant/host/exit_codes.hpp"
@@ -80,7 +81,7 @@ std::string milliseconds(Time time) { return fmt::format("{:.1f} ms", static_cas
 
 std::string gaps_text(const RecordState& state) {
   return state.gaps == 0 ? "no gaps"
-                         : fmt::format("{} of {} together", host::plural(state.gaps, "gap"), tenths(state.gap_time));
+                         : fmt::format("{}, {} in total", host::plural(state.gaps, "gap"), tenths(state.gap_time));
 }
 
 std::string state_text(const RecordState& state) {
@@ -102,11 +103,10 @@ std::string summary_text(const RecordState& state, const link::record::LoopMeter
   text += fmt::format("reading interval: median {}, longest {}; {} of {} began late, {} incomplete\n",
                       milliseconds(intervals.p50), milliseconds(intervals.max), meter.late.value(),
                       host::plural(meter.images.value(), "image"), meter.incomplete.value());
-  // A quantile of the histogram is up to 1/64 above the exact one.
-  const bool slow = intervals.p50 - intervals.p50 / 32 > every;
-  text += fmt::format(
-      "resolution: {}{}\n", milliseconds(slow ? intervals.p50 : every),
-      slow ? ", since the PLC answers too slowly for `--every " + tables::duration_text(every) + "`" : std::string());
+  text += fmt::format("resolution: {}{}\n", milliseconds(state.resolution),
+                      state.resolution > every
+                          ? ", since the PLC answers too slowly for `--every " + tables::duration_text(every) + "`"
+                          : std::string());
   return text;
 }
 
@@ -116,7 +116,8 @@ void attend(record::Recorder& recorder, const RecordOptions& options, host::Cons
   auto next_line = begin + kLinePeriod;
   const std::chrono::nanoseconds patience(std::max(options.until.value_or(0), kPatience));
   const auto report = [&] {
-    for (const std::string& message : recorder.take_messages()) console.message("link: " + message + "\n");
+    for (const std::string& message : recorder.take_messages())
+      console.message(diag::visible("link: " + message) + "\n");
   };
   while (!recorder.has_ended() && !host::stop_requested().load()) {
     std::this_thread::sleep_for(kLook);
@@ -137,8 +138,8 @@ void attend(record::Recorder& recorder, const RecordOptions& options, host::Cons
 int conclude(const record::Writer& writer, const RecordOptions& options, std::ostream& err) {
   const RecordState& state = writer.state();
   if (!writer.error().empty()) {
-    err << fmt::format("error: {}; the recording ends at {}, what was written before is valid\n", writer.error(),
-                       trace::seconds(state.length));
+    err << fmt::format("error: {}; the recording ends at {}, what was written before is valid\n",
+                       diag::visible(writer.error()), trace::seconds(state.length));
     return host::kEnvironment;
   }
   if (!state.has_images) {
@@ -147,7 +148,7 @@ int conclude(const record::Writer& writer, const RecordOptions& options, std::os
     return host::kEnvironment;
   }
   if (state.has_started) return host::kGood;
-  err << fmt::format("error: nothing was recorded: `--start-when {}` did not hold\n", options.start);
+  err << fmt::format("error: nothing was recorded: `--start-when {}` did not hold\n", diag::visible(options.start));
   return host::kFindings;
 }
 
@@ -157,7 +158,7 @@ bool read_condition(const char* option, const std::string& text, const trace::Pl
   if (text.empty()) return true;
   auto read = record::read_trigger(text, names, is_read);
   if (const auto* fault = std::get_if<std::string>(&read)) {
-    err << "error: " << option << " " << *fault << "\n";
+    err << "error: " << option << " " << diag::visible(*fault) << "\n";
     return false;
   }
   trigger = std::get<record::Trigger>(std::move(read));
@@ -174,12 +175,13 @@ bool overwrites_input(Context& context, const RecordOptions& options, const std:
 int record_parts(link::client::ClientParts& parts, record::What what, const trace::PlantNames& names,
                  const RecordOptions& options, Context& context) {
   if (std::string text = link::client::unreachable_text(parts.unreachable, names.tables()); !text.empty()) {
-    context.err << "warning: " << text << "\n";
+    context.err << "warning: " << diag::visible(text) << "\n";
   }
   trace::OutputFile file = options.to_standard_output() ? trace::OutputFile("recording", context.out)
-                                                        : trace::OutputFile("recording", options.output, options.limit);
+                                                        : trace::OutputFile("recording", options.output, options.limit,
+                                                                            trace::OutputFile::Old::kept);
   if (!file.error().empty()) {
-    context.err << "error: " << file.error() << "\n";
+    context.err << "error: " << diag::visible(file.error()) << "\n";
     return host::kEnvironment;
   }
   host::catch_signals();
@@ -199,10 +201,10 @@ void record_plant(const RecordOptions& options, Context& context) {
   if (overwrites_input(context, options, compiled->plant.input_files())) return;
   const tables::PlantTables tables = compiled->tables.tables();
   const auto fail = [&](const LinkError& error) {
-    context.err << "error: " << error.message << "\n";
+    context.err << "error: " << diag::visible(error.message) << "\n";
     context.exit_code = error.kind == LinkError::Kind::usage ? host::kBadInput : host::kEnvironment;
   };
-  const auto chosen = link_to_read(options.links, compiled->plant, tables);
+  const auto chosen = link_to_read("record", options.links, compiled->plant, tables);
   if (const auto* error = std::get_if<LinkError>(&chosen)) return fail(*error);
   const auto& choice = std::get<link::LinkChoice>(chosen);
   auto opened = link::client_parts(choice, tables);

@@ -1,5 +1,6 @@
 // symplant record: usage, and a recording of a PLC, in process.
 #include "support/catch.hpp"
+#include "support/golden.hpp"
 #include "support/modbus/modbus_plc.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/tool.hpp"
@@ -51,7 +52,7 @@ TEST_CASE("record refuses links that cannot be read, and more than one") {
   CHECK_THAT(refused({"--link", "telnet://a"}), ContainsSubstring("`telnet://a` is not a link"));
   CHECK_THAT(refused({"--link", "modbus-tcp://127.0.0.1:502?evnts=coils"}), ContainsSubstring("evnts"));
   CHECK_THAT(refused({}), ContainsSubstring("the plant has no link: give `--link URL`"));
-  CHECK_THAT(refused({"--link", kUrl, "--link", kUrl}), ContainsSubstring("a recording is of one PLC"));
+  CHECK_THAT(refused({"--link", kUrl, "--link", kUrl}), ContainsSubstring("run one `record` for each PLC"));
   CHECK_THAT(refused({"--link", std::string("PLC9=") + kUrl}), ContainsSubstring("controller `PLC9` not found"));
   const ToolRun own = record({"plant.json"});
   CHECK(own.code == 2);
@@ -120,6 +121,19 @@ TEST_CASE("A recording is compared like a trace, and cannot be replayed") {
   const ToolRun replay = test::run_tool({"run", list, "--replay", path}, files);
   CHECK(replay.code == 2);
   CHECK_THAT(replay.err, ContainsSubstring("this is a recording of a real plant"));
+}
+
+TEST_CASE("An older file is kept until a recording starts") {
+  ModbusPlc plc;
+  const test::TemporaryFolder folder;
+  const std::string list = folder.write("list.csv", "Tag,Address,Type\nLINE_S1_CYL_O_OUT,%QX0,BOOL\n");
+  const std::string path = folder.write("r.jsonl", "old\n");
+  base::DiskFileSystem files;
+  const std::string url = "modbus-tcp://127.0.0.1:" + std::to_string(plc.port());
+  CHECK(test::run_tool({"record", list, "--link", kUrl, "--until", "100ms", "-o", path}, files).code == 3);
+  CHECK(test::read_bytes(path) == "old\n");
+  CHECK(test::run_tool({"record", list, "--link", url, "--until", "100ms", "-o", path}, files).code == 0);
+  CHECK_THAT(test::read_bytes(path), Catch::Matchers::StartsWith("{\"symplant-trace\":1,"));
 }
 
 TEST_CASE("A PLC that does not answer gives exit code 3") {

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "../compare/compare_support.hpp"
@@ -152,6 +153,19 @@ TEST_CASE("watch --link: What an input does that nothing caused is shown, and no
                  "list.csv:4) came on"));
   CHECK(contains(run.out, "1 anomaly of 1 device, in 1 move of 1 device"));
   CHECK(plc.written().empty());
+}
+
+TEST_CASE("watch --link: A PLC that goes away is silent at once, and does not hold up the end") {
+  std::optional<modbus::ModbusPlc> plc(std::in_place);
+  const std::string url = "modbus-tcp://127.0.0.1:" + std::to_string(plc->port());
+  std::thread power([&plc] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(800));
+    plc.reset();
+  });
+  const ToolRun run = watch_link({"--link", url, "--until", "1500ms", "--every", "20ms"});
+  power.join();
+  CHECK(run.code == 1);
+  CHECK(contains(run.out, "nothing was read for 0."));
 }
 
 TEST_CASE("watch --link: A PLC that does not answer gives the exit code 3") {

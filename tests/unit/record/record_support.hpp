@@ -46,10 +46,10 @@ class WriterBench {
 
   /// An image with these changes: symbol, value.
   void image(std::int64_t ms, const std::vector<std::pair<std::uint32_t, std::uint64_t>>& changes = {},
-             bool reconnected = false) {
+             bool after_loss = false) {
     Batch batch;
     batch.first = batch.last = at(ms);
-    batch.reconnected = reconnected;
+    batch.after_loss = after_loss;
     for (const auto& change : changes) batch.lines.push_back({at(ms), change.second, change.first});
     writer_->take(batch);
   }

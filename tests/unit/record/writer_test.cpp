@@ -127,11 +127,11 @@ TEST_CASE("A gap at the end is written at the end") {
 TEST_CASE("More than three intervals without an image are a gap, three are not") {
   WriterBench bench;
   bench.image(0, {{kO, 0}});
-  bench.image(50);
-  bench.image(200);
-  bench.image(351, {{kO, 1}});
-  bench.writer().finish(WriterBench::at(351));
-  CHECK(bench.lines() == Lines{line(0, "O", "false"), gap(200, 151), line(351, "O", "true"), end(351)});
+  bench.quiet(50, 300);
+  bench.image(450);
+  bench.image(601, {{kO, 1}});
+  bench.writer().finish(WriterBench::at(601));
+  CHECK(bench.lines() == Lines{line(0, "O", "false"), gap(450, 151), line(601, "O", "true"), end(601)});
 }
 
 TEST_CASE("A PLC that is always slower than the interval has no gaps") {
@@ -141,6 +141,38 @@ TEST_CASE("A PLC that is always slower than the interval has no gaps") {
   CHECK(bench.writer().state().gaps == 0);
   bench.image(4'000 + 801);
   CHECK(bench.writer().state().gaps == 1);
+}
+
+TEST_CASE("A slow PLC that answers some images fast has no gaps, and the file has its interval") {
+  constexpr std::int64_t kSlow = 222;
+  WriterBench bench;
+  std::int64_t ms = 0;
+  bench.image(ms, {{kO, 0}});
+  const auto slow = [&](int images) {
+    for (; images > 0; --images) bench.image(ms += kSlow);
+  };
+  slow(15);
+  for (int i = 0; i < 3; ++i) bench.image(ms += 10);
+  slow(4);
+  bench.writer().flush();  // what a killed process leaves
+  std::ifstream killed(bench.path());
+  CHECK(recording::read_recording(killed, "r").recording.resolution / kMillisecond >= kSlow);
+  slow(20);
+  bench.writer().finish(WriterBench::at(ms));
+  CHECK(bench.writer().state().gaps == 0);
+  CHECK(bench.writer().state().resolution / kMillisecond >= kSlow);
+  CHECK_THAT(bench.lines().back(), ContainsSubstring("\"end\":true,\"every\":22"));
+  std::ifstream file(bench.path());
+  const auto read = recording::read_recording(file, "r");
+  CHECK(read.error.empty());
+  CHECK(read.recording.resolution == bench.writer().state().resolution);
+}
+
+TEST_CASE("A recording with a wrong interval is an error") {
+  std::istringstream file(
+      "{\"symplant-trace\":1,\"recorded\":true,\"every\":50}\n{\"t\":1,\"symbol\":\"O\",\"value\":true}\n"
+      "{\"t\":5,\"every\":-1}\n");
+  CHECK_THAT(recording::read_recording(file, "r").error, ContainsSubstring("r:3: the key `every` is no time"));
 }
 
 TEST_CASE("A recording of a length ends there, whatever comes later") {
@@ -270,6 +302,44 @@ TEST_CASE("A full part is renamed, and the next one can be read alone") {
   CHECK(header["values"].size() == 2);  // also those that are off: only what has a value was recorded
   CHECK(header["values"]["I"] == true);
   CHECK(bench.lines().back() == end(ms - 50));
+}
+
+TEST_CASE("Every part has the interval of a slow PLC") {
+  WriterBench bench({}, 1'024);
+  bench.image(0, {{kO, 0}});
+  std::int64_t ms = 200;
+  for (std::uint64_t i = 1; i <= 60; ++i, ms += 200) bench.image(ms, {{kO, i % 2}});
+  bench.writer().flush();
+  CHECK(nlohmann::json::parse(bench.header()).contains("part"));
+  CHECK_THAT(bench.lines().front(), ContainsSubstring("\"every\":2"));
+}
+
+TEST_CASE("A failed write ends a file after its last whole line, also if a part of a line was passed on before") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "x";
+  trace::OutputFile file("trace", path);
+  file.put("one\ntwo");
+  file.flush();
+  {
+    const FileLimit full(10);
+    file.put(" and more\nthree\n");
+    file.flush();
+  }
+  CHECK_FALSE(file.error().empty());
+  CHECK(test::read_bytes(path) == "one\n");
+}
+
+TEST_CASE("A file is kept until it is replaced") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("x", "old\n");
+  trace::OutputFile file("trace", path, trace::kNoLimit, trace::OutputFile::Old::kept);
+  CHECK(file.is_open());
+  CHECK(test::read_bytes(path) == "old\n");
+  file.replace();
+  file.put("new\n");
+  file.replace();  // once only
+  file.flush();
+  CHECK(test::read_bytes(path) == "new\n");
 }
 
 TEST_CASE("A full disk ends the recording after its last whole line") {
