@@ -233,7 +233,8 @@ void add_learn(CLI::App& app, Context& context) {
   add_recording_options(*command, options->reading);
   add_plant_options(*command, options->how);
   command->footer(
-      "Exit codes: 0 something was learned; 1 the recordings show no move and no pair; 2 bad input or usage, or no name in a recording is a symbol.\n"
+      "Exit codes: 0 something was learned; 1 the recordings show no move and no pair; 2 bad input or usage, or no "
+      "name in a recording is a symbol.\n"
       "Examples:\n  symplant learn plant.json monday.jsonl tuesday.jsonl -o learned.json\n"
       "  symplant learn plant.json scope.csv --rename names.csv --format html > times.html");
   command->callback([options, &context] { Learn(*options, context).run(); });

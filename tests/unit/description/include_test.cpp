@@ -81,7 +81,8 @@ TEST_CASE("The including file wins, then the last included one, key by key at ev
 TEST_CASE("A value that has several forms is taken as a whole, as is an array without names") {
   const Whole all = whole(
       {{"plant.json",
-        described(R"("include": ["a.json"], "symbols": ["s.csv"], "follow": {"X": {"on": "A", "off": "B"}}, "inverted": ["P"],
+        described(
+            R"("include": ["a.json"], "symbols": ["s.csv"], "follow": {"X": {"on": "A", "off": "B"}}, "inverted": ["P"],
             "times": {"D": {"A->B": {"takes": {"min": "1s", "max": "2s"}}}}, "devices": {"D": {"states": ["S"]}})")},
        {"a.json",
         described(R"("follow": {"X": "C"}, "inverted": ["Q", "R"], "devices": {"D": {"states": ["T"], "initial": "T"}},
@@ -94,7 +95,8 @@ TEST_CASE("A value that has several forms is taken as a whole, as is an array wi
 
 TEST_CASE("Requirements and malfunctions are merged by name, links and programs by controller") {
   const Whole all = whole(
-      {{"plant.json", described(R"("include": ["a.json"], "symbols": ["s.csv"], "requirements": [{"name": "r", "never": "A"}],
+      {{"plant.json",
+        described(R"("include": ["a.json"], "symbols": ["s.csv"], "requirements": [{"name": "r", "never": "A"}],
             "links": [{"url": "loop:", "controller": "P1"}], "malfunctions": [{"name": "m", "of": "X"}])")},
        {"a.json",
         described(
