@@ -7,6 +7,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <array>
+#include <filesystem>
 #include <ostream>
 #include <vector>
 
@@ -201,11 +202,17 @@ void report_ignored(Context& context, const diag::Diagnostics& diagnostics) {
 
 namespace {
 
-/// Shows the errors, and the warnings as a line of counts; with --verbose all findings.
-void show_findings(Context& context, const diag::Diagnostics& diagnostics, bool verbose) {
+bool is_in(const diag::Diagnostic& finding, const std::string& file) {
+  if (file.empty() || finding.location.source == nullptr) return false;
+  const auto absolute = [](const std::string& path) { return std::filesystem::absolute(path).lexically_normal(); };
+  return absolute(finding.location.source->path()) == absolute(file);
+}
+
+/// Shows the errors, and those of the file of times, which `symplant check` does not read; with --verbose all findings.
+void show_findings(Context& context, const diag::Diagnostics& diagnostics, bool verbose, const std::string& times) {
   std::vector<diag::Diagnostic> shown;
   for (const diag::Diagnostic& finding : diagnostics.all()) {
-    if (verbose || check::is_stopping(finding)) shown.push_back(finding);
+    if (verbose || check::is_stopping(finding) || is_in(finding, times)) shown.push_back(finding);
   }
   context.err << diag::render_text(shown, {.colour = context.colour_err, .all = verbose, .most_errors = 5});
   if (verbose) report_ignored(context, diagnostics);
@@ -241,7 +248,7 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   diag::Diagnostics diagnostics;
   Progress progress(context.err, context.progress);
   auto compiled = compile(compile_options(context, plant, options), context.files, progress, diagnostics);
-  show_findings(context, diagnostics, options.verbose);
+  show_findings(context, diagnostics, options.verbose, options.times);
   if (compiled && options.verbose) report_decisions(context, *compiled);
   show_counts(context, plant, diagnostics, options.verbose, compiled);
   return compiled;
@@ -254,7 +261,7 @@ std::optional<Compiled> compile_for_report(Context& context, const std::string& 
   auto compiled = compile(compile_options(context, plant, options), context.files, progress, diagnostics);
   sound = compiled && !check::has_stopping_errors(diagnostics);
   if (!compiled) {
-    show_findings(context, diagnostics, options.verbose);
+    show_findings(context, diagnostics, options.verbose, options.times);
     show_counts(context, plant, diagnostics, options.verbose, compiled);
     return compiled;
   }
@@ -271,7 +278,7 @@ std::optional<Inputs> read_for(Context& context, const std::string& plant, const
   Progress progress(context.err, context.progress);
   auto inputs = read_inputs(compile_options(context, plant, options), context.files, progress, diagnostics);
   if (inputs && inputs->source != nullptr) description::add_findings(*inputs->source, inputs->faults, diagnostics);
-  show_findings(context, diagnostics, options.verbose);
+  show_findings(context, diagnostics, options.verbose, options.times);
   show_counts(context, plant, diagnostics, options.verbose, inputs);
   return inputs;
 }

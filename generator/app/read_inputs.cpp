@@ -95,12 +95,12 @@ class InputReader {
     const fs::path plant(options_.plant);
     const fs::path times(options_.times);
     const bool is_relative = times.is_relative() && !plant.parent_path().empty();
-    const std::string from_plant =
-        is_relative ? times.lexically_relative(plant.parent_path()).string() : times.string();
+    std::string from_plant = is_relative ? times.lexically_relative(plant.parent_path()).string() : times.string();
+    if (from_plant.empty()) from_plant = fs::absolute(times).lexically_normal().string();  // one of them is absolute
     nlohmann::json root = {{"symplant", 1}, {"include", nlohmann::json::array()}};
     if (!described) root["symbols"] = {plant.filename().string()};
     if (described) root["include"].push_back(plant.filename().string());
-    root["include"].push_back(from_plant.empty() ? options_.times : from_plant);
+    root["include"].push_back(from_plant);
     return root.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
 

@@ -45,7 +45,8 @@ bool WatchOutput::open(const std::vector<std::string>& inputs) {
 void WatchOutput::begin(const std::string& name, watch::Time end, const std::vector<bool>& recorded) {
   const auto known = std::count(recorded.begin(), recorded.end(), true);
   std::string text = fmt::format("{}: ", name);
-  if (end != watch::kUnknown) text += trace::seconds(end) + ", ";
+  is_recording_ = end != watch::kUnknown;
+  if (is_recording_) text += trace::seconds(end) + ", ";
   text += fmt::format("{} of {} symbols, {}, margin {} %", known, recorded.size(),
                       margin_.resolution == 0 ? "exact times" : "resolution " + trace::seconds(margin_.resolution),
                       margin_.share * 100);
@@ -57,7 +58,9 @@ void WatchOutput::begin(const std::string& name, watch::Time end, const std::vec
 void WatchOutput::add(const watch::Anomaly& anomaly) {
   tally_.add(plant_, anomaly, margin_.resolution);
   if (findings_) findings_->put(watch::json_line(plant_, anomaly, margin_.resolution) + "\n");
-  if (tally_.count(anomaly.unit, anomaly.kind) > kMostOfKind) {
+  Repeats& repeats = repeats_[{anomaly.unit, anomaly.kind, anomaly.move.from, anomaly.move.to}];
+  if (repeats.count++ != 0) {
+    repeats.last = anomaly.time;
     ++hidden_;
     return;
   }
@@ -66,18 +69,39 @@ void WatchOutput::add(const watch::Anomaly& anomaly) {
                << "\n";
 }
 
+std::string WatchOutput::repeats_words(const RepeatedMove& move, const Repeats& repeats) const {
+  const auto& [unit, kind, from, to] = move;
+  watch::Anomaly of;
+  of.unit = unit;
+  const auto state = [&, u = unit](std::uint32_t s) {
+    return s == watch::kNone ? std::string("?") : std::string(plant_.units[u].states[s].name);
+  };
+  std::string text = fmt::format("... {}", watch::name_of(plant_, of));
+  if (unit != watch::kNone && from != watch::kNone) text += fmt::format(" from {} to {}", state(from), state(to));
+  return text + fmt::format(": {} more {} until {}", repeats.count - 1, watch::kind_name(kind),
+                            watch::seconds(repeats.last, margin_.resolution));
+}
+
 void WatchOutput::flush() {
   context_.out.flush();
   if (findings_) findings_->flush();
 }
 
 void WatchOutput::end(const watch::Counts& counts, watch::Time end, const std::vector<std::string>& inputs) {
-  if (hidden_ != 0) context_.out << fmt::format("... and {} more; of each device:\n", hidden_);
+  for (const auto& [move, repeats] : repeats_) {
+    if (repeats.count > 1) context_.out << visible(repeats_words(move, repeats)) << "\n";
+  }
+  if (hidden_ != 0) context_.out << "of each device:\n";
   if (tally_.firsts() > 1 || hidden_ != 0) {
     for (const std::string& row : tally_.rows(plant_, margin_.resolution)) context_.out << "  " << visible(row) << "\n";
   }
   context_.out << visible(tally_.summary(counts)) << "\n";
   if (tally_.firsts() != 0) context_.exit_code = host::kFindings;
+  const bool moved = std::any_of(counts.of_unit.begin(), counts.of_unit.end(), [](std::size_t n) { return n != 0; });
+  if (is_recording_ && !moved && tally_.firsts() == 0) {
+    context_.err << "error: nothing was judged: the recording shows no move of a device that is watched\n";
+    context_.exit_code = host::kFindings;
+  }
   if (findings_) {
     findings_->flush();
     if (!findings_->error().empty()) {

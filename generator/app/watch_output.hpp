@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,15 +34,22 @@ class WatchOutput {
   bool open(const std::vector<std::string>& inputs);
   /// Shows what is watched. `end`: of the recording; kUnknown: it has none.
   void begin(const std::string& name, watch::Time end, const std::vector<bool>& recorded);
-  /// Shows an anomaly, unless its unit had enough of its kind, and writes it.
+  /// Shows an anomaly, unless one of its kind and move was shown, and writes it.
   void add(const watch::Anomaly& anomaly);
   /// Passes everything on: a live watch is read at once.
   void flush();
-  /// Shows the counts, writes the JUnit file and sets the exit code.
+  /// Shows the counts, writes the JUnit file and sets the exit code: a recording without moves is no success.
   void end(const watch::Counts& counts, watch::Time end, const std::vector<std::string>& inputs);
 
  private:
-  static constexpr std::size_t kMostOfKind = 3;  ///< shown, of each unit and kind
+  /// Unit, kind, from, to.
+  using RepeatedMove = std::tuple<std::uint32_t, watch::Anomaly::Kind, std::uint32_t, std::uint32_t>;
+  struct Repeats {
+    std::size_t count = 0;  ///< the first one included, which is shown
+    watch::Time last = 0;
+  };
+
+  std::string repeats_words(const RepeatedMove& move, const Repeats& repeats) const;
 
   const model::PlantModel& plant_;
   const watch::Margin margin_;
@@ -48,7 +57,9 @@ class WatchOutput {
   Context& context_;
   watch::Tally tally_;
   std::optional<trace::OutputFile> findings_;
+  std::map<RepeatedMove, Repeats> repeats_;
   std::size_t hidden_ = 0;
+  bool is_recording_ = false;
 };
 
 }  // namespace symplant::app

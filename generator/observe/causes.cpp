@@ -95,11 +95,12 @@ bool Causes::leads_to(const model::Unit& unit, std::uint32_t operation, std::uin
 void Causes::update_quiet(const model::Unit& unit, Time time) {
   const bool springs = unit.actuation == tables::Actuation::spring && unit.rest != state_ && unit.rest != kNone;
   bool wanted = !springs;
+  bool is_known = true;
   for (std::uint32_t o = 0; springs && o < unit.operations.size(); ++o) {
-    if ((known_ & bit_of(o)) != 0 && (on_ & bit_of(o)) == 0) continue;
-    wanted = wanted || leads_to(unit, o, state_);
+    if (((known_ & bit_of(o)) != 0 && (on_ & bit_of(o)) == 0) || !leads_to(unit, o, state_)) continue;
+    ((known_ & bit_of(o)) != 0 ? wanted : is_known) = (known_ & bit_of(o)) != 0;
   }
-  quiet_ = wanted ? kHoldsNot : quiet_ == kHoldsNot ? time : quiet_;
+  quiet_ = wanted ? kHoldsNot : !is_known ? -1 : quiet_ == kHoldsNot ? time : quiet_;
 }
 
 Cause Causes::automatic(const model::Unit& unit) const {

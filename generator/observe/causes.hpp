@@ -86,7 +86,7 @@ class Causes {
   std::uint64_t disarmed_ = 0;
   std::uint64_t doubtful_ = 0;  ///< may be disarmed
   tables::Time entered_ = -1;
-  tables::Time quiet_ = tables::kNever;  ///< since when nothing is wanted; kNever: something is
+  tables::Time quiet_ = tables::kNever;  ///< since when nothing is wanted; kNever: something is; < 0: not known
   std::uint32_t state_ = model::kNone;
   bool conflicts_ = false;        ///< commands conflict
   tables::Time conflicted_ = -1;  ///< until when they did last

@@ -29,6 +29,7 @@ struct Move {
   Time left = kUnknown;     ///< kUnknown: no event shows it, since `from` has no event that is on
   Time arrived = kUnknown;  ///< kUnknown: no event shows it, since `to` has no event that is on
   Time stopped = 0;         ///< how long the model did not let it move meanwhile
+  Time halted = 0;          ///< of `stopped`: how long a held device had no command when it arrived
   /// Its times say little: it was commanded back or without a command meanwhile, or the recording does not show for
   /// certain that it was at rest in `from`, that nothing else caused it, or whether it was stopped.
   bool turned = false;
@@ -53,12 +54,13 @@ struct Step {
 
 /// What is known of a unit now.
 struct View {
-  std::uint32_t state = kNone;  ///< in which it is, or which it left; kNone: not known
-  bool moving = false;          ///< it left `state`
-  bool contradicts = false;     ///< its events are those of no state, and of more than one
-  bool stopped = false;         ///< the model does not let it move now; `next.stopped` has the stops that ended
-  Time since = kUnknown;        ///< when it came to the state, or left it
-  Move next;                    ///< `cause` is known: the move whose cause holds, or which is going on
+  std::uint32_t state = kNone;    ///< in which it is, or which it left; kNone: not known
+  bool moving = false;            ///< it left `state`
+  bool contradicts = false;       ///< its events are those of no state, and of more than one
+  bool stopped = false;           ///< the model does not let it move now; `next.stopped` has the stops that ended
+  Time since = kUnknown;          ///< when it came to the state, or left it
+  Time stopped_since = kUnknown;  ///< kUnknown: it is not stopped
+  Move next;                      ///< `cause` is known: the move whose cause holds, or which is going on
 };
 
 /// Follows the devices of a plant by the changes of their symbols. It knows the model's states, causes and conditions,

@@ -87,6 +87,13 @@ bool Observer::Impl::is_stopped(std::uint32_t u) const {
          !units_[u].causes.commands(unit, move.from, move.to);
 }
 
+bool Observer::Impl::lacks_command_only(std::uint32_t u) const {
+  const Unit& unit = plant_.units[u];
+  const std::uint32_t timed = timed_by(unit, units_[u].next);
+  return unit.actuation == tables::Actuation::held && timed != kNone && unit.transitions[timed].during == kNone &&
+         !is_disabled(u);
+}
+
 bool Observer::Impl::is_halted_unseen(std::uint32_t u) const {
   const Followed& followed = units_[u];
   const Unit& unit = plant_.units[u];

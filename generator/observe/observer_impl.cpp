@@ -66,7 +66,9 @@ std::span<const Step> Observer::Impl::close(Time time) {
   steps_.clear();
   now_ = time;
   ++visit_;
+  if (begun_ && time - begun_at_ < grace_ / 2) forget();  // the first image is read in several parts
   if (!begun_) {
+    begun_at_ = begun_at_ == kUnknown ? time : begun_at_;
     begin();
     return steps_;
   }
@@ -97,8 +99,8 @@ void Observer::Impl::forget() {
 
 View Observer::Impl::view(std::uint32_t unit) const {
   const Followed& followed = units_[unit];
-  return {followed.state, followed.moving, followed.contradicts, followed.stopped_since != kUnknown,
-          followed.since, followed.next};
+  return {followed.state, followed.moving,        followed.contradicts, followed.stopped_since != kUnknown,
+          followed.since, followed.stopped_since, followed.next};
 }
 
 void Observer::Impl::queue(std::uint32_t unit) {
@@ -159,7 +161,7 @@ Observer::~Observer() = default;
 
 void Observer::set(std::uint32_t symbol, double value) { impl_->set(symbol, value); }
 std::span<const Step> Observer::close(Time time) { return impl_->close(time); }
-void Observer::forget() { impl_->forget(); }
+void Observer::forget() { impl_->forget_all(); }
 View Observer::view(std::uint32_t unit) const { return impl_->view(unit); }
 double Observer::value(std::uint32_t symbol) const { return impl_->value(symbol); }
 

@@ -23,7 +23,10 @@ class Observer::Impl {
 
   std::span<const Step> close(Time time);
 
-  void forget();
+  void forget_all() {
+    forget();
+    begun_at_ = kUnknown;
+  }
 
   View view(std::uint32_t unit) const;
 
@@ -52,6 +55,8 @@ class Observer::Impl {
     Time stopped_since = kUnknown;  ///< kUnknown: it is not stopped
     Move next{};                    ///< what is caused, or going on
   };
+
+  void forget();
 
   void queue(std::uint32_t unit);
 
@@ -96,6 +101,9 @@ class Observer::Impl {
 
   /// Whether the model lets the unit not go on with its move now.
   bool is_stopped(std::uint32_t u) const;
+
+  /// Whether a stopped unit would go on with its move if its command were on.
+  bool lacks_command_only(std::uint32_t u) const;
 
   /// Whether commands keep the unit from reaching the state without an event to which it went.
   bool is_halted_unseen(std::uint32_t u) const;
@@ -153,6 +161,7 @@ class Observer::Impl {
   Time now_ = 0;
   std::uint64_t visit_ = 0;
   bool begun_ = false;
+  Time begun_at_ = kUnknown;
 };
 
 }  // namespace symplant::observe

@@ -174,7 +174,9 @@ void Observer::Impl::arrive(std::uint32_t u, std::uint32_t state, Time time) {
     take_other_end(u, state);
   }
   if (followed.stopped_since != kUnknown) {
-    followed.next.stopped += now_ - std::max(followed.stopped_since, followed.next.cause);
+    const Time stopped = now_ - std::max(followed.stopped_since, followed.next.cause);
+    followed.next.stopped += stopped;
+    if (lacks_command_only(u)) followed.next.halted = stopped;
   }
   followed.stopped_since = kUnknown;
   followed.next.to = state;

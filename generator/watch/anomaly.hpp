@@ -16,7 +16,7 @@ struct Anomaly {
   enum class Kind : std::uint8_t {
     late,           ///< left or arrived after the longest time and the margin
     early,          ///< left or arrived before the shortest time less the margin
-    missing,        ///< did not leave or arrive within three times the longest time
+    missing,        ///< did not leave or arrive within three times the longest time, or while it was commanded to
     unexpected,     ///< left or arrived, and nothing caused it
     contradiction,  ///< the events of several states are on, or of none for longer than any move takes
     silent,         ///< nothing was read
@@ -37,6 +37,7 @@ struct Anomaly {
   std::vector<std::uint32_t> on;       ///< of `contradiction`: the events that are on
   Time learned = 0;                    ///< of `drift`: the mean, of `learned_moves`
   std::uint64_t learned_moves = 0;
+  std::size_t failed = 0;   ///< of `missing`: moves to that state in a row that did not arrive
   std::size_t number = 0;   ///< from 1 on
   std::size_t follows = 0;  ///< the number of the anomaly that it follows from; 0: none
 

@@ -54,6 +54,7 @@ std::string unit_members(const model::PlantModel& plant, const Anomaly& anomaly)
   if (anomaly.kind == Kind::drift) {
     text += fmt::format(R"(,"learned":{},"moves":{})", anomaly.learned, anomaly.learned_moves);
   }
+  if (anomaly.failed > 1) text += fmt::format(R"(,"failed":{})", anomaly.failed);
   if (!anomaly.on.empty()) text += fmt::format(R"(,"on":[{}])", symbols_json(plant, anomaly.on));
   return text + fmt::format(R"(,"symbols":[{}])", symbols_json(plant, anomaly.symbols));
 }

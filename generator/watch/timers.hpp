@@ -17,6 +17,7 @@ struct Timer {
     contradiction,  ///< events of several states
     dark,           ///< no event of a state
     unexpected,     ///< a change without a cause: what is read next may still be its cause
+    failed,         ///< a command that ended without effect, which may still be read
   };
   tables::Time due = 0;
   std::uint32_t unit = 0;
@@ -24,8 +25,8 @@ struct Timer {
   std::uint32_t generation = 0;
 };
 
-/// The earliest first. A unit has one timer of `unexpected`, and one of the other kinds. Timers that were replaced stay
-/// in the queue until they are due: setting one costs no search.
+/// The earliest first. A unit has one timer of `unexpected`, one of `failed`, and one of the other kinds. Timers that
+/// were replaced stay in the queue until they are due: setting one costs no search.
 class Timers {
  public:
   explicit Timers(std::size_t units) : lanes_(units) {}
@@ -67,10 +68,12 @@ class Timers {
   struct Later {
     bool operator()(const Timer& a, const Timer& b) const { return a.due != b.due ? a.due > b.due : a.unit > b.unit; }
   };
-  Lane& lane_of(std::uint32_t unit, Timer::Kind kind) { return lanes_[unit][kind == Timer::Kind::unexpected ? 1 : 0]; }
+  Lane& lane_of(std::uint32_t unit, Timer::Kind kind) {
+    return lanes_[unit][kind == Timer::Kind::unexpected ? 1 : kind == Timer::Kind::failed ? 2 : 0];
+  }
 
   std::priority_queue<Timer, std::vector<Timer>, Later> queue_;
-  std::vector<std::array<Lane, 2>> lanes_;  ///< by unit
+  std::vector<std::array<Lane, 3>> lanes_;  ///< by unit
 };
 
 }  // namespace symplant::watch

@@ -10,6 +10,9 @@ using observe::Move;
 using observe::Step;
 using observe::View;
 
+/// This number of moves in a row that do not arrive is no chance, though each alone may be.
+constexpr std::size_t kFailedInARow = 3;
+
 Watcher::Watcher(const model::PlantModel& plant, const std::vector<bool>& recorded, const observe::Observer& observer,
                  const Margin& margin, const std::vector<Statistic>& learned, Report report)
     : plant_(plant),
@@ -35,8 +38,14 @@ void Watcher::command(Time now, std::uint32_t symbol, bool on) {
   watched.commanded = now;
   if (watched.is_loose() && possible_.is_cause(watched.loose, symbol, on)) forget_loose(u);  // read after its effect
   const View view = observer_.view(u);
-  const bool turns = on || plant_.units[u].actuation == tables::Actuation::spring;
-  if (view.moving && turns && watched.turned == kUnknown) watched.turned = now;
+  if (view.moving) {
+    const tables::Actuation actuation = plant_.units[u].actuation;
+    if (on || actuation == tables::Actuation::spring) {
+      turns(now, view);
+    } else if (actuation == tables::Actuation::held && !view.stopped && view.next.is_caused()) {
+      await_failed(now, view.next, now - view.next.cause - view.next.stopped);
+    }
+  }
   if (!on || view.state != kNone || view.contradicts || watched.reported || timers_.is_set(u, Timer::Kind::dark))
     return;
   const model::Unit& unit = plant_.units[u];
@@ -52,7 +61,7 @@ void Watcher::step(Time now, const Step& step) {
     case Step::Kind::caused:
       return caused(step.move);
     case Step::Kind::canceled:
-      return canceled(step.move);
+      return canceled(now, step.move);
     case Step::Kind::left:
       return left(now, step.move);
     case Step::Kind::arrived:
@@ -88,25 +97,35 @@ void Watcher::caused(const Move& move) {
   wait_for(move);
 }
 
-void Watcher::canceled(const Move& move) {
+void Watcher::canceled(Time now, const Move& move) {
   Watched& watched = units_[move.unit];
   if (watched.contradicts != kUnknown) return;
   timers_.cancel(move.unit, Timer::Kind::missing);
   watched.canceled = move;
+  const View view = observer_.view(move.unit);
+  if (move.turned || view.stopped || view.state != move.from) return;
+  await_failed(now, move, now - move.cause - move.stopped);
+}
+
+bool Watcher::is_shown(const Move& move) const {
+  const model::Unit& unit = plant_.units[move.unit];
+  return possible_.shows(unit, move.from) || possible_.shows(unit, move.to);
 }
 
 void Watcher::wait_for(const Move& move) {
-  const model::Unit& unit = plant_.units[move.unit];
   const Limits limits = possible_.limits(move);
-  const bool shown = possible_.shows(unit, move.from) || possible_.shows(unit, move.to);
-  if (!limits.known || !shown) return timers_.cancel(move.unit, Timer::Kind::missing);
+  if (!limits.known || !is_shown(move)) return timers_.cancel(move.unit, Timer::Kind::missing);
   timers_.set(move.unit, Timer::Kind::missing, move.cause + margin_.missing_after(limits.total().most) + move.stopped);
 }
 
 void Watcher::left(Time now, const Move& move) {
+  end_failed(now, move);
   Watched& watched = units_[move.unit];
   const bool complete = move.to != kNone && !possible_.shows(plant_.units[move.unit], move.to);
-  if (complete) ++counts_.of_unit[move.unit];
+  if (complete) {
+    ++counts_.of_unit[move.unit];
+    failed_.erase({move.unit, move.to});
+  }
   if (!move.is_caused()) {
     timers_.cancel(move.unit, Timer::Kind::missing);
     if (!possible_.may_have_cause(move, watched.canceled)) await_cause(now, move);
@@ -120,10 +139,13 @@ void Watcher::left(Time now, const Move& move) {
 }
 
 void Watcher::arrived(Time now, const Move& move) {
+  end_failed(now, move);
+  failed_.erase({move.unit, move.to});
   Watched& watched = units_[move.unit];
   timers_.cancel(move.unit, Timer::Kind::missing);
   if (move.from != kNone) {
     ++counts_.of_unit[move.unit];
+    if (move.from != move.to && move.turned && watched.expected.to != move.to) judge_return(now, move);
     const bool was_loose = watched.is_loose() && watched.loose.left == move.left;
     if (!move.is_caused()) {
       came_without_cause(now, move);
@@ -146,6 +168,7 @@ void Watcher::arrived(Time now, const Move& move) {
 void Watcher::contradicts(Time now, const Move& move) {
   Watched& watched = units_[move.unit];
   forget_loose(move.unit);
+  watched.failed_net = kUnknown;
   watched.contradicts = now;
   watched.expected = move;
   timers_.set(move.unit, Timer::Kind::contradiction, now + 2 * margin_.resolution);
@@ -185,6 +208,8 @@ void Watcher::fire(const Timer& timer) {
       return fire_contradiction(timer);
     case Timer::Kind::dark:
       return fire_dark(timer);
+    case Timer::Kind::failed:
+      return fire_failed(timer.due, timer.unit);
   }
 }
 
@@ -220,6 +245,7 @@ void Watcher::fire_missing(const Timer& timer) {
   anomaly.took = timer.due - move.cause - move.stopped;
   anomaly.allowed = limits.total();
   anomaly.margin = margin_.of(limits.total().most);
+  anomaly.failed = ++failed_[{move.unit, move.to}];
   report(std::move(anomaly), true);
 }
 
@@ -257,32 +283,98 @@ void Watcher::judge(Part part, Time now, const Move& move) {
   if (part == Part::arriving) ++counts_.judged;
   const Time took = end - move.cause - move.stopped;
   const Time margin = margin_.of(limits.total().most);
-  const bool late = took > allowed.most + margin;
+  // A held device that arrives long after its command ended did so before: its event came late.
+  const bool halted = part == Part::arriving && took >= allowed.least - margin;
+  const bool late = took + (halted ? move.halted : 0) > allowed.most + margin;
   if (!late && took >= allowed.least - margin) {
     if (move.stopped == 0) look_for_drift(now, move);
     return;
   }
   if (late && possible_.may_be_stopped(move)) return;
   Anomaly anomaly = about(late ? Kind::late : Kind::early, part, now, move);
-  anomaly.took = took;
+  anomaly.took = late && halted ? took + move.halted : took;
   anomaly.allowed = allowed;
   anomaly.margin = margin;
   report(std::move(anomaly), false);
 }
 
-/// Whether it should have arrived before it was commanded back.
+/// By how much a move began late: that is another anomaly than its arrival.
+Time Watcher::late_by(const Move& move, const Limits& limits) {
+  return move.left == kUnknown ? 0 : std::max<Time>(move.left - move.cause - limits.after.most, 0);
+}
+
+/// Whether it should have arrived before it was commanded back, or on.
 void Watcher::judge_return(Time now, const Move& move) {
   const Watched& watched = units_[move.unit];
   const Move& expected = watched.expected;
+  if (watched.turned == kUnknown || expected.from != move.from || expected.to == kNone) return;
   const Limits limits = possible_.limits(expected);
-  if (watched.reported || watched.turned == kUnknown || !expected.is_caused() || !limits.known) return;
-  const Time took = watched.turned - expected.cause - move.stopped;
+  const Range total = limits.total();
+  const Time net = watched.turned_net - late_by(expected, limits);
+  // An arrival just before it was turned may lie between two readings.
+  const Time seen = 2 * margin_.resolution;
+  const bool in_time = net >= total.least && (margin_.resolution == 0 || watched.turned_idle >= seen);
+  did_not_arrive(now, expected, Part::arriving, watched.turned_net, in_time || net >= total.most + seen);
+}
+
+/// It is commanded elsewhere while it moves.
+void Watcher::turns(Time now, const View& view) {
+  Watched& watched = units_[view.next.unit];
+  if (watched.turned != kUnknown || !view.next.is_caused()) return;
+  watched.turned = now;
+  watched.turned_idle = view.stopped ? now - std::max(view.stopped_since, view.next.cause) : 0;
+  watched.turned_net = now - view.next.cause - view.next.stopped - watched.turned_idle;
+}
+
+/// The command of a move ended after the unit was let move for `net`. What came of it may be read a little later.
+void Watcher::await_failed(Time now, const Move& move, Time net) {
+  Watched& watched = units_[move.unit];
+  if (watched.reported || move.to == kNone) return;
+  watched.failed = move;
+  watched.failed_net = net;
+  timers_.set(move.unit, Timer::Kind::failed, now + 2 * margin_.resolution);
+}
+
+/// A move has begun or ended: the one whose command ended was another one, or is this one.
+void Watcher::end_failed(Time now, const Move& move) {
+  Watched& watched = units_[move.unit];
+  const bool other = move.is_caused() && move.cause != watched.failed.cause;
+  if (watched.failed_net != kUnknown && other) fire_failed(now, move.unit);
+  watched.failed_net = kUnknown;
+}
+
+void Watcher::fire_failed(Time now, std::uint32_t unit) {
+  Watched& watched = units_[unit];
+  const Time net = std::exchange(watched.failed_net, kUnknown);
+  if (net == kUnknown || observer_.view(unit).state != watched.failed.from) return;
+  const Move move = watched.failed;
+  const Limits limits = possible_.limits(move);
+  const Range total = limits.total();
+  const Time seen = 3 * margin_.resolution;
+  if (move.left != kUnknown) return did_not_arrive(now, move, Part::arriving, net, false);
+  if (possible_.shows(plant_.units[unit], move.from)) {
+    // Between two readings it may have gone and come back.
+    if (limits.takes.most <= 2 * margin_.resolution && possible_.longer_by(move) > 0) return;
+    return did_not_arrive(now, move, Part::leaving, net, net >= std::max(total.least, seen));
+  }
+  did_not_arrive(now, move, Part::arriving, net, net >= (seen == 0 ? total.least : total.most + seen));
+}
+
+/// It was let move for `net`, and did not leave or arrive. `counts`: alone this is no anomaly, but in a row.
+void Watcher::did_not_arrive(Time now, const Move& move, Part part, Time net, bool counts) {
+  const Limits limits = possible_.limits(move);
+  if (units_[move.unit].reported || !move.is_caused() || !limits.known || !is_shown(move)) return;
+  if (possible_.may_be_stopped(move)) return;
   const Time most = limits.total().most;
-  if (took <= most + margin_.of(most) + 2 * margin_.resolution || possible_.may_be_stopped(expected)) return;
-  Anomaly anomaly = about(Kind::missing, Part::arriving, now, expected);
-  anomaly.took = took;
+  const bool is_sure = net - late_by(move, limits) > most + margin_.of(most) + 2 * margin_.resolution;
+  if (!is_sure && !counts) return;
+  const std::size_t failed = ++failed_[{move.unit, move.to}];
+  if (!is_sure && failed < kFailedInARow) return;
+  Anomaly anomaly = about(Kind::missing, part, now, move);
+  anomaly.took = net;
   anomaly.allowed = limits.total();
   anomaly.margin = margin_.of(most);
+  anomaly.failed = failed;
   report(std::move(anomaly), false);
 }
 

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "model/plant_model.hpp"
@@ -57,6 +59,10 @@ class Watcher {
     Time commanded = kUnknown;    ///< when an operation changed last
     Time turned = kUnknown;       ///< when it was commanded elsewhere first while it moved
     Time stepped = kUnknown;      ///< when anything happened last
+    Time turned_net = 0;          ///< how long it was let move by then
+    Time turned_idle = 0;         ///< for how long it was stopped then
+    observe::Move failed{};       ///< a move whose command ended: a timer waits for what may be read of it
+    Time failed_net = kUnknown;   ///< how long it was let move; kUnknown: there is none
     bool reported = false;        ///< the present move has an anomaly
     std::size_t open = 0;         ///< the first anomaly while the unit is not where it should be; 0: it is
 
@@ -64,7 +70,7 @@ class Watcher {
   };
 
   void caused(const observe::Move& move);
-  void canceled(const observe::Move& move);
+  void canceled(Time now, const observe::Move& move);
   void left(Time now, const observe::Move& move);
   void arrived(Time now, const observe::Move& move);
   void contradicts(Time now, const observe::Move& move);
@@ -75,6 +81,10 @@ class Watcher {
   void came_without_cause(Time now, const observe::Move& move);
   void judge(Part part, Time now, const observe::Move& move);
   void judge_return(Time now, const observe::Move& move);
+  void turns(Time now, const observe::View& view);
+  void await_failed(Time now, const observe::Move& move, Time net);
+  void end_failed(Time now, const observe::Move& move);
+  void did_not_arrive(Time now, const observe::Move& move, Part part, Time net, bool counts);
   void look_for_drift(Time now, const observe::Move& move);
 
   void fire(const Timer& timer);
@@ -82,11 +92,14 @@ class Watcher {
   void fire_unexpected(std::uint32_t unit);
   void fire_contradiction(const Timer& timer);
   void fire_dark(const Timer& timer);
+  void fire_failed(Time now, std::uint32_t unit);
 
   Anomaly about(Kind kind, Part part, Time now, const observe::Move& move) const;
   void report(Anomaly anomaly, bool stays);
   std::size_t first_of(std::uint32_t unit) const;
   bool is_on(std::uint32_t symbol) const;
+  static Time late_by(const observe::Move& move, const Limits& limits);
+  bool is_shown(const observe::Move& move) const;
 
   const model::PlantModel& plant_;
   const std::vector<bool>& recorded_;
@@ -98,6 +111,7 @@ class Watcher {
   Timers timers_;
   Drift drift_;
   Counts counts_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> failed_;  ///< in a row, by unit and state
   std::size_t numbers_ = 0;
 };
 

@@ -85,9 +85,16 @@ class Words {
 
   std::string missing_words() const {
     const bool leaves = anomaly_.part == Part::leaving;
-    std::string text = fmt::format("{} did not {}: {} {}, which takes at most {}", name_,
-                                   leaves ? "leave " + state(move_.from) : "arrive in " + state(move_.to),
-                                   time(anomaly_.took), cause_words(), trace::seconds(anomaly_.allowed.most));
+    const std::string what = leaves ? "leave " + state(move_.from) : "arrive in " + state(move_.to);
+    std::string text;
+    if (anomaly_.took > anomaly_.allowed.most + anomaly_.margin) {
+      text = fmt::format("{} did not {}: {} {}, which takes at most {}", name_, what, time(anomaly_.took),
+                         cause_words(), trace::seconds(anomaly_.allowed.most));
+      if (anomaly_.failed > 1) text += fmt::format(", for the {}. time in a row", anomaly_.failed);
+    } else {
+      text = fmt::format("{} did not {} {} times in a row: {} {} it was commanded elsewhere, or no more", name_, what,
+                         anomaly_.failed, time(anomaly_.took), cause_words());
+    }
     const std::string shown = event(leaves ? move_.from : move_.to);
     if (!shown.empty()) text += fmt::format("; {} is still {}", shown, leaves ? "on" : "off");
     return text;

@@ -40,6 +40,7 @@ struct WatchOptions {
   RecordingOptions recording;
   std::string learned;
   LiveOptions live;
+  bool has_every = false;
   WatchFiles files;
 };
 
@@ -61,6 +62,15 @@ bool has_one_source(const WatchOptions& options, Context& context) {
   if (options.trace.empty() == options.live.links.empty()) {
     return fail_watch(context, options.trace.empty() ? "nothing to watch: give a TRACE, or `--link URL`"
                                                      : "a TRACE and `--link` are given: give one of them");
+  }
+  const bool has_recording_option = !options.recording.rename_file.empty() || !options.recording.time_column.empty() ||
+                                    !options.recording.time_unit.empty();
+  if (options.trace.empty() && has_recording_option) {
+    return fail_watch(context,
+                      "`--rename`, `--time-column` and `--time-unit` are for a TRACE: leave them out with `--link`");
+  }
+  if (!options.trace.empty() && (options.has_every || options.live.until)) {
+    return fail_watch(context, "`--every` and `--until` are for `--link`: leave them out with a TRACE");
   }
   return true;
 }
@@ -104,6 +114,12 @@ bool report_unknown(const WatchOptions& options, const observe::Matched& matched
 
 void watch_plant(const WatchOptions& options, Context& context) {
   if (!has_one_source(options, context)) return;
+  if (!options.learned.empty()) {
+    if (const auto learned = context.files.read(options.learned); !learned) {
+      fail_watch(context, learned.error().message);
+      return;
+    }
+  }
   PlantOptions plant_options = options.plant_options;
   plant_options.times = options.learned;
   auto compiled = compile_for(context, options.plant, plant_options);
@@ -196,7 +212,10 @@ void add_watch(CLI::App& app, Context& context) {
       "Examples:\n  symplant watch plant.json line2.jsonl --learned learned.json --findings anomalies.jsonl\n"
       "  symplant watch symbols.csv scope.csv --rename names.csv --margin 30% --junit watch.xml\n"
       "  symplant watch plant.json --link modbus-tcp://192.168.0.10:502 --findings anomalies.jsonl");
-  command->callback([options, &context] { watch_plant(*options, context); });
+  command->callback([options, command, &context] {
+    options->has_every = command->count("--every") != 0;
+    watch_plant(*options, context);
+  });
 }
 
 }  // namespace symplant::app

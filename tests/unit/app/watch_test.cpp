@@ -1,5 +1,7 @@
 // Tests of symplant watch: messages, files and exit codes.
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -81,7 +83,7 @@ TEST_CASE("watch --findings and --junit have what the terminal shows") {
   CHECK(contains(junit, "late: at 2.42 s: L_P_CL arrived late"));
 }
 
-TEST_CASE("watch: After three anomalies of a kind a device has counts only") {
+TEST_CASE("watch: Of the anomalies of one kind and move the first is shown, and the others are counted") {
   WatchTool tool;
   std::string changes = "0 L_P_CL_I_OPEN 1; ";
   for (int i = 1; i <= 5; ++i) {
@@ -90,7 +92,12 @@ TEST_CASE("watch: After three anomalies of a kind a device has counts only") {
   tool.trace("flicker.jsonl", changes + "9000");
   const ToolRun run = tool.run({tool.path("flicker.jsonl")});
   CHECK(contains(run.out,
-                 "... and 2 more; of each device:\n  L_P_CL  5 unexpected, first at 1 s\n5 anomalies of 1 device"));
+                 "... L_P_CL from OPEN to ?: 4 more unexpected until 5 s\nof each device:\n  L_P_CL  5 unexpected, "
+                 "first at 1 s\n5 anomalies of 1 device"));
+  CHECK(run.out.find("at 2 s: ") == run.out.npos);
+  tool.run({tool.path("flicker.jsonl"), "--findings", tool.path("f.jsonl")});
+  const std::string findings = read_bytes(tool.path("f.jsonl"));
+  CHECK(std::count(findings.begin(), findings.end(), '\n') == 5);
 }
 
 TEST_CASE("watch: What cannot be read is reported, with what to do") {
@@ -107,6 +114,34 @@ TEST_CASE("watch: What cannot be read is reported, with what to do") {
   CHECK(contains(margin.err, "`much` is not a share: write a number and %, such as 20%"));
   tool.trace("more.jsonl", kGood + "; 4000 X_I_A 1");
   CHECK(contains(tool.run({tool.path("more.jsonl")}).err, "1 name of"));
+}
+
+TEST_CASE("watch: A recording that shows no move is no success") {
+  WatchTool tool;
+  tool.trace("still.jsonl", "0 L_P_CL_I_OPEN 1; 9000");
+  const ToolRun run = tool.run({tool.path("still.jsonl")});
+  CHECK(run.code == 1);
+  CHECK(contains(run.err, "error: nothing was judged: the recording shows no move"));
+}
+
+TEST_CASE("watch --learned: Its path may be relative although that of the plant is absolute, and its findings show") {
+  WatchTool tool;
+  const std::string learned = std::filesystem::relative(tool.path("learned.json")).string();
+  tool.write("learned.json", R"({"symplant": 1, "times": {"L_P_CL": {"OPEN->CLOSED": {"takes": "1.4s"}}}})");
+  CHECK(tool.run({tool.path("late.jsonl"), "--learned", learned}).code == 0);
+  tool.write("learned.json", R"({"symplant": 1, "times": {"L_P_CX*": {"OPEN->CLOSED": {"takes": "1.4s"}}}})");
+  CHECK(contains(tool.run({tool.path("late.jsonl"), "--learned", learned}).err, "L_P_CX*"));
+  const ToolRun absent = tool.run({tool.path("late.jsonl"), "--learned", "no/learned.json"});
+  CHECK(absent.code == 2);
+  CHECK(contains(absent.err, "no/learned.json"));
+  CHECK(absent.err.find("+times") == absent.err.npos);
+}
+
+TEST_CASE("watch: Options of a recording are for a recording, and those of a link for a link") {
+  WatchTool tool;
+  CHECK(contains(tool.run({tool.path("good.jsonl"), "--until", "1s"}).err, "`--every` and `--until` are for `--link`"));
+  CHECK(contains(tool.run({tool.path("good.jsonl"), "--every", "1s"}).err, "`--every` and `--until` are for `--link`"));
+  CHECK(contains(tool.run({"--link", "modbus-tcp://h", "--rename", "x"}).err, "are for a TRACE"));
 }
 
 TEST_CASE("watch: Results replace neither an input nor each other") {

@@ -1,4 +1,7 @@
 // Anomalies of devices of each kind, and good recordings of them.
+#include <algorithm>
+#include <utility>
+
 #include "watch_support.hpp"
 
 namespace symplant::test {
@@ -50,6 +53,107 @@ TEST_CASE("A held device without a command stops, and its time with it") {
   CHECK(plant.found(begin + "1500 L_P_CL_O_CLOSED 0; 30000 L_P_CL_O_CLOSED 1; 60000") ==
         "missing L_P_CL OPEN->CLOSED at 32500");
   CHECK(plant.found(begin + "1500 L_P_CL_O_CLOSED 0; 1500 L_P_CL_O_OPEN 1; 2000 L_P_CL_I_OPEN 1; 60000") == "");
+}
+
+const std::string kHeld = R"("devices": {"L_P_CL": {"actuation": "held"}})";
+
+/// `cycle` n times, each with its times moved by `ms` more.
+std::string times(int n, int ms, const std::vector<std::pair<int, std::string>>& cycle) {
+  std::string changes;
+  for (int i = 0; i < n; ++i) {
+    for (const auto& [at, what] : cycle) changes += std::to_string(1000 + i * ms + at) + " " + what + "; ";
+  }
+  return changes + std::to_string(1000 + n * ms);
+}
+
+std::size_t lines(const std::string& text) {
+  return text.empty() ? 0 : 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST_CASE("A held device that never moves is missing when its command ends after it should have arrived") {
+  const Watched plant(kClamp, kHeld);
+  const auto stuck = [&](int n, int on) {
+    return plant.found("0 L_P_CL_I_OPEN 1; " + times(n, 9000, {{0, "L_P_CL_O_CLOSED 1"}, {on, "L_P_CL_O_CLOSED 0"}}));
+  };
+  CHECK(lines(stuck(10, 2950)) == 10);
+  CHECK(lines(stuck(10, 3100)) == 10);
+  CHECK(stuck(1, 1300) == "missing L_P_CL OPEN->CLOSED leaving at 2320");
+  CHECK(stuck(2, 1100) == "");
+  CHECK(stuck(3, 1100) == "missing L_P_CL OPEN->CLOSED leaving at 20120");
+  CHECK(stuck(10, 900) == "");
+}
+
+TEST_CASE("A held device that moves and does not arrive while it is commanded is missing") {
+  const Watched plant(kClamp, kHeld);
+  const std::string begin = "0 L_P_CL_I_OPEN 1; 1000 L_P_CL_O_CLOSED 1; 1010 L_P_CL_I_OPEN 0; ";
+  CHECK(plant.found(begin + "2300 L_P_CL_O_CLOSED 0; 60000") == "missing L_P_CL OPEN->CLOSED at 2320");
+  CHECK(plant.found(begin + "2100 L_P_CL_O_CLOSED 0; 60000") == "");
+  CHECK(plant.found(begin + "2300 L_P_CL_O_CLOSED 0; 2310 L_P_CL_I_CLOSED 1; 60000") ==
+        "late L_P_CL OPEN->CLOSED at 2310");
+}
+
+TEST_CASE("A held device whose event comes long after its command ended is late") {
+  const Watched plant(kClamp, kHeld);
+  const std::string begin = "0 L_P_CL_I_OPEN 1; 1000 L_P_CL_O_CLOSED 1; 1010 L_P_CL_I_OPEN 0; 2000 L_P_CL_O_CLOSED 0; ";
+  CHECK(plant.found(begin + "2100 L_P_CL_I_CLOSED 1; 9000") == "");
+  CHECK(plant.found(begin + "2500 L_P_CL_I_CLOSED 1; 9000") == "late L_P_CL OPEN->CLOSED at 2500");
+}
+
+TEST_CASE("A sensor that never comes on is missing after three moves to it, though each move was short") {
+  const Watched held(kClamp, kHeld);
+  const std::vector<std::pair<int, std::string>> up_and_down = {{0, "L_P_CL_O_CLOSED 1"},    {10, "L_P_CL_I_OPEN 0"},
+                                                                {1010, "L_P_CL_O_CLOSED 0"}, {2000, "L_P_CL_O_OPEN 1"},
+                                                                {3000, "L_P_CL_I_OPEN 1"},   {3010, "L_P_CL_O_OPEN 0"}};
+  CHECK(held.found("0 L_P_CL_I_OPEN 1; " + times(2, 9000, up_and_down)) == "");
+  CHECK(held.found("0 L_P_CL_I_OPEN 1; " + times(4, 9000, up_and_down)) ==
+        "missing L_P_CL OPEN->CLOSED at 22000\nmissing L_P_CL OPEN->CLOSED at 31000");
+  CHECK(held.sentences("0 L_P_CL_I_OPEN 1; " + times(3, 9000, up_and_down)) ==
+        "at 22 s: L_P_CL did not arrive in CLOSED 3 times in a row: 1.01 s after O_CLOSED (symbols.csv:5) it was "
+        "commanded elsewhere, or no more; L_P_CL_I_CLOSED (%IX1, symbols.csv:3) is still off");
+  const Watched spring(kValve, R"("name": "x")");
+  const auto out = [&](int on) {
+    return spring.found(
+        "0 L_P_V_I_RET 1; " +
+        times(5, 9000,
+              {{0, "L_P_V_O_ADV 1"}, {10, "L_P_V_I_RET 0"}, {on, "L_P_V_O_ADV 0"}, {on + 1000, "L_P_V_I_RET 1"}}));
+  };
+  CHECK(lines(out(1100)) == 3);
+  CHECK(out(900) == "");  // it is turned before it can arrive
+}
+
+TEST_CASE("A position that is passed and never seen is missing after three moves to it") {
+  const Watched plant({"L_P_T_I_POS1", "L_P_T_I_POS2", "L_P_T_I_POS3", "L_P_T_O_POS1", "L_P_T_O_POS2", "L_P_T_O_POS3"},
+                      R"("devices": {"L_P_T": {"actuation": "held"}})");
+  const auto round = [&](int n, bool seen) {
+    std::vector<std::pair<int, std::string>> cycle = {{0, "L_P_T_O_POS2 1"}, {10, "L_P_T_I_POS1 0"}};
+    if (seen) cycle.insert(cycle.end(), {{1000, "L_P_T_I_POS2 1"}});
+    cycle.insert(cycle.end(), {{1010, "L_P_T_O_POS2 0"}, {2000, "L_P_T_O_POS3 1"}});
+    if (seen) cycle.insert(cycle.end(), {{2010, "L_P_T_I_POS2 0"}});
+    cycle.insert(cycle.end(), {{3000, "L_P_T_I_POS3 1"},
+                               {3010, "L_P_T_O_POS3 0"},
+                               {4000, "L_P_T_O_POS1 1"},
+                               {4010, "L_P_T_I_POS3 0"},
+                               {5000, "L_P_T_I_POS1 1"},
+                               {5010, "L_P_T_O_POS1 0"}});
+    return plant.found("0 L_P_T_I_POS1 1; " + times(n, 9000, cycle));
+  };
+  CHECK(round(10, true) == "");
+  CHECK(round(2, false) == "");
+  CHECK(lines(round(10, false)) == 8);
+}
+
+TEST_CASE("Without its operations a device is never unexpected") {
+  const Watched plant(kMotor, R"("defaults": {"travel": "500ms"})");
+  const std::string moves = "0 L_P_M_I_RUN 0; 1000 L_P_M_I_RUN 1; 5000 L_P_M_I_RUN 0; 9000";
+  CHECK(plant.found(moves, R"(,"recorded":true,"cycle":10000000)") == "");
+  CHECK(plant.found("0 L_P_M_O_RUN 0; " + moves, R"(,"recorded":true,"cycle":10000000)") ==
+        "unexpected L_P_M NOT_RUN->RUN at 1000\nmissing L_P_M RUN->NOT_RUN leaving at 2500");
+}
+
+TEST_CASE("A first image that is read in two parts, operations first, is no change") {
+  const Watched plant(kMotor, R"("name": "x")");
+  CHECK(plant.found("0 L_P_M_O_RUN 1; 4 L_P_M_I_RUN 1; 9000", R"(,"recorded":true,"cycle":10000000)") == "");
+  CHECK(plant.found("0 L_P_M_O_RUN 0; 4 L_P_M_I_RUN 1; 9000", R"(,"recorded":true,"cycle":10000000)") == "");
 }
 
 TEST_CASE("A disabled device has no time") {
