@@ -68,8 +68,9 @@ TEST_CASE("A series that is renamed to an operation comes first at its time") {
 TEST_CASE("A file of renames serves recordings that have different names for a symbol") {
   CHECK(error_of("a,A\nb,A\n") == "");
   const recording::ReadOptions options{"", "", {{"a", "A"}, {"b", "A"}, {"other", "C"}}};
-  CHECK(csv("t/ms,a\n0,1\n", options) ==
-        "A bool 0=1\nend 0, resolution 0\nt.csv: there is no `other` to be renamed `C`\n");
+  CHECK(csv("t/ms,a\n0,1\n", options) == "A bool 0=1\nend 0, resolution 0\n");
+  CHECK(recording::not_found(options.renames, "n.csv", {"a"}) ==
+        std::vector<std::string>{"n.csv: `other` is not in the recordings"});
   CHECK(csv("t/ms,b,other\n0,1,0\n", options) == "A bool 0=1\nC bool 0=0\nend 0, resolution 0\n");
   CHECK(csv("t/ms,a,b\n0,1,0\n", options) == "t.csv: `a` and `b` are both the symbol `A`; correct the file of renames");
   CHECK(csv("t/ms,name,value\n0,a,1\n1,b,0\n2,a,0\n", options) ==
@@ -81,13 +82,17 @@ TEST_CASE("A file of renames serves recordings that have different names for a s
 }
 
 TEST_CASE("Swapped columns of a file of renames are one warning") {
-  const std::string swapped =
-      "t.csv: the columns of the file of renames are swapped; write the name in the recording first, then the symbol\n";
-  CHECK(csv("t/ms,a,b\n0,1,0\n", {"", "", {{"A", "a"}, {"B", "b"}, {"C", "c"}}}) ==
-        "a bool 0=1\nb bool 0=0\nend 0, resolution 0\n" + swapped);
+  const auto warnings = [](const recording::Renames& renames) {
+    std::string text;
+    for (const std::string& warning : recording::not_found(renames, "n.csv", {"a", "b"})) text += warning + "\n";
+    return text;
+  };
+  CHECK(warnings({{"A", "a"}, {"B", "b"}, {"C", "c"}}) ==
+        "n.csv: the columns of the file of renames are swapped; write the name in the recording first, then the "
+        "symbol\n");
   // The names of this recording are symbols, the renames are for another one.
-  CHECK_FALSE(contains(csv("t/ms,a,b\n0,1,0\n", {"", "", {{"A", "a"}, {"B", "y"}, {"C", "z"}}}), "swapped"));
-  CHECK_FALSE(contains(csv("t/ms,a,b\n0,1,0\n", {"", "", {{"a", "b2"}, {"B", "b"}}}), "swapped"));
+  CHECK_FALSE(contains(warnings({{"A", "a"}, {"B", "y"}, {"C", "z"}}), "swapped"));
+  CHECK_FALSE(contains(warnings({{"a", "b2"}, {"B", "b"}}), "swapped"));
 }
 
 TEST_CASE("Two names of one symbol are reported") {
