@@ -308,6 +308,12 @@ void Watcher::judge_return(Time now, const Move& move) {
   const Watched& watched = units_[move.unit];
   const Move& expected = watched.expected;
   if (watched.turned == kUnknown || expected.from != move.from || expected.to == kNone) return;
+  // It may have been on its way elsewhere from the beginning.
+  const std::vector<model::Transition>& all = plant_.units[move.unit].transitions;
+  const bool may_go = std::any_of(all.begin(), all.end(), [&](const model::Transition& other) {
+    return other.on == kNone && other.from == move.from && other.to == move.to;
+  });
+  if (may_go) return;
   const Limits limits = possible_.limits(expected);
   const Range total = limits.total();
   const Time net = watched.turned_net - late_by(expected, limits);
@@ -366,7 +372,9 @@ void Watcher::did_not_arrive(Time now, const Move& move, Part part, Time net, bo
   if (units_[move.unit].reported || !move.is_caused() || !limits.known || !is_shown(move)) return;
   if (possible_.may_be_stopped(move)) return;
   const Time most = limits.total().most;
-  const bool is_sure = net - late_by(move, limits) > most + margin_.of(most) + 2 * margin_.resolution;
+  // Learned times of leaving and arriving may be those of the whole move: all of it counts from when it left.
+  const Time before = move.left == kUnknown ? 0 : move.left - move.cause;
+  const bool is_sure = net - before > most + margin_.of(most) + 2 * margin_.resolution;
   if (!is_sure && !counts) return;
   const std::size_t failed = ++failed_[{move.unit, move.to}];
   if (!is_sure && failed < kFailedInARow) return;
