@@ -308,7 +308,7 @@ void Watcher::judge_return(Time now, const Move& move) {
   const Watched& watched = units_[move.unit];
   const Move& expected = watched.expected;
   if (watched.turned == kUnknown || expected.from != move.from || expected.to == kNone) return;
-  // It may have been on its way elsewhere from the beginning.
+  // It may have moved elsewhere from the beginning.
   const std::vector<model::Transition>& all = plant_.units[move.unit].transitions;
   const bool may_go = std::any_of(all.begin(), all.end(), [&](const model::Transition& other) {
     return other.on == kNone && other.from == move.from && other.to == move.to;
