@@ -3,9 +3,9 @@
 
 #include <memory>
 
+#include "description/plant_source.hpp"
 #include "diag/diagnostic.hpp"
 #include "name/io_rows.hpp"
-#include "text/source_file.hpp"
 
 namespace symplant::app {
 

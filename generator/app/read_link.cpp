@@ -21,6 +21,7 @@ std::variant<link::LinkChoice, LinkError> link_to_read(std::string_view command,
                                                        const model::PlantModel& plant,
                                                        const tables::PlantTables& tables) {
   std::vector<link::LinkRequest> requests;
+  requests.reserve(links.size());
   for (const std::string& text : links) requests.push_back(link::parse_request(text));
   if (requests.empty()) {
     for (const description::LinkDescription& link : plant.description->links) {

@@ -22,6 +22,7 @@
 #include "symplant/host/signals.hpp"
 #include "symplant/link/client/steady_now.hpp"
 #include "symplant/link/client_parts.hpp"
+#include "symplant/trace/words.hpp"
 #include "watch/shadow.hpp"
 
 namespace symplant::app {

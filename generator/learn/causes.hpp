@@ -10,8 +10,8 @@ namespace symplant::learn {
 
 /// A change of an operation, and how the changes of an event follow it.
 struct Cause {
-  EdgeOf edge;
-  Follows follows;
+  EdgeOf edge{};
+  Follows follows{};
   double deviation = 0;       ///< of the central delays, in s, and not below what the resolution allows
   double cost = 0;            ///< the logarithm of how improbable the times of the event are if this is its cause
   bool same_reading = false;  ///< both always change in one reading: the PLC answers the event

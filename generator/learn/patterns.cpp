@@ -126,6 +126,7 @@ class Namer {
   /// Empty if the paths have different numbers of segments. `differs`: the first segment that differs.
   std::string pattern_of(const std::vector<std::uint32_t>& units, std::size_t& differs) const {
     std::vector<std::vector<std::string_view>> paths;
+    paths.reserve(units.size());
     for (const std::uint32_t unit : units) paths.push_back(segments_of(plant_.units[unit].path));
     const std::size_t count = paths.front().size();
     if (std::any_of(paths.begin(), paths.end(), [&](const auto& path) { return path.size() != count; })) return {};
@@ -133,6 +134,7 @@ class Namer {
     std::string pattern;
     for (std::size_t i = 0; i < count; ++i) {
       std::vector<std::string_view> segments;
+      segments.reserve(paths.size());
       for (const auto& path : paths) segments.push_back(path[i]);
       const bool equal = std::all_of(segments.begin(), segments.end(), [&](std::string_view segment) {
         return text::equal_ignoring_case(segment, segments.front());

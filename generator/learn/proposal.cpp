@@ -2,6 +2,7 @@
 #include "learn/proposal.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace symplant::learn {
@@ -19,7 +20,7 @@ Time mean_of(std::span<const Time> durations) {
   const Time least = durations.front();
   const auto above = std::accumulate(durations.begin(), durations.end(), 0.0,
                                      [&](double sum, Time time) { return sum + static_cast<double>(time - least); });
-  return least + static_cast<Time>(above / static_cast<double>(durations.size()) + 0.5);
+  return least + std::llround(above / static_cast<double>(durations.size()));
 }
 
 Time rounded_up(Time time, Time digit) { return (time + digit - 1) / digit * digit; }

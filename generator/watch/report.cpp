@@ -124,6 +124,7 @@ std::vector<std::string> Tally::rows(const model::PlantModel& plant, Time resolu
     named.unit = unit;
     return name_of(plant, named);
   };
+  rows.reserve(sorted.size());
   for (const auto& [unit, of] : sorted) width = std::max(width, name(unit).size());
   for (const auto& [unit, of] : sorted) {
     rows.push_back(
