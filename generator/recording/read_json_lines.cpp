@@ -127,7 +127,7 @@ class Reader {
   /// The PLC was slower than the header says.
   std::string slower(const Json& every) {
     if (!every.is_number_unsigned() || every.get<std::uint64_t>() > kLatestTime) {
-      return fmt::format("the key `every` is no time in ns up to {}", kLatestTime);
+      return fmt::format("the key `every` is not a time in ns up to {}", kLatestTime);
     }
     read_.recording.resolution = std::max(read_.recording.resolution, every.get<tables::Time>());
     return "";

@@ -126,7 +126,7 @@ says 1 "is of the plant \`sorting\`, not \`excell\`" "$symplant" test "$suite" -
 says 0 "1 reference trace written" "$symplant" test "$suite" --case rounds --program "$cell" --update
 says 0 "1 case: 1 passed, 0 failed" "$symplant" test "$suite" --case rounds --program "$cell"
 sed -i 's/"end":[0-9]*/"end":"late"/' "$suite/rounds.reference.jsonl"
-says 1 "the key \`end\` is no time in ns" "$symplant" test "$suite" --case rounds --program "$cell"
+says 1 "the key \`end\` is not a time in ns" "$symplant" test "$suite" --case rounds --program "$cell"
 : >"$suite/rounds.reference.jsonl"
 says 1 "\`--update\` writes it again" "$symplant" test "$suite" --case rounds --program "$cell"
 says 0 "1 reference trace written" "$symplant" test "$suite" --case rounds --program "$cell" --update
