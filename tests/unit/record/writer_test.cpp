@@ -172,7 +172,7 @@ TEST_CASE("A recording with a wrong interval is an error") {
   std::istringstream file(
       "{\"symplant-trace\":1,\"recorded\":true,\"every\":50}\n{\"t\":1,\"symbol\":\"O\",\"value\":true}\n"
       "{\"t\":5,\"every\":-1}\n");
-  CHECK_THAT(recording::read_recording(file, "r").error, ContainsSubstring("r:3: the key `every` is no time"));
+  CHECK_THAT(recording::read_recording(file, "r").error, ContainsSubstring("r:3: the key `every` is not a time"));
 }
 
 TEST_CASE("A recording of a length ends there, whatever comes later") {
