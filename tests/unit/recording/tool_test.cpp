@@ -66,7 +66,7 @@ void check_same(const recording::Recording& a, const recording::Recording& b) {
     REQUIRE(other->changes.size() == a.series[s].changes.size());
     for (std::size_t i = 0; i < other->changes.size(); ++i) {
       CHECK(other->changes[i].time == a.series[s].changes[i].time);
-      CHECK(other->changes[i].value == Approx(a.series[s].changes[i].value));  // a trace has REAL in short
+      CHECK(other->changes[i].value == Catch::Approx(a.series[s].changes[i].value));  // a trace has REAL in short
     }
   }
 }
