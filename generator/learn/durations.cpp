@@ -64,7 +64,7 @@ std::vector<std::uint32_t> series_by_symbol(const Input& input, std::size_t symb
   return series;
 }
 
-/// The next change to a bit from `from` on; kUnknown: there is none.
+/// The next change to a bit from `from` on; kUnknown: no change follows.
 Time next_change_to(const recording::Series& series, bool bit, Time from) {
   auto change = std::lower_bound(series.changes.begin(), series.changes.end(), from,
                                  [](const recording::Series::Change& one, Time time) { return one.time < time; });

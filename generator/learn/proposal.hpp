@@ -17,7 +17,7 @@ Time rounded(Time time, Time digit);
 Statistics statistics_of(std::span<const Time> durations, Time resolution);
 
 /// A constant, the mean, if the durations differ by at most 2 resolutions or 1 %; else from the least to the largest.
-/// `durations` are sorted; 0 if there are none.
+/// `durations` are sorted; 0 without durations.
 description::Duration proposal_of(std::span<const Time> durations, Time resolution);
 
 /// How long a command may stay on after arrival: the longest time, and as a margin 20 % of it, at least 2 resolutions

@@ -240,7 +240,7 @@ struct PlantList {
 struct PlantModel {
   std::string name;
   std::shared_ptr<const description::Description> description;  ///< never null
-  /// The files of the description; null if there is none.
+  /// The files of the description; null without one.
   std::shared_ptr<const description::PlantSource> description_source;
   std::vector<std::shared_ptr<const description::DeviceDescription>> joined;  ///< of devices that several entries match
   std::vector<PlantList> lists;          ///< in the description's order; at least one

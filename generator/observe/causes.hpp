@@ -71,7 +71,7 @@ class Causes {
   bool leads_to(const model::Unit& unit, std::uint32_t operation, std::uint32_t state) const;
   struct Commanded {
     Cause cause;
-    tables::Time ready = -1;  ///< when it can make the unit leave; kNever: there is none
+    tables::Time ready = -1;  ///< when it can make the unit leave; kNever: nothing can
     bool conflicts = false;   ///< with another command, or one for the present state
   };
   Cause automatic(const model::Unit& unit) const;

@@ -29,7 +29,7 @@ class KeptPart {
   /// By symbol: the value at the beginning; valid if is_known().
   std::uint64_t value(std::uint32_t symbol) const { return values_[symbol]; }
   bool is_known(std::uint32_t symbol) const { return known_[symbol]; }
-  /// The end of a gap that began before begin(); not above begin(): there is none.
+  /// The end of a gap that began before begin(); not above begin(): no gap did.
   Time gap_end() const { return gap_end_; }
   /// What came after the beginning, by time.
   const std::deque<Line>& lines() const { return lines_; }

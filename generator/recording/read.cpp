@@ -14,7 +14,7 @@
 namespace symplant::recording {
 namespace {
 
-/// The first character of a text that is no blank; 0 if there is none.
+/// The first character of a text that is not a blank; 0 if all are blanks.
 char first_character(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
   const std::size_t first = head.find_first_not_of(" \t\r\n");

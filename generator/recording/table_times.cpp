@@ -61,7 +61,7 @@ struct Decimal {
   std::int64_t fraction = 0;  ///< in 10^-9
 };
 
-/// Takes a whole number without a sign off the text. False if there is none, or it is too large.
+/// Takes a whole number without a sign off the text. False without a number, or if it is too large.
 template <class Number>
 bool take_digits(std::string_view& text, Number& number) {
   if (text.empty() || !text::is_digit(text[0])) return false;

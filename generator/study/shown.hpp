@@ -25,7 +25,7 @@ std::optional<Line> line_of(const condition::Formula& formula);
 std::optional<Line> line_of(const model::Signal& signal);
 
 /// After which distance the number of a signal begins again: the range of a `wrap` that is the last step of its
-/// formula; 0 if there is none. O(1).
+/// formula; 0 without one. O(1).
 double period_of(const model::Signal& signal);
 
 }  // namespace symplant::study

@@ -54,7 +54,7 @@ class Watcher {
     observe::Move expected{};     ///< the move that a timer waits for
     observe::Move canceled{};     ///< the last one whose cause ended before it left
     observe::Move loose{};        ///< a move without a cause: a timer waits for one
-    Time loose_since = kUnknown;  ///< kUnknown: there is none
+    Time loose_since = kUnknown;  ///< kUnknown: without a loose move
     Time contradicts = kUnknown;  ///< since when
     Time commanded = kUnknown;    ///< when an operation changed last
     Time turned = kUnknown;       ///< when it was commanded elsewhere first while it moved
@@ -62,7 +62,7 @@ class Watcher {
     Time turned_net = 0;          ///< how long it was let move by then
     Time turned_idle = 0;         ///< for how long it was stopped then
     observe::Move failed{};       ///< a move whose command ended: a timer waits for what may be read of it
-    Time failed_net = kUnknown;   ///< how long it was let move; kUnknown: there is none
+    Time failed_net = kUnknown;   ///< how long it was let move; kUnknown: no move failed
     bool reported = false;        ///< the present move has an anomaly
     std::size_t open = 0;         ///< the first anomaly while the unit is not where it should be; 0: it is
 

@@ -21,8 +21,8 @@ PATH="$work/bin:$PATH"
 # NNN/plant.part, NNN/folder; NNN/MMM.command, NNN/MMM.exit, NNN/MMM.text
 awk -v work="$work" '
   /^<!-- plant\.json of .* -->$/ { folder = $4; next }
-  /^<!-- [a-z]*\.json next to it -->$/ { beside = $2; next }
-  /^```jsonc$/ && beside != "" { target = here "/" beside; beside = ""; printf "" > target; next }
+  /^<!-- [a-z]*\.json next to it -->$/ { neighbor = $2; next }
+  /^```jsonc$/ && neighbor != "" { target = here "/" neighbor; neighbor = ""; printf "" > target; next }
   /^<!-- symplant .*: exit [0-9] -->$/ {
     command = $0
     sub(/^<!-- /, "", command); code = command; sub(/: exit [0-9] -->$/, "", command); sub(/^.*: exit /, "", code); sub(/ -->$/, "", code)

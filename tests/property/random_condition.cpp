@@ -12,9 +12,14 @@ class ConditionWriter {
   ConditionWriter(Dice& dice, const PlannedPlant& plan, const PlannedUnit& own) : dice_(dice), plan_(plan), own_(own) {}
 
   std::string condition(std::size_t atoms) {
-    if (atoms == 1) return (dice_.percent(25) ? "not " : "") + atom();
+    if (atoms == 1) {
+      const std::string sign = dice_.percent(25) ? "not " : "";
+      return sign + atom();
+    }
     const std::size_t left = 1 + dice_.below(atoms - 1);
-    std::string text = condition(left) + (dice_.percent(55) ? " and " : " or ") + condition(atoms - left);
+    std::string text = condition(left);
+    text += dice_.percent(55) ? " and " : " or ";
+    text += condition(atoms - left);
     if (dice_.percent(35)) text = (dice_.percent(40) ? "not (" : "(") + text + ")";
     return text;
   }
@@ -62,7 +67,8 @@ class ConditionWriter {
       const PlannedValue& value = dice_.pick(unit.values);
       name = unit.path + (value.operation ? "_O_" : "_I_") + value.name;
     }
-    return name + " " + dice_.pick(kComparisons) + " " + dice_.pick(kOperands);
+    const std::string& comparison = dice_.pick(kComparisons);
+    return name + " " + comparison + " " + dice_.pick(kOperands);
   }
 
   /// Names are compared ignoring case.

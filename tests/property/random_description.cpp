@@ -151,7 +151,8 @@ class DeviceWriter {
       const auto some = [&](std::vector<std::pair<std::string, bool>>& side) {
         for (std::size_t k = dice_.below(3); k > 0; --k) {
           const bool signal = !unit_.signals.empty() && dice_.percent(75);
-          side.emplace_back(signal ? dice_.pick(unit_.signals) : dice_.pick(events), dice_.percent(60));
+          const std::string& event = signal ? dice_.pick(unit_.signals) : dice_.pick(events);
+          side.emplace_back(event, dice_.percent(60));
         }
       };
       some(given.enter);
@@ -212,7 +213,8 @@ std::string as_pattern(Dice& dice, std::string name) {
   if (dice.percent(50)) {
     name[dice.below(name.size())] = '?';
   } else {
-    name.replace(dice.below(name.size()), 1 + dice.below(2), "*");
+    const std::size_t at = dice.below(name.size());
+    name.replace(at, 1 + dice.below(2), "*");
   }
   return name;
 }
@@ -226,7 +228,8 @@ std::vector<description::GivenFollow> random_follow(Dice& dice, const PlannedPla
     const PlannedUnit& own = dice.pick(plan.units);
     std::string condition = random_condition(dice, earlier, own);
     if (!earlier.followers.empty() && dice.percent(30)) {
-      condition = (dice.percent(30) ? "not '" : "'") + dice.pick(earlier.followers) + "'";
+      condition = dice.percent(30) ? "not '" : "'";
+      condition += dice.pick(earlier.followers) + "'";
     } else if (dice.percent(30)) {
       condition = own.path + "." + dice.pick(own.states());
     }

@@ -24,7 +24,10 @@ class FormulaWriter {
     const std::size_t kind = dice_.below(100);
     if (kind < 55) return joined(size, kArithmetic);
     if (kind < 67) return joined(size, kLogic);
-    if (kind < 75) return (dice_.percent(50) ? "-" : "not ") + in_brackets(size - 1);
+    if (kind < 75) {
+      const std::string sign = dice_.percent(50) ? "-" : "not ";
+      return sign + in_brackets(size - 1);
+    }
     return call(size);
   }
 
@@ -48,21 +51,40 @@ class FormulaWriter {
     const std::string sign = dice_.pick(operators);
     const bool bare = operators == kArithmetic && size == 3 && dice_.percent(60);
     if (bare) {
-      return operand() + " " + sign + " " + operand() + " " + dice_.pick(kArithmetic) + " " + operand();
+      std::string text = operand();
+      text += " " + sign + " " + operand();
+      text += " " + dice_.pick(kArithmetic) + " ";
+      return text += operand();
     }
-    return in_brackets(left) + " " + sign + " " + in_brackets(size - left);
+    std::string text = in_brackets(left);
+    text += " " + sign + " ";
+    return text += in_brackets(size - left);
   }
 
   std::string call(std::size_t size) {
     const std::size_t kind = dice_.below(100);
-    if (kind < 40) return dice_.pick(kOfOne) + "(" + write(size - 1) + ")";
-    if (kind < 65) {
+    std::string text;
+    if (kind < 40) {
+      text = dice_.pick(kOfOne) + "(";
+      text += write(size - 1);
+    } else if (kind < 65) {
       const std::size_t left = 1 + dice_.below(size - 1);
-      return dice_.pick(kOfTwo) + "(" + write(left) + ", " + write(std::max<std::size_t>(1, size - left)) + ")";
+      text = dice_.pick(kOfTwo) + "(";
+      text += write(left) + ", ";
+      text += write(std::max<std::size_t>(1, size - left));
+    } else if (kind < 80) {
+      text = "if(" + write(size / 2) + ", ";
+      text += operand() + ", ";
+      text += write(size / 2);
+    } else if (kind < 88) {
+      text = dice_.pick(kLimits) + "(";
+      text += write(size - 1) + ", ";
+      text += dice_.pick(kRanges);
+    } else {
+      text = "curve(" + write(size - 1) + ", ";
+      text += dice_.pick(kCurves);
     }
-    if (kind < 80) return "if(" + write(size / 2) + ", " + operand() + ", " + write(size / 2) + ")";
-    if (kind < 88) return dice_.pick(kLimits) + "(" + write(size - 1) + ", " + dice_.pick(kRanges) + ")";
-    return "curve(" + write(size - 1) + ", " + dice_.pick(kCurves) + ")";
+    return text + ")";
   }
 
   static inline const std::vector<std::string> kArithmetic = {"+", "-", "*", "/", "+", "*", "-"};
@@ -118,7 +140,10 @@ std::string random_formula(Dice& dice, const FormulaNames& names, std::size_t si
 
 std::string random_comparison(Dice& dice, const FormulaNames& names) {
   static const std::vector<std::string> kSigns = {" < ", " <= ", " = ", " >= ", " > "};
-  const auto number = [&] { return (dice.percent(20) ? "-" : "") + random_literal(dice); };
+  const auto number = [&] {
+    const std::string minus = dice.percent(20) ? "-" : "";
+    return minus + random_literal(dice);
+  };
   const auto other = [&] {
     if (!names.numbers.empty() && dice.percent(25)) return dice.pick(names.numbers);
     return !names.values.empty() && dice.percent(25) ? dice.pick(names.values) : number();
@@ -139,7 +164,9 @@ std::string random_value_condition(Dice& dice, const FormulaNames& names) {
     return negated + dice.pick(names.truths);
   };
   if (dice.percent(70)) return atom();
-  return atom() + (dice.percent(50) ? " and " : " or ") + atom();
+  std::string text = atom();
+  text += dice.percent(50) ? " and " : " or ";
+  return text += atom();
 }
 
 }  // namespace symplant::property

@@ -162,9 +162,11 @@ class MalfunctionWriter {
   }
 
   std::string condition() {
-    const std::string atom = (dice_.percent(30) ? "not " : "") + dice_.pick(atoms_);
+    std::string atom = dice_.percent(30) ? "not " : "";
+    atom += dice_.pick(atoms_);
     if (dice_.percent(70)) return atom;
-    return atom + (dice_.percent(50) ? " and " : " or ") + dice_.pick(atoms_);
+    atom += dice_.percent(50) ? " and " : " or ";
+    return atom += dice_.pick(atoms_);
   }
 
   Duration duration() {
@@ -265,7 +267,8 @@ std::string random_malfunction(Dice& dice, const model::PlantModel& model) {
   if (!model.units.empty() && dice.percent(60)) {
     // Mostly of the first units, so that malfunctions meet.
     const std::size_t most = dice.percent(70) ? std::min<std::size_t>(model.units.size(), 4) : model.units.size();
-    return (dice.percent(50) ? "stuck:" : "slow:") + std::string(model.units[dice.below(most)].path);
+    const std::string kind = dice.percent(50) ? "stuck:" : "slow:";
+    return kind + std::string(model.units[dice.below(most)].path);
   }
   if (model.symbols.empty()) return "none";
   const std::string symbol(model.symbols[dice.below(model.symbols.size())].name());

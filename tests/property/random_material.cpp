@@ -89,14 +89,18 @@ std::string MaterialPlan::atom() {
   if (kind < 20) return negated + dice.pick(switches);
   if (kind < 50) return negated + part_atom();
   if (kind < 70 && !bit_sensors.empty()) return negated + dice.pick(bit_sensors);
-  if (kind < 80 && !number_sensors.empty()) return dice.pick(number_sensors) + dice.pick(kCompared);
+  if (kind < 80 && !number_sensors.empty()) {
+    const std::string& sensor = dice.pick(number_sensors);
+    return sensor + dice.pick(kCompared);
+  }
   return negated + (plant_atoms.empty() ? part_atom() : dice.pick(plant_atoms));
 }
 
 std::string MaterialPlan::condition() {
   if (dice.percent(65)) return atom();
   const std::string joint = dice.percent(60) ? " and " : " or ";
-  return atom() + joint + atom();
+  const std::string left = atom();
+  return left + joint + atom();
 }
 
 void MaterialPlan::row(const std::string& name, const std::string& type, bool operation) {

@@ -52,7 +52,8 @@ class StimulusWriter {
 
   void reset() {
     static const std::vector<tables::Time> kCycles = {0, 0, 0, 10 * kMillisecond, 15 * kMillisecond, 1};
-    add(Kind::reset, {}, dice_.below(4), dice_.pick(kCycles));
+    const std::uint64_t seed = dice_.below(4);
+    add(Kind::reset, {}, seed, dice_.pick(kCycles));
     std::fill(on_.begin(), on_.end(), false);
     forced_.clear();
   }
@@ -94,7 +95,10 @@ class StimulusWriter {
 
   /// By hand, and instants that change nothing.
   void parts() {
-    if (dice_.percent(22)) add(Kind::put, location(), dice_.below(plant_.material.kinds.size()), 0);
+    if (dice_.percent(22)) {
+      std::string to = location();
+      add(Kind::put, std::move(to), dice_.below(plant_.material.kinds.size()), 0);
+    }
     if (dice_.percent(9)) add(Kind::take, location(), 0, 0);
     if (dice_.percent(25)) further(dice_);
   }
@@ -221,7 +225,10 @@ class StimulusWriter {
 
   void keep() {
     if (dice_.percent(5)) add(Kind::save, {}, 0, 0);
-    if (dice_.percent(4)) add(Kind::restore, {}, dice_.below(8), static_cast<tables::Time>(dice_.below(2)));
+    if (dice_.percent(4)) {
+      const std::uint64_t which = dice_.below(8);
+      add(Kind::restore, {}, which, static_cast<tables::Time>(dice_.below(2)));
+    }
     if (dice_.one_in(80)) reset();
   }
 

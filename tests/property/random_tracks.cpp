@@ -28,7 +28,8 @@ description::GivenSpeed speed_of_drive(MaterialPlan& plan) {
   if (!plan.dice.percent(22)) return {random_speed(plan), ""};
   static const std::vector<std::string> kTypes = {"INT", "UINT", "REAL", "LREAL", "DINT", "LINT"};
   const std::string name = "SPEED" + std::to_string(plan.rows);
-  plan.row(name, plan.dice.pick(kTypes), !plan.dice.percent(25));
+  const std::string& type = plan.dice.pick(kTypes);
+  plan.row(name, type, !plan.dice.percent(25));
   if (plan.dice.percent(60)) plan.text.rows.back().initial = "2";
   return {plan.dice.percent(20) ? 1 : 50 * plan.unit, name};
 }

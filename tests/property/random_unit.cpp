@@ -109,7 +109,8 @@ PlannedValue random_value(Dice& dice, std::string name, bool operation) {
 
 PlannedUnit random_unit(Dice& dice, std::size_t number) {
   PlannedUnit unit;
-  unit.path = "L" + std::to_string(dice.below(2)) + "_P_" + (dice.percent(10) ? "d" : "D") + std::to_string(number);
+  unit.path = "L" + std::to_string(dice.below(2));
+  unit.path += (dice.percent(10) ? "_P_d" : "_P_D") + std::to_string(number);
   if (dice.one_in(600)) {
     plan_large(dice, unit);
   } else {

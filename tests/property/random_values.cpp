@@ -132,7 +132,8 @@ class ValueWriter {
   void overflow(GivenValue& given) {
     FormulaNames all = names_;
     all.values.insert(all.values.end(), later_.begin(), later_.end());
-    given.formula = "if(" + dice_.pick(all.values) + " > " + random_literal(dice_) + ", 1e-3, 1e308)";
+    given.formula = "if(" + dice_.pick(all.values) + " > ";
+    given.formula += random_literal(dice_) + ", 1e-3, 1e308)";
     given.start = 1.797e308;
     given.min.reset();
     given.max.reset();
@@ -300,7 +301,8 @@ void let_conditions_read_values(Dice& dice, PlantText& text) {
   if (names.values.empty()) return;
   const auto extend = [&](std::string& condition) {
     if (condition.empty() || !dice.percent(30)) return;
-    const std::string comparison = (dice.percent(25) ? "not " : "") + random_comparison(dice, names);
+    std::string comparison = dice.percent(25) ? "not " : "";
+    comparison += random_comparison(dice, names);
     const std::size_t kind = dice.below(3);
     condition = kind == 0 ? comparison : "(" + condition + (kind == 1 ? ") and " : ") or ") + comparison;
   };

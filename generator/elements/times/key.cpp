@@ -25,7 +25,7 @@ class KeyReader {
   }
 
  private:
-  /// The name in front, without its quotes: without quotes up to `end`, if that is there. Empty if there is none.
+  /// The name in front, without its quotes: without quotes up to `end`, if that is there. Empty if nothing is in front.
   std::string name(std::string_view end) {
     skip_blanks();
     std::string name = rest_.starts_with('\'') ? quoted() : plain(end);

@@ -66,7 +66,10 @@ std::string condition_of_parts(Dice& dice, const model::Material& material) {
   const std::string name = material.location_name(any_location(dice, material)) + ".";
   const std::size_t kind = dice.below(100);
   if (kind < 40) return (dice.percent(30) ? "not " : "") + name + "part";
-  if (kind < 65) return (dice.percent(30) ? "not " : "") + name + dice.pick(material.kinds).name;
+  if (kind < 65) {
+    const std::string negated = dice.percent(30) ? "not " : "";
+    return negated + name + dice.pick(material.kinds).name;
+  }
   return name + "parts " + dice.pick(kCompared);
 }
 

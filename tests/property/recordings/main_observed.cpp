@@ -56,10 +56,9 @@ bool observe_plants(const Options& options, Commands commands, long share) {
 }
 
 int run(const Options& options) {
-  // docs/recordings-measured.md has the reasons for those that are left. Compilers draw other plants: a hundred of them
-  // may have three times as many as a thousand; a fault gives ten times as many.
-  const bool closed = observe_plants(options, Commands::closed_loop, 10);
-  const bool wild = observe_plants(options, Commands::wild, 20);
+  // docs/recordings-measured.md has the reasons for those that are left.
+  const bool closed = observe_plants(options, Commands::closed_loop, 3);
+  const bool wild = observe_plants(options, Commands::wild, 10);
   return (closed && wild) != options.wrong ? 0 : 1;
 }
 

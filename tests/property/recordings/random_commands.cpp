@@ -97,7 +97,10 @@ void RandomCommands::clear(plant::Plant& plant, const Commanded& of) {
 
 void RandomCommands::scan_wild(plant::Plant& plant) {
   if (bits_.empty() || !dice_.percent(6)) return;
-  for (std::size_t i = 1 + dice_.below(2); i > 0; --i) write(plant, dice_.pick(bits_), dice_.percent(50));
+  for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
+    const std::uint32_t symbol = dice_.pick(bits_);
+    write(plant, symbol, dice_.percent(50));
+  }
 }
 
 void RandomCommands::write(plant::Plant& plant, std::uint32_t symbol, bool on) {
