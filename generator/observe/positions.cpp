@@ -50,7 +50,7 @@ Positions::Positions(const model::PlantModel& plant, const model::Unit& unit, co
       }
     }
     Signature left = signature;
-    if (unit.states[s].event != kNone) left.bits &= ~(std::uint64_t{1} << unit.states[s].event);
+    if (unit.states[s].event != kNone) left.bits &= ~on_address_of(plant, unit, unit.states[s].event);
     if (!unit.outputs.empty()) {
       for (const auto& [event, on] : unit.outputs[s].leave) {
         const std::uint64_t bit = std::uint64_t{1} << event;
@@ -85,7 +85,7 @@ bool Positions::shows_at_leaving(std::uint32_t from, std::uint32_t to) const {
   const Signature& left = left_[from];
   const Signature& state = signatures_[to];
   const std::uint64_t both = left.mask & state.mask;
-  return is_lit(to) && (left.bits & both) == (state.bits & both) && (state.bits & ~left.mask) == 0;
+  return is_lit(to) && (left.bits & both) == (state.bits & both);  // what leaving does not switch may be on
 }
 
 Positions::Result Positions::at(std::uint64_t levels, std::uint32_t preferred) const {

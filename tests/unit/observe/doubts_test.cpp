@@ -82,6 +82,17 @@ TEST_CASE("Events that are on when a device has left a state cannot show that it
             .find("turned") != std::string::npos);
 }
 
+TEST_CASE("Events that stay on from before count when a device has left a state") {
+  std::vector<std::string> names = kClamp;
+  names.emplace_back("L_P_CL_I_BUSY");
+  const Observed stays(names, R"("devices": {"L_P_CL": {"outputs": {
+      "OPEN": {"leave": {"CLOSED": true}}, "CLOSED": {"enter": {"BUSY": true}}}}})");
+  CHECK(stays
+            .moves("0 L_P_CL_I_OPEN 1; 0 L_P_CL_I_BUSY 1; 100 L_P_CL_O_CLOSED 1; 100 L_P_CL_I_OPEN 0; "
+                   "100 L_P_CL_I_CLOSED 1")
+            .find("turned") != std::string::npos);
+}
+
 TEST_CASE("A condition on the state that the device leaves is that of the time before") {
   const Observed plant(kClamp, R"("devices": {"L_P_CL": {"transitions": [
       {"from": "OPEN", "to": "CLOSED", "when": "'L_P_CL_I_OPEN'"}]}})");
