@@ -15,6 +15,13 @@ void add_units(const condition::Tree& tree, std::vector<std::uint32_t>& units) {
   for (const condition::Tree& child : tree.children) add_units(child, units);
 }
 
+/// Whether plant.json gives how long a transition takes.
+bool is_time_given(const model::Unit& unit, const model::Transition& transition) {
+  if (unit.described == nullptr || transition.given == model::kNone) return false;
+  const description::GivenTransition& given = unit.described->transitions[transition.given];
+  return given.takes || given.after;
+}
+
 }  // namespace
 
 Possible::Possible(const model::PlantModel& plant, const std::vector<bool>& recorded, const observe::Observer& observer,
@@ -44,9 +51,11 @@ Limits Possible::limits(const Move& move) const {
 }
 
 bool Possible::is_judged(const Move& move) const {
-  if (learned_.empty() || learned_.contains({move.unit, move.from, move.to})) return true;
-  return move.transition != kNone &&
-         plant_.units[move.unit].transitions[move.transition].origin == model::Origin::given;
+  if (learned_.empty()) return true;
+  if (move.transition == kNone) return learned_.contains({move.unit, move.from, move.to});
+  const model::Transition& transition = plant_.units[move.unit].transitions[move.transition];
+  return learned_.contains({move.unit, transition.from, transition.to}) ||
+         is_time_given(plant_.units[move.unit], transition);
 }
 
 bool Possible::shows(const model::Unit& unit, std::uint32_t state) const {
@@ -146,6 +155,12 @@ Time Possible::longer_by(const Move& move) const {
     if (second) longest = std::max(longest, second->most + margin_.of(second->most));
   }
   return longest;
+}
+
+bool Possible::may_begin_midway(const Move& move) const {
+  constexpr Time kRests = 3;  // how many times as long as the move a return is taken to last at most
+  if (shows(plant_.units[move.unit], move.from) || move.since == kUnknown) return false;
+  return move.cause - move.since < kRests * limits(move).total().most;
 }
 
 bool Possible::may_be_stopped(const Move& move) const {

@@ -37,6 +37,8 @@ class Possible {
   bool hides_cause(const observe::Move& move) const;
   /// How much longer than by its limits a unit shows no state if it left that of `move.to` between two readings.
   Time longer_by(const observe::Move& move) const;
+  /// Whether no event shows `move.from`, and the unit has hardly had the time to come to rest there.
+  bool may_begin_midway(const observe::Move& move) const;
   /// Whether something that is not known may have stopped it: a condition of `while`, or a unit that disables it.
   bool may_be_stopped(const observe::Move& move) const;
 

@@ -114,7 +114,7 @@ bool Watcher::is_shown(const Move& move) const {
 
 void Watcher::wait_for(const Move& move) {
   const Limits limits = possible_.limits(move);
-  if (!limits.known || !is_shown(move)) return timers_.cancel(move.unit, Timer::Kind::missing);
+  if (!limits.known || !move.is_caused() || !is_shown(move)) return timers_.cancel(move.unit, Timer::Kind::missing);
   timers_.set(move.unit, Timer::Kind::missing, move.cause + margin_.missing_after(limits.total().most) + move.stopped);
 }
 
@@ -234,7 +234,10 @@ void Watcher::fire_missing(const Timer& timer) {
   const View view = observer_.view(timer.unit);
   const Move& move = view.next;
   const Limits limits = possible_.limits(move);
-  if (move.to == kNone || move.cause != watched.expected.cause || !limits.known || watched.reported) return;
+  if (move.to == kNone || !move.is_caused() || move.cause != watched.expected.cause || !limits.known ||
+      watched.reported) {
+    return;
+  }
   const Time wait = margin_.missing_after(limits.total().most) + (view.moving ? possible_.longer_by(move) : 0);
   const Time begin = move.turned ? std::max(move.cause, watched.commanded) : move.cause;
   const Time due = view.stopped ? timer.due + std::max<Time>(wait, 1) : begin + wait + move.stopped;
@@ -290,7 +293,7 @@ void Watcher::judge(Part part, Time now, const Move& move) {
     if (move.stopped == 0) look_for_drift(now, move);
     return;
   }
-  if (late && possible_.may_be_stopped(move)) return;
+  if (late ? possible_.may_be_stopped(move) : possible_.may_begin_midway(move)) return;
   Anomaly anomaly = about(late ? Kind::late : Kind::early, part, now, move);
   anomaly.took = late && halted ? took + move.halted : took;
   anomaly.allowed = allowed;

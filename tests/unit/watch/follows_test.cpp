@@ -98,6 +98,42 @@ TEST_CASE("Wear is found once, though every move is within its limits") {
   CHECK(kinds(plant.anomalies(recorded(trace_text(cycles(200, 1030, 2), kReadEvery10)))).empty());
 }
 
+TEST_CASE("With learned times a loose contact is unexpected, also where nothing was learned of the device") {
+  Watched plant(kClamp, kBistable);
+  plant.learned.push_back(learned(plant, 400));  // of OPEN->CLOSED only
+  CHECK(plant.found("0 L_P_CL_I_OPEN 1; 1000 L_P_CL_I_OPEN 0; 1100 L_P_CL_I_OPEN 1; 3000") ==
+        "unexpected L_P_CL OPEN->? leaving at 1000");
+  CHECK(plant.found("0 L_P_CL_I_CLOSED 1; 1000 L_P_CL_I_CLOSED 0; 1100 L_P_CL_I_CLOSED 1; 3000") ==
+        "unexpected L_P_CL CLOSED->? leaving at 1000");
+}
+
+TEST_CASE("With learned times, what was neither learned nor given is not late") {
+  const std::string late =
+      "0 L_P_CL_I_CLOSED 1; 1000 L_P_CL_O_OPEN 1; 1010 L_P_CL_I_CLOSED 0; 3500 L_P_CL_I_OPEN 1; 4000";
+  Watched plant(kClamp, kBistable);
+  CHECK(plant.found(late) == "late L_P_CL CLOSED->OPEN at 3500");
+  plant.learned.push_back(learned(plant, 400));
+  CHECK(plant.found(late) == "");
+  Watched given(kClamp, R"("devices": {"L_P_CL": {"actuation": "bistable", "transitions": [
+      {"from": "CLOSED", "to": "OPEN", "takes": "1s"}]}})");
+  given.learned.push_back(learned(given, 400));
+  CHECK(given.found(late) == "late L_P_CL CLOSED->OPEN at 3500");
+}
+
+TEST_CASE("A move that began when it is not known is not missing") {
+  const Watched plant(kClamp, R"("devices": {"L_P_CL": {"actuation": "bistable", "transitions": [
+      {"from": "OPEN", "to": "CLOSED", "after": "1s", "takes": "1s"}]}})");
+  CHECK(plant.found("0 L_P_CL_I_OPEN 1; 100 L_P_CL_O_OPEN 1; 200 L_P_CL_O_CLOSED 1; 300 L_P_CL_O_OPEN 0; 20000") == "");
+}
+
+TEST_CASE("A motor that is commanded again before it rests is not early, one that rested is") {
+  const Watched plant({"L_P_M_I_RUN", "L_P_M_O_RUN"}, R"("name": "x")");
+  const std::string first =
+      "0 L_P_M_O_RUN 0; 1000 L_P_M_O_RUN 1; 2000 L_P_M_I_RUN 1; 5000 L_P_M_O_RUN 0; 5010 L_P_M_I_RUN 0; ";
+  CHECK(plant.found(first + "6000 L_P_M_O_RUN 1; 6300 L_P_M_I_RUN 1; 9000") == "");
+  CHECK(plant.found(first + "16000 L_P_M_O_RUN 1; 16300 L_P_M_I_RUN 1; 19000") == "early L_P_M NOT_RUN->RUN at 16300");
+}
+
 TEST_CASE("Drift needs at least 30 moves that were learned, and 30 new ones") {
   Watched plant(kClamp, kBistable);
   plant.learned.push_back(learned(plant, 29));
