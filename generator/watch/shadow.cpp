@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "observe/replay.hpp"
+
 namespace symplant::watch {
 
 Shadow::Shadow(const model::PlantModel& plant, const std::vector<bool>& recorded, const Margin& margin,
@@ -31,28 +33,7 @@ void Shadow::gap(Time begin, Time length) {
 }
 
 void follow(const recording::Recording& recording, const observe::Matched& matched, Shadow& shadow) {
-  std::vector<std::size_t> next(recording.series.size(), 0);
-  std::size_t gap = 0;
-  Time time = kUnknown;
-  const auto pass_gaps = [&](Time until) {
-    for (; gap < recording.gaps.size() && recording.gaps[gap].begin < until; ++gap) {
-      const recording::Gap& lost = recording.gaps[gap];
-      shadow.gap(lost.begin, lost.length);
-      if (lost.begin + lost.length < until) shadow.close(lost.begin + lost.length);
-    }
-  };
-  if (recording.of_plant) {  // what has no lines is off from the beginning
-    for (std::uint32_t s = 0; s < matched.recorded.size(); ++s) shadow.set(s, 0);
-  }
-  for (const std::uint32_t series : recording.order) {
-    const recording::Series::Change& change = recording.series[series].changes[next[series]++];
-    if (change.time != time && time != kUnknown) shadow.close(time);
-    time = change.time;
-    pass_gaps(time);
-    if (matched.symbols[series] != kNone) shadow.set(matched.symbols[series], change.value);
-  }
-  if (time != kUnknown) shadow.close(time);
-  pass_gaps(recording.end);
+  observe::replay(recording, matched, shadow);
   shadow.finish(recording.end);
 }
 
