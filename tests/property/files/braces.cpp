@@ -130,7 +130,7 @@ std::string with_braces(Dice& dice, const std::string& text, const BraceNames& n
       result.replace(at, 6, "{line}_{process}_{device}");
     }
   }
-  if (dice.percent(50)) put(dice, result, "line", names.at("line"), true);
+  if (dice.percent(80)) put(dice, result, "line", names.at("line"), true);
   std::vector<std::string> all;
   for (const auto& [name, replacement] : names) all.push_back(name);
   for (std::size_t i = dice.below(4); i > 0; --i) {

@@ -70,19 +70,19 @@ class Spreader {
     leave_out(taken, wishes_[device], key, entry.name);
     if (same_meaning(key, taken, value)) return true;
     // Two devices with nothing in common may share an array: each ignores what it lacks.
-    if (!value.is_structured() || key == "states" || key == "inputs" || dice_.percent(40)) return false;
+    if (!value.is_structured() || key == "states" || key == "inputs" || dice_.percent(10)) return false;
     const json before = there->second;
-    const json further = dice_.percent(70) ? braced(value, key, device, entry.name) : value;
-    if (value.is_array()) {
-      for (const json& each : further) there->second.push_back(each);
-    } else {
-      there->second.update(further);
-    }
-    if (!same_meaning(key, resolve(entries_, wishes_[device], key).value, value)) {
+    for (int tries = 0; tries < 3; ++tries) {
+      const json further = dice_.percent(90) ? braced(value, key, device, entry.name) : value;
+      if (value.is_array()) {
+        for (const json& each : further) there->second.push_back(each);
+      } else {
+        there->second.update(further);
+      }
+      if (same_meaning(key, resolve(entries_, wishes_[device], key).value, value)) return true;
       entry.keys[key] = before;
-      return false;
     }
-    return true;
+    return false;
   }
 
   /// The value with braces that every device that the pattern matches can read as names.
