@@ -95,21 +95,19 @@ std::optional<recording::Recording> read_recording_file(const std::string& path,
   return std::move(all->front());
 }
 
-std::string no_symbol_error(const std::string& recording, const std::string& plant, const observe::Matched& matched) {
+std::string unknown_names(const observe::Matched& matched) {
   constexpr std::size_t kMostNames = 5;
-  if (matched.unknown.empty() || std::any_of(matched.symbols.begin(), matched.symbols.end(),
-                                             [](std::uint32_t symbol) { return symbol != model::kNone; })) {
-    return {};
-  }
   std::string names;
   for (std::size_t i = 0; i < std::min(kMostNames, matched.unknown.size()); ++i) {
-    const observe::Matched::Unknown& unknown = matched.unknown[i];
-    names += fmt::format("{}`{}`", i == 0 ? ": " : ", ", unknown.name);
-    if (!unknown.nearest.empty()) names += fmt::format(" (did you mean `{}`?)", unknown.nearest);
+    names += (i == 0 ? "" : ", ") + observe::words_of(matched.unknown[i]);
   }
-  if (matched.unknown.size() > kMostNames) names += ", ...";
-  return fmt::format("no name in `{}` is a symbol of `{}`{}; give `--rename FILE`, with the symbol of each name",
-                     recording, plant, names);
+  return matched.unknown.size() > kMostNames ? names + ", ..." : names;
+}
+
+std::string no_symbol_error(const std::string& recording, const std::string& plant, const observe::Matched& matched) {
+  if (matched.has_symbols() || matched.unknown.empty()) return {};
+  return fmt::format("no name in `{}` is a symbol of `{}`: {}; give `--rename FILE`, with the symbol of each name",
+                     recording, plant, unknown_names(matched));
 }
 
 }  // namespace symplant::app

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/context.hpp"
-#include "observe/play.hpp"
+#include "observe/matched.hpp"
 #include "recording/recording.hpp"
 
 namespace CLI {
@@ -34,7 +34,11 @@ std::optional<std::vector<recording::Recording>> read_recording_files(const std:
 std::optional<recording::Recording> read_recording_file(const std::string& path, const RecordingOptions& options,
                                                         Context& context);
 
-/// The error if no name of a recording is a symbol of the plant, with some of the names; empty: one is.
+/// The names of a recording that are no symbols, at most five of them, each with a similar symbol.
+std::string unknown_names(const observe::Matched& matched);
+
+/// The error if no name of a recording is a symbol of the plant, with some of the names; empty: one is, or it
+/// has no names.
 std::string no_symbol_error(const std::string& recording, const std::string& plant, const observe::Matched& matched);
 
 }  // namespace symplant::app

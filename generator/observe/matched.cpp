@@ -31,6 +31,16 @@ void suggest(const model::PlantModel& plant, Matched& matched) {
 
 }  // namespace
 
+bool Matched::has_symbols() const {
+  return std::any_of(symbols.begin(), symbols.end(), [](std::uint32_t symbol) { return symbol != kNone; });
+}
+
+std::string words_of(const Matched::Unknown& unknown) {
+  std::string words = "`" + unknown.name + "`";
+  if (!unknown.nearest.empty()) words += " (did you mean `" + unknown.nearest + "`?)";
+  return words;
+}
+
 Matched match(const model::PlantModel& plant, const Recording& recording) {
   Matched matched;
   matched.recorded.resize(plant.symbols.size(), recording.of_plant);

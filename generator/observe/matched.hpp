@@ -19,7 +19,13 @@ struct Matched {
   std::vector<std::uint32_t> symbols;  ///< by series; kNone: no symbol of the plant, or parts
   std::vector<bool> recorded;          ///< by symbol of the plant
   std::vector<Unknown> unknown;        ///< series that are no symbol, by name
+
+  /// Whether any series is a symbol. O(series).
+  bool has_symbols() const;
 };
+
+/// "`CLAMP_O_CLOS` (did you mean `CLAMP_O_CLOSE`?)".
+std::string words_of(const Matched::Unknown& unknown);
 
 /// A series has the name of its symbol, or its address. Names count more: of two series of one symbol, the one with the
 /// address is unknown. O(series + symbols, and unknown series * symbols for the nearest names of the first 20).

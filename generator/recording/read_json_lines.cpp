@@ -75,6 +75,11 @@ class Reader {
     return json.contains("part") ? part(json) : std::string();
   }
 
+  static std::string text_of(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  }
+
   std::string header(const Json& json) {
     const bool is_recorded = json.value("recorded", Json()) == true;
     const bool is_part = json.contains("part");
@@ -84,6 +89,8 @@ class Reader {
     Recording& recording = read_.recording;
     recording.of_plant = !is_recorded;
     is_begun_ = is_begun_ || !is_part;
+    recording.plant = text_of(json, "plant");
+    recording.model_hash = text_of(json, "model_hash");
     for (const char* const key : {"every", "cycle", "end"}) {
       const auto found = json.find(key);
       if (found == json.end()) continue;

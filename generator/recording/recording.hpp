@@ -55,7 +55,9 @@ struct Recording {
   tables::Time resolution = 0;  ///< what times are exact to: an interval of reading, a cycle; 0: virtual time
   bool of_plant = true;         ///< else recorded from a PLC: a symbol without lines was not recorded
   bool has_parts = false;
-  std::vector<Gap> gaps;  ///< by time
+  std::vector<Gap> gaps;   ///< by time
+  std::string plant;       ///< its name, by the header of a trace; empty: unknown
+  std::string model_hash;  ///< as `plant`
 
   /// The series of the same element; null if there is none. O(1).
   const Series* find(const Series& same) const;

@@ -113,17 +113,12 @@ Row total_of(const std::vector<Movement>& movements) {
   return total;
 }
 
-std::string words_of(const observe::Matched::Unknown& unknown) {
-  if (unknown.nearest.empty()) return fmt::format("`{}`", unknown.name);
-  return fmt::format("`{}` (did you mean `{}`?)", unknown.name, unknown.nearest);
-}
-
 Study study(const model::PlantModel& plant, const tables::PlantTables& tables, const recording::Recording& recording,
             const std::string& plant_file, const std::function<bool(std::string_view)>& chosen) {
   Study result;
   const observe::Matched matched = observe::match(plant, recording);
   for (const observe::Matched::Unknown& unknown : matched.unknown) {
-    result.unmatched.push_back(words_of(unknown));
+    result.unmatched.push_back(observe::words_of(unknown));
   }
   const Start start = start_of(plant, recording, matched);
   result.run = run_with(plant, tables, recording, matched, start, fmt::format("run of {}", plant_file));

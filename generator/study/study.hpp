@@ -36,9 +36,6 @@ struct Study {
   Row total;
 };
 
-/// A name of the recording that is no symbol, with the nearest one, for messages.
-std::string words_of(const observe::Matched::Unknown& unknown);
-
 /// The rows of movements, by name, and the row of all. O(movements * log(movements)).
 std::vector<Row> rows_of(const std::vector<Movement>& movements);
 Row total_of(const std::vector<Movement>& movements);

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -23,7 +21,7 @@
 #include "compare/formats.hpp"
 #include "compare/words.hpp"
 #include "diag/visible_text.hpp"
-#include "observe/play.hpp"
+#include "observe/matched.hpp"
 #include "recording/write_json_lines.hpp"
 #include "study/formats.hpp"
 #include "study/study.hpp"
@@ -97,46 +95,22 @@ void report(const CompareOptions& options, const ComparedTraces& compared, Conte
   if (!comparison.differences.empty()) context.exit_code = host::kFindings;
 }
 
-/// The plant that the header of a trace names, if it has another model.
-std::optional<std::string> other_plant(const std::string& path, const Compiled& compiled) {
-  constexpr std::size_t kLongestHeader = 1 << 16;
-  std::ifstream file(path, std::ios::binary);
-  std::string line(kLongestHeader, '\0');
-  file.read(line.data(), static_cast<std::streamsize>(line.size()));
-  line.resize(static_cast<std::size_t>(file.gcount()));
-  line.resize(std::min(line.find('\n'), line.size()));
-  const auto header = nlohmann::json::parse(line, nullptr, false);
-  if (!header.is_object()) return std::nullopt;  // of another format
-  const auto name = header.find("plant");
-  const auto hash = header.find("model_hash");
-  if (name == header.end() || !name->is_string() || *name == compiled.plant.name) return std::nullopt;
-  const std::string own_hash = fmt::format("{:016x}", tables::model_hash(compiled.tables.tables()));
-  if (hash != header.end() && *hash == own_hash) return std::nullopt;
-  return name->get<std::string>();
-}
-
 /// Reports whose trace it is, if it is not that of the plant. False, with the exit code, if nothing can be compared.
 bool is_of_plant(const CompareOptions& options, const recording::Recording& recorded, const Compiled& compiled,
                  Context& context) {
   const observe::Matched matched = observe::match(compiled.plant, recorded);
-  const bool any = std::any_of(matched.symbols.begin(), matched.symbols.end(),
-                               [](std::uint32_t symbol) { return symbol != model::kNone; });
-  const auto other = other_plant(options.expected, compiled);
+  const bool other = !recorded.plant.empty() && recorded.plant != compiled.plant.name &&
+                     recorded.model_hash != fmt::format("{:016x}", tables::model_hash(compiled.tables.tables()));
   const std::string of_other = other ? fmt::format("`{}` is a trace of another plant: of `{}`, not of `{}`",
-                                                   options.expected, *other, compiled.plant.name)
+                                                   options.expected, recorded.plant, compiled.plant.name)
                                      : std::string();
-  if (any || (recorded.of_plant && !other && matched.unknown.empty())) {
+  if (matched.has_symbols() || (recorded.of_plant && !other && matched.unknown.empty())) {
     if (other && recorded.of_plant) context.err << "warning: " << diag::visible(of_other) << "\n";
     return true;
   }
-  std::string message = other ? of_other + "; " : std::string();
-  message += matched.unknown.empty()
-                 ? fmt::format("`{}` has no change of a symbol", options.expected)
-                 : fmt::format(
-                       "no name in `{}` is a symbol of `{}`, such as {}; give `--rename FILE`, with the symbol "
-                       "of each name",
-                       options.expected, options.plant, study::words_of(matched.unknown.front()));
-  context.err << "error: " << diag::visible(message) << "\n";
+  const std::string message = matched.unknown.empty() ? fmt::format("`{}` has no change of a symbol", options.expected)
+                                                      : no_symbol_error(options.expected, options.plant, matched);
+  context.err << "error: " << diag::visible((other ? of_other + "; " : "") + message) << "\n";
   context.exit_code = host::kBadInput;
   return false;
 }

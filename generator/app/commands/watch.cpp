@@ -20,7 +20,7 @@
 #include "app/watch_output.hpp"
 #include "compare/difference.hpp"
 #include "diag/visible_text.hpp"
-#include "observe/play.hpp"
+#include "observe/matched.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/tables/duration.hpp"
 #include "symplant/trace/words.hpp"
@@ -30,8 +30,6 @@
 
 namespace symplant::app {
 namespace {
-
-constexpr std::size_t kMostUnknown = 5;
 
 struct WatchOptions {
   std::string plant;
@@ -88,26 +86,14 @@ bool read_learned(const WatchOptions& options, WatchedPlant& watched, Context& c
 
 /// Reports what of the recording is no symbol. False if nothing is.
 bool report_unknown(const WatchOptions& options, const observe::Matched& matched, Context& context) {
-  const bool any = std::any_of(matched.symbols.begin(), matched.symbols.end(),
-                               [](std::uint32_t symbol) { return symbol != model::kNone; });
-  std::string names;
-  for (std::size_t i = 0; i < std::min(kMostUnknown, matched.unknown.size()); ++i) {
-    const observe::Matched::Unknown& unknown = matched.unknown[i];
-    names += fmt::format("{}`{}`", i == 0 ? "" : ", ", unknown.name);
-    if (!unknown.nearest.empty()) names += fmt::format(" (did you mean `{}`?)", unknown.nearest);
-  }
-  if (matched.unknown.size() > kMostUnknown) names += ", ...";
-  if (!any) {
-    return fail_watch(context,
-                      fmt::format("no name in `{}` is a symbol of `{}`{}{}; give `--rename FILE`, with the symbol of "
-                                  "each name",
-                                  options.trace, options.plant, names.empty() ? "" : ": ", names));
-  }
+  const std::string stranger = no_symbol_error(options.trace, options.plant, matched);
+  if (!stranger.empty()) return fail_watch(context, stranger);
   if (matched.unknown.empty()) return true;
-  context.err << diag::visible(fmt::format("warning: {} {} of `{}` {}, and {} left out: {}", matched.unknown.size(),
-                                           matched.unknown.size() == 1 ? "name" : "names", options.trace,
-                                           matched.unknown.size() == 1 ? "is no symbol" : "are no symbols",
-                                           matched.unknown.size() == 1 ? "is" : "are", names))
+  const bool one = matched.unknown.size() == 1;
+  context.err << diag::visible(fmt::format("warning: {} {} of `{}` {} left out: {}", matched.unknown.size(),
+                                           one ? "name" : "names", options.trace,
+                                           one ? "is not a symbol, and is" : "are not symbols, and are",
+                                           unknown_names(matched)))
               << "\n";
   return true;
 }

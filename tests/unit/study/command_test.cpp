@@ -89,7 +89,7 @@ TEST_CASE("A recording without a symbol of the plant cannot be compared with its
   CHECK(names.code == 2);
   CHECK(names.out == "");
   CHECK(contains(names.err, "error: no name in `" + command.path("scope.csv") + "` is a symbol of `" + plant +
-                                "`, such as `L_P_CL_I_OPENED` (did you mean `L_P_CL_I_OPEN`?); give `--rename FILE`, "
+                                "`: `L_P_CL_I_OPENED` (did you mean `L_P_CL_I_OPEN`?), `b`; give `--rename FILE`, "
                                 "with the symbol of each name\n"));
   command.write("names.csv", "b,L_P_CL_O_OPEN\n");
   CHECK(command.run_of("scope.csv", {"--plant", plant, "--rename", command.path("names.csv")}).code != 2);
