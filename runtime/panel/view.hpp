@@ -1,9 +1,11 @@
-// Where the panel shows the devices of a plant.
+// What the panel shows of a plant that the engine does not need: layout, comments, alarms.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string_view>
+
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::panel {
 
@@ -15,10 +17,23 @@ struct DeviceView {
   std::int32_t y = kNotPlaced;
 };
 
-/// The layout that names and the description give. Without one, stations follow from the devices' paths.
+struct SymbolView {
+  std::string_view comment = {};  ///< of the symbol list; empty: none
+  bool by_operator = false;       ///< a person operates it: a button, a selector (the role `operator` of naming.json)
+};
+
+/// One of `alarms` of the description.
+struct AlarmView {
+  std::uint32_t symbol = tables::kNone;  ///< an operation, or kNone
+  std::uint32_t value = tables::kNone;   ///< then an output of a value
+};
+
+/// What names and the description give. Without a layout, stations follow from the devices' paths.
 struct View {
   std::span<const DeviceView> devices = {};  ///< by unit; empty: none
   std::string_view stations = {};            ///< a station: its line, then its process, each ended by a NUL
+  std::span<const SymbolView> symbols = {};  ///< by symbol; empty: no comments
+  std::span<const AlarmView> alarms = {};    ///< in the order of the description
 };
 
 }  // namespace symplant::panel
