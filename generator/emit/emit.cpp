@@ -113,6 +113,16 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
                                    {"station_rows", station_rows(layout)}},
                                   {}});
   }
+  view.lists["symbol_views"];
+  if (std::string rows = symbol_view_rows(plant); !rows.empty()) {
+    view.lists["symbol_views"].push_back(
+        {{{"symbol_view_count", std::to_string(plant.symbols.size())}, {"symbol_view_rows", std::move(rows)}}, {}});
+  }
+  view.lists["alarm_views"];
+  if (!plant.alarms.empty()) {
+    view.lists["alarm_views"].push_back(
+        {{{"alarm_view_count", std::to_string(plant.alarms.size())}, {"alarm_view_rows", alarm_view_rows(plant)}}, {}});
+  }
   texts["controller_count"] = std::to_string(plant.links.size());
   texts["place_arrays"] = place_arrays(plant);
   texts["link_settings_rows"] = link_settings_rows(plant);

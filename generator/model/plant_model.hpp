@@ -109,6 +109,8 @@ struct Symbol {
   /// Whether the naming rule does not apply: its device or what drives it is given, or it is given that it has no
   /// device.
   bool is_given() const { return described || driven_without_unit() || account == Account::plain; }
+  /// Whether a person operates it, by the role `operator` of the naming rule: a button, a selector.
+  bool is_by_operator() const { return account == Account::operator_panel && direction == tables::Direction::event; }
   /// The address as the list writes it: the vendor's, else the IEC one; empty if there is none.
   std::string_view written_address() const {
     return row->vendor_address.empty() ? row->iec_address : row->vendor_address;

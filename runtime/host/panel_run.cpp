@@ -86,7 +86,13 @@ int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::os
   }
   panel = std::get<std::unique_ptr<panel::Panel>>(std::move(opened));
   stage.outputs.show_on(*panel);
-  out << "panel: " << panel->link() << "\n";
+  if (panel->has_trainees()) {
+    out << "panel, trainer: " << panel->link(panel::Role::trainer) << "\n";
+    out << "panel, trainee: " << panel->link(panel::Role::trainee) << "\n";
+    out << "panel, viewer: " << panel->link(panel::Role::viewer) << "\n";
+  } else {
+    out << "panel: " << panel->link() << "\n";
+  }
   out.flush();
   return kGood;
 }

@@ -140,6 +140,9 @@ void add_panel(CLI::App& app, RunOptions& options) {
   add_address_options(app, options, "show and operate the plant");
   app.add_flag_callback(
       "--panel-view", [&options] { panel_of(options).view_only = true; }, "the panel only shows: no acts");
+  app.add_flag_callback(
+      "--panel-trainee", [&options] { panel_of(options).trainees = true; },
+      "print three links: for a trainer, for trainees, and for viewers");
   app.add_option_function<std::string>(
          "--panel-files", [&options](const std::string& folder) { panel_of(options).files = folder; },
          "the panel saves snapshots and sessions in this folder")
@@ -234,7 +237,9 @@ void add_address_options(CLI::App& app, RunOptions& options, const std::string& 
       ->expected(0, 1);
   app.add_option_function<std::string>(
          "--panel-token", [&options](const std::string& file) { panel_of(options).token_file = file; },
-         "the panel's token is the first word of this file (default: another one for each start)")
+         "the panel's token is the first word of this file; with --panel-trainee, the trainee's and the viewer's come "
+         "next (default: "
+         "another one for each start)")
       ->type_name("FILE");
 }
 

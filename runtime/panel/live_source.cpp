@@ -8,24 +8,26 @@
 
 namespace symplant::panel {
 
-void LiveSource::put_description(std::string& json) {
+void LiveSource::put_description(std::string& json, Role role) {
   const std::lock_guard guard(mutex_);
   desk_.put_description(json);
-  json += "," + description_;
+  json += "," + describe_(role);
 }
 
 std::optional<Reply> LiveSource::get(std::string_view path, const std::map<std::string, std::string>& query,
-                                     const Answered& later) {
+                                     const Sender& sender, const Answered& later) {
   const std::lock_guard guard(mutex_);
   if (path == "chart") return chart(query);
   if (path == "why") {
     const auto name = query.find("name");
     if (name == query.end()) return Reply{Reply::Kind::now, error_answer(400, "`why` needs a `name`")};
-    desk_.why(name->second, later);
+    desk_.why(name->second, sender, later);
     return Reply{Reply::Kind::later, {}};
   }
   constexpr std::string_view kSession = "session/";
-  return path.starts_with(kSession) ? session_file(path.substr(kSession.size())) : std::nullopt;
+  if (!path.starts_with(kSession)) return std::nullopt;
+  if (!sees_all(sender.role)) return Reply{Reply::Kind::now, error_answer(403, "the session is for the trainer")};
+  return session_file(path.substr(kSession.size()));
 }
 
 Reply LiveSource::chart(const std::map<std::string, std::string>& query) {
@@ -47,25 +49,37 @@ std::optional<Reply> LiveSource::session_file(std::string_view kind) {
   return reply;
 }
 
-void LiveSource::post(std::string_view path, std::string_view body, const Answered& later) {
+void LiveSource::post(std::string_view path, std::string_view body, const Sender& sender, const Answered& later) {
   const std::lock_guard guard(mutex_);
-  path == "check" ? later(desk_.check(body)) : desk_.request(body, later);
+  path == "check" ? later(desk_.check(body, sender)) : desk_.request(body, sender, later);
 }
 
-std::string LiveSource::picture() {
+/// Puts the members of the status before the brace at the end.
+void LiveSource::put_status(std::string& json) const {
+  if (!status_.empty()) json.insert(json.size() - 1, "," + status_);
+}
+
+std::string LiveSource::picture(Role role) {
   const std::lock_guard guard(mutex_);
-  std::string json = desk_.picture();
-  json.insert(json.size() - 1, status_.empty() ? "" : "," + status_);
+  std::string json = desk_.picture(role);
+  put_status(json);
   return json;
 }
 
-std::string LiveSource::changes() {
+News LiveSource::changes(bool for_others) {
   const std::lock_guard guard(mutex_);
-  std::string json = desk_.changes();
-  if (!std::exchange(is_due_, false)) return json;
-  if (json.empty()) json = desk_.beat() + "}";
-  json.insert(json.size() - 1, status_.empty() ? "" : "," + status_);
-  return json;
+  const bool is_due = std::exchange(is_due_, false);
+  desk_.look_at_changes();
+  const auto changes_for = [&](Role role) {
+    std::string json = desk_.changes(role);
+    if (!is_due) return json;
+    if (json.empty()) json = desk_.beat() + "}";
+    put_status(json);
+    return json;
+  };
+  News news{changes_for(Role::trainer), for_others ? changes_for(Role::trainee) : std::string()};
+  desk_.forget_changes();
+  return news;
 }
 
 bool LiveSource::begun_again() {

@@ -18,17 +18,17 @@ namespace symplant::panel {
 /// Each call holds the mutex of the desk.
 class LiveSource final : public Source {
  public:
-  /// `description`: the members that follow from the tables. The others must outlive it.
-  LiveSource(Desk& desk, std::mutex& mutex, const trace::PlantNames& names, std::string description)
-      : desk_(desk), mutex_(mutex), names_(names), description_(std::move(description)) {}
+  /// `describe` makes the members that follow from the tables, for a role. The others must outlive it.
+  LiveSource(Desk& desk, std::mutex& mutex, const trace::PlantNames& names, std::function<std::string(Role)> describe)
+      : desk_(desk), mutex_(mutex), names_(names), describe_(std::move(describe)) {}
 
-  void put_description(std::string& json) override;
+  void put_description(std::string& json, Role role) override;
   bool acts() const override { return desk_.acts(); }
-  std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query,
+  std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query, const Sender& sender,
                            const Answered& later) override;
-  void post(std::string_view path, std::string_view body, const Answered& later) override;
-  std::string picture() override;
-  std::string changes() override;
+  void post(std::string_view path, std::string_view body, const Sender& sender, const Answered& later) override;
+  std::string picture(Role role) override;
+  News changes(bool for_others) override;
   bool begun_again() override;
 
   /// To be called about once a second, by a caller that holds the mutex: the next changes() are not empty. `ask_status`
@@ -36,13 +36,14 @@ class LiveSource final : public Source {
   void refresh(const std::function<std::string()>& ask_status);
 
  private:
+  void put_status(std::string& json) const;
   Reply chart(const std::map<std::string, std::string>& query);
   std::optional<Reply> session_file(std::string_view kind);
 
   Desk& desk_;
   std::mutex& mutex_;
   const trace::PlantNames& names_;
-  std::string description_;
+  std::function<std::string(Role)> describe_;
   std::string status_;
   bool is_due_ = false;  ///< changes() must not be empty
 };

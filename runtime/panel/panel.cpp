@@ -22,13 +22,14 @@ struct Panel::Parts {
         desk({plant.names,      plant.plant,         plant.recorder,  plant.history,      plant.explainer,
               plant.behaviours, plant.carried,       plant.exercises, plant.scenario,     plant.player,
               plant.programs,   plant.scenario_name, options.files,   plant.seed,         plant.cycle,
-              plant.with_plc,   plant.by_plc_clock,  plant.paced,     !options.view_only, plant.resumed}),
-        source(desk, mutex, plant.names, description_of(plant)),
+              plant.with_plc,   plant.by_plc_clock,  plant.paced,     !options.view_only, plant.resumed,
+              plant.view}),
+        source(desk, mutex, plant.names, [this](Role role) { return description_of(plant, role); }),
         routes(source, access) {}
 
-  static std::string description_of(const PanelPlant& plant) {
+  static std::string description_of(const PanelPlant& plant, Role role) {
     std::string json;
-    put_plant(json, plant.names, plant.view, plant.links);
+    put_plant(json, plant.names, plant.view, plant.links, role);
     return json;
   }
 
@@ -79,7 +80,9 @@ Panel::~Panel() {
   parts_->server.reset();
 }
 
-std::string Panel::link() const { return parts_->access.url() + "#token=" + parts_->access.token(); }
+std::string Panel::link(Role role) const { return parts_->access.link(role); }
+
+bool Panel::has_trainees() const { return parts_->access.has_role(Role::trainee); }
 
 exec::Stepper& Panel::stepper() { return parts_->desk.plant_operator(); }
 

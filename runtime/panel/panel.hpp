@@ -18,6 +18,7 @@
 #include "symplant/panel/operate/exercises.hpp"
 #include "symplant/panel/options.hpp"
 #include "symplant/panel/picture/describe.hpp"
+#include "symplant/panel/role.hpp"
 #include "symplant/panel/stepping.hpp"
 #include "symplant/panel/view.hpp"
 #include "symplant/panel/web/guard.hpp"
@@ -71,8 +72,10 @@ class Panel {
   Panel(const Panel&) = delete;
   Panel& operator=(const Panel&) = delete;
 
-  /// The link to the page, with the token.
-  std::string link() const;
+  /// The link to the page, with the token of a role.
+  std::string link(Role role = Role::trainer) const;
+  /// Whether there are links for trainees and viewers, too.
+  bool has_trainees() const;
 
   // --- for the thread of the plant
   /// Advances the plant instead of Plant::advance_to(), and does what clients ask for.

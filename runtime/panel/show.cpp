@@ -22,7 +22,7 @@ std::optional<link::LinkError> show(const PanelOptions& options, trace::ReadTrac
   Routes routes(recording, open.access);
   Guard guard(std::move(log));
   const Server server(std::move(open.listener), routes, recording, guard, options.patience, [] {});
-  begun(open.access.url() + "#token=" + open.access.token());
+  begun(open.access.link(Role::trainer));
   while (!stop()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return std::nullopt;
 }

@@ -112,7 +112,7 @@ class FileReader {
   }
 
   void read_exercise(const Json& value) {
-    Exercise exercise{value["title"].get<std::string>(), value.value("text", ""), 0, 0, tables::kNever, 0};
+    Exercise exercise{value["title"].get<std::string>(), value.value("text", "")};
     if (const auto score = value.find("score"); score != value.end()) {
       exercise.for_expectation = score->value("expect", std::int64_t{0});
       exercise.for_violation = score->value("requirement violated", std::int64_t{0});
@@ -121,6 +121,10 @@ class FileReader {
         exercise.within = reader_.read_duration((*within)["time"], "/exercise/score/within/time").value_or(0);
       }
     }
+    if (const auto allow = value.find("allow"); allow != value.end()) {
+      exercise.allow = allow->get<std::vector<std::string>>();
+    }
+    exercise.shows_score = value.value("show_score", false);
     scenario_.exercise = std::move(exercise);
   }
 

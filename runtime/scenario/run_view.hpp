@@ -26,6 +26,7 @@ struct RunFacts {
   const std::vector<bool>& carried;         ///< by symbol: whether a link carries it
   const Scenario* scenario = nullptr;       ///< the scenario that is played; null: none
   bool frozen_at_panel = false;
+  bool shows_malfunctions = true;  ///< as StateView::shows_malfunctions()
   std::function<Violations(std::uint32_t requirement)> violations;
 };
 
@@ -37,6 +38,7 @@ class RunView final : public why::RecordedView {
   RunView(const trace::PlantNames& names, const trace::History& history, tables::Time now, const plant::Plant* plant,
           RunFacts facts);
 
+  bool shows_malfunctions() const override { return facts_.shows_malfunctions; }
   std::string unwritten(std::uint32_t operation) const override;
   std::string violated(std::uint32_t requirement) const override;
   std::string standstill() const override;

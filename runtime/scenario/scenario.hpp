@@ -92,6 +92,9 @@ struct Exercise {
   std::int64_t for_violation = 0;    ///< points for each violation of a requirement; usually below 0
   tables::Time within = tables::kNever;
   std::int64_t for_time = 0;  ///< points if it is over within that time
+  /// What a trainee may operate, as names or patterns; nothing: what persons operate in a plant.
+  std::optional<std::vector<std::string>> allow = std::nullopt;
+  bool shows_score = false;  ///< to the trainee
 };
 
 struct Scenario {

@@ -289,6 +289,10 @@ bool is_of_link(FindingKind kind) {
 
 bool is_of_host(FindingKind kind) { return is_of_link(kind) || kind == FindingKind::standstill; }
 
+bool is_of_malfunctions(const FoundThing& found, const PlantNames& names) {
+  return found.kind == FindingKind::instantaneous_loop && has_malfunctions(found, names);
+}
+
 bool is_of_symbol(FindingKind kind) {
   return !is_of_unit(kind) && !is_of_host(kind) && kind != FindingKind::requirement_violated &&
          kind != FindingKind::part_blocked && kind != FindingKind::value_not_finite;
@@ -306,8 +310,7 @@ std::string name_of(const FoundThing& found, const PlantNames& names) {
   for (const std::uint32_t member : found.of) members.push_back(names.loop_member(member));
   std::sort(members.begin(), members.end());
   // Names of malfunctions may contain blanks.
-  const std::string_view between =
-      found.kind == FindingKind::instantaneous_loop && has_malfunctions(found, names) ? ", " : " ";
+  const std::string_view between = is_of_malfunctions(found, names) ? ", " : " ";
   std::string text;
   for (const std::string_view member : members) text.append(text.empty() ? "" : between).append(member);
   return text;

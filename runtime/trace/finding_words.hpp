@@ -33,6 +33,9 @@ bool is_of_link(tables::FindingKind kind);
 /// or by ", " if they are malfunctions.
 std::string name_of(const FoundThing& found, const PlantNames& names);
 
+/// Whether it is an instantaneous loop of malfunctions.
+bool is_of_malfunctions(const FoundThing& found, const PlantNames& names);
+
 /// The units that it concerns: its own, that of its symbol, or those in the conditions of its requirement.
 std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::PlantTables& tables);
 

@@ -38,6 +38,8 @@ class History {
   };
   /// In the order in which they started.
   const std::vector<Malfunction>& malfunctions() const { return malfunctions_; }
+  /// Exchanges them for others.
+  void swap_malfunctions(std::vector<Malfunction>& others) { malfunctions_.swap(others); }
 
   std::uint64_t value(std::uint32_t symbol) const;
   /// An output of a value, as last recorded; before that as at the start. Valid if records show it.

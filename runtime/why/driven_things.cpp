@@ -33,7 +33,8 @@ std::string reader_words(const SymbolReader& reader, const trace::PlantNames& na
   return std::string(names.unit(reader.index));
 }
 
-std::vector<std::string> driven_things(std::uint32_t operation, const SymbolUse& use, const trace::PlantNames& names) {
+std::vector<std::string> driven_things(std::uint32_t operation, const SymbolUse& use, const trace::PlantNames& names,
+                                       bool with_malfunctions) {
   std::vector<std::string> things;
   const auto add = [&](std::string thing) {
     if (std::find(things.begin(), things.end(), thing) == things.end()) things.push_back(std::move(thing));
@@ -43,6 +44,7 @@ std::vector<std::string> driven_things(std::uint32_t operation, const SymbolUse&
     add(std::string(names.unit(driver.unit)));
   }
   for (const SymbolReader& reader : use.readers(operation)) {
+    if (reader.kind == SymbolReader::Kind::malfunction && !with_malfunctions) continue;
     if (reader.kind != SymbolReader::Kind::requirement) add(reader_words(reader, names));
   }
   return things;

@@ -16,7 +16,8 @@ std::string reader_words(const SymbolReader& reader, const trace::PlantNames& na
 
 /// What an operation drives, each thing once: the device that it moves, then devices, tracks, transfers, work, sources,
 /// events and malfunctions with a condition that reads it. A requirement only checks, so it is not among them.
-/// O(readers^2).
-std::vector<std::string> driven_things(std::uint32_t operation, const SymbolUse& use, const trace::PlantNames& names);
+/// O(readers^2). `with_malfunctions`: false leaves those out.
+std::vector<std::string> driven_things(std::uint32_t operation, const SymbolUse& use, const trace::PlantNames& names,
+                                       bool with_malfunctions = true);
 
 }  // namespace symplant::why

@@ -22,7 +22,10 @@ class RecordedView : public StateView {
   tables::Time rose(std::uint32_t operation) const override { return history_.rose(operation); }
   std::vector<PartState> parts(std::uint32_t location) const override;
 
-  std::span<const trace::History::Malfunction> malfunctions() const override { return history_.malfunctions(); }
+  std::span<const trace::History::Malfunction> malfunctions() const override {
+    if (!shows_malfunctions()) return {};
+    return history_.malfunctions();
+  }
 
   std::optional<double> output(std::uint32_t output) const override;
   std::optional<double> weight(std::uint32_t location) const override;

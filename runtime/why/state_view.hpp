@@ -54,7 +54,9 @@ class StateView {
   virtual std::optional<plant::TransferView> transfer(std::uint32_t) const { return {}; }
   virtual std::optional<plant::SourceView> source(std::uint32_t) const { return {}; }
 
-  /// The active malfunctions in the order in which they started.
+  /// False: explanations do not name malfunctions, as for a trainee.
+  virtual bool shows_malfunctions() const { return true; }
+  /// The active malfunctions in the order in which they started; empty if they are not shown.
   virtual std::span<const trace::History::Malfunction> malfunctions() const { return {}; }
 
   // The rest are phrases that end a sentence; empty: there is nothing to say.

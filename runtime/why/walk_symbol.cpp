@@ -93,7 +93,11 @@ void Walk::add_operation(std::uint32_t symbol, Explanation& result) {
     append(result.because,
            causes(std::vector{driver.unit}, [&](std::uint32_t unit) { return moved_unit(symbol, unit); }));
   }
-  const auto readers = index_.use.readers(symbol);
+  const auto all = index_.use.readers(symbol);
+  std::vector<SymbolReader> readers(all.begin(), all.end());
+  if (!view_.shows_malfunctions()) {
+    std::erase_if(readers, [](const SymbolReader& each) { return each.kind == SymbolReader::Kind::malfunction; });
+  }
   append(result.because, causes(readers, [this](const SymbolReader& each) { return reader(each); }));
   if (result.because.empty()) result.sentence += "; no device and no condition uses it";
 }

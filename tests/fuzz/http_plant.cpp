@@ -78,7 +78,7 @@ struct LivePlant {
         history(names),
         explainer(names),
         desk(setup(names, carried, exercises)),
-        source(desk, mutex, names, description_of(names)) {
+        source(desk, mutex, names, [&names](panel::Role role) { return description_of(names, role); }) {
     recorder.attach(plant);
     desk.plant_operator().advance_to(0);
     drain();
@@ -106,11 +106,12 @@ struct LivePlant {
             .by_plc_clock = false,
             .paced = true,
             .acts = true,
-            .resumed = ""};
+            .resumed = "",
+            .view = {}};
   }
-  static std::string description_of(const trace::PlantNames& names) {
+  static std::string description_of(const trace::PlantNames& names, panel::Role role) {
     std::string json;
-    panel::put_plant(json, names, {}, {});
+    panel::put_plant(json, names, {}, {}, role);
     return json;
   }
 
@@ -166,7 +167,7 @@ struct HttpPlant::Parts {
         tables(compiled->tables.tables()),
         names(tables),
         carried(tables.symbols.size()),
-        access("127.0.0.1", 8137, std::string(kSeedToken)) {
+        access("127.0.0.1", 8137, {"", std::string(kTraineeToken), std::string(kSeedToken)}) {
     auto read = scenario::read_scenario(kExercise, names, carried);
     if (!read.scenario) std::abort();
     exercises.push_back({"move", std::make_shared<const scenario::Scenario>(std::move(*read.scenario))});
@@ -185,9 +186,10 @@ struct HttpPlant::Parts {
     const panel::Reply reply = routes.answer(request, [&](panel::Answer done) { later = std::move(done); });
     for (int i = 0; i < kRounds; ++i) {
       go_on();
-      source.changes();
+      source.changes(true);
     }
-    source.picture();
+    source.picture(panel::Role::trainer);
+    source.picture(panel::Role::trainee);
     if (reply.kind == panel::Reply::Kind::later) return later ? later->status : 0;
     return reply.answer.status;
   }

@@ -11,6 +11,7 @@ namespace symplant::fuzz {
 /// The seeds have these, so that they are valid.
 inline constexpr std::string_view kSeedHost = "localhost:8137";
 inline constexpr std::string_view kSeedToken = "0123456789abcdef0123456789abcdef";
+inline constexpr std::string_view kTraineeToken = "fedcba9876543210fedcba9876543210";
 inline constexpr std::string_view kSeedRun = "run";
 
 /// A seed as it is sent: the lines of its head end with CR and LF, and it has the length of its body unless it says how

@@ -160,6 +160,32 @@ std::string station_rows(const model::Layout& layout) {
   return rows.take();
 }
 
+std::string symbol_view_rows(const model::PlantModel& plant) {
+  const bool any = std::any_of(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
+    return !symbol.row->comment.empty() || symbol.is_by_operator();
+  });
+  if (!any) return {};
+  RowWriter rows;
+  for (const model::Symbol& symbol : plant.symbols) {
+    rows.text("    {\"").literal(symbol.row->comment);
+    rows.text(symbol.is_by_operator() ? "\", true},  // " : "\"},  // ").comment(symbol.name()).text("\n");
+  }
+  return rows.take();
+}
+
+std::string alarm_view_rows(const model::PlantModel& plant) {
+  RowWriter rows;
+  for (const model::Alarm& alarm : plant.alarms) {
+    if (alarm.symbol != model::kNone) {
+      rows.text("    {.symbol = ").number(alarm.symbol).text("},  // ").comment(plant.symbols[alarm.symbol].name());
+    } else {
+      rows.text("    {.value = ").number(alarm.value).text("},");
+    }
+    rows.text("\n");
+  }
+  return rows.take_or("");
+}
+
 std::string place_arrays(const model::PlantModel& plant) {
   RowWriter rows;
   for (std::size_t c = 0; c < plant.links.size(); ++c) {

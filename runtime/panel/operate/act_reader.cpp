@@ -180,6 +180,7 @@ struct ActReader::Parts {
     steps.faults.clear();
     act.step = steps.read(json, "");
     if (!steps.faults.empty()) error = steps.faults.front().message;
+    act.releases_all = all;
     if (all) {
       for (const auto& [symbol, since] : history.forced()) act.step.release.push_back(symbol);
     }

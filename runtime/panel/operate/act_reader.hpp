@@ -34,6 +34,7 @@ struct Act {
   };
   Kind kind = Kind::step;
   scenario::Step step;
+  bool releases_all = false;  ///< of a step: all forces, of which there may be none
   std::string name;  ///< of a snapshot, exercise or session
   double speed = 1;  ///< 0: as fast as possible
 };

@@ -8,6 +8,8 @@
 #include "symplant/scenario/run_view.hpp"
 #include "symplant/scenario/step_text.hpp"
 #include "symplant/scenario/verdict.hpp"
+#include "symplant/trace/hidden_malfunctions.hpp"
+#include "symplant/why/recorded_view.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -28,6 +30,7 @@ Desk::Desk(Setup setup)
       reader_(setup_.names, setup_.carried, setup_.history),
       snapshots_(setup_.folder, setup_.plant.save().size()),
       session_(setup_.names, setup_.seed),
+      allowed_(setup_.names, setup_.view),
       block_(setup_.plant.save().size()),
       violations_(setup_.names.tables().requirements.size()),
       playing_(setup_.scenario),
@@ -41,6 +44,7 @@ Desk::Desk(Setup setup)
     const std::shared_ptr<const scenario::Scenario> unowned(std::shared_ptr<void>(), playing_);
     exercise_ = std::make_shared<Exercise>(ExerciseFile{setup_.scenario_name, unowned}, setup_.names);
     exercise_->begin(setup_.plant.now());
+    allow();
   } else {
     played_.begin(playing_);
   }
@@ -97,10 +101,17 @@ void Desk::step_noted(const trace::Record& record) {
 }
 
 void Desk::step_failed(std::size_t step, tables::Time time) {
-  const std::string words = why::in_one_line(scenario::failure_words(
-      *playing_, {step, step_turn_, time, refusals_.values()}, setup_.explainer, setup_.history, nullptr));
+  const auto failure_words = [&] {
+    return why::in_one_line(scenario::failure_words(*playing_, {step, step_turn_, time, refusals_.values()},
+                                                    setup_.explainer, setup_.history, nullptr));
+  };
+  const std::string words = failure_words();
   const std::string name = fmt::format("step {}", step + 1);
-  add_finding({time, "", tables::kNone, is_exercise() ? "" : name, words}, "expectation failed", name, "error");
+  const trace::HiddenMalfunctions hidden(setup_.history);
+  const bool is_of_plant = playing_->steps[step].expect && refusals_.empty();
+  const std::string shown = is_of_plant ? failure_words() : std::string();
+  add_finding({time, "", "", tables::kNone, is_exercise() ? "" : name, words}, "expectation failed", name, "error",
+              shown);
 }
 
 void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {
@@ -117,19 +128,41 @@ void Desk::finding(const trace::FoundThing& found, const std::string& words) {
     violation.changed = true;
     if (exercise_ != nullptr) exercise_->requirement_violated(found.of.front(), found.time);
   }
-  add_finding({found.time, "", violated ? found.of.front() : tables::kNone, "", words}, trace::finding_name(found.kind),
-              trace::name_of(found, setup_.names),
+  const std::string shown = setup_.history.malfunctions().empty() && !trace::is_of_malfunctions(found, setup_.names)
+                                ? words
+                                : words_without_malfunctions(found);
+  add_finding({found.time, "", "", violated ? found.of.front() : tables::kNone, "", words},
+              trace::finding_name(found.kind), trace::name_of(found, setup_.names),
               violated              ? "error"
               : is_note(found.kind) ? "note"
-                                    : "warning");
+                                    : "warning",
+              shown);
 }
 
-void Desk::add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity) {
-  put(found.json, "\"t\":{}", found.time);
-  put_member(found.json, "finding", kind);
-  put_member(found.json, "of", of);
-  put_member(found.json, "severity", severity);
-  put_member(found.json, "text", found.text);
+/// The words of a finding, for roles that do not see malfunctions; empty for a loop of malfunctions.
+std::string Desk::words_without_malfunctions(const trace::FoundThing& found) {
+  if (trace::is_of_malfunctions(found, setup_.names)) return {};
+  const trace::HiddenMalfunctions hidden(setup_.history);
+  if (found.kind != tables::FindingKind::requirement_violated) {
+    return trace::finding_words(found, setup_.names, setup_.history);
+  }
+  const why::RecordedView view(setup_.history, found.time, nullptr);
+  return why::in_one_line(setup_.explainer.violation(found.of.front(), view));
+}
+
+void Desk::add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity,
+                       const std::string& shown) {
+  const auto members = [&](const std::string& text) {
+    std::string json;
+    put(json, "\"t\":{}", found.time);
+    put_member(json, "finding", kind);
+    put_member(json, "of", of);
+    put_member(json, "severity", severity);
+    put_member(json, "text", text);
+    return json;
+  };
+  found.json = members(found.text);
+  if (!shown.empty()) found.shown = shown == found.text ? found.json : members(shown);
   findings_.push_back(std::move(found));
   if (findings_.size() <= kMostFindings) return;
   findings_.pop_front();
@@ -154,26 +187,26 @@ void Desk::put_clock(std::string& json) const {
       speed == 0 ? "\"max\"" : fmt::format("{}", speed), real_speed_);
 }
 
-void Desk::put_findings(std::string& json, std::uint64_t from) const {
+void Desk::put_findings(std::string& json, std::uint64_t from, Role role) const {
   json += '[';
   for (std::uint64_t n = std::max(from, first_finding_); n < first_finding_ + findings_.size(); ++n) {
+    const Found& found = findings_[n - first_finding_];
+    const std::string& members = sees_all(role) ? found.json : found.shown;
+    if (members.empty()) continue;
     put_comma(json);
-    put(json, "{{\"n\":{},{}}}", n, findings_[n - first_finding_].json);
+    put(json, "{{\"n\":{},{}}}", n, members);
   }
   json += ']';
 }
 
-void Desk::put_requirements(std::string& json, bool all) {
+void Desk::put_requirements(std::string& json, bool all) const {
   json += '[';
   for (std::size_t r = 0; r < violations_.size(); ++r) {
-    Violation& violation = violations_[r];
+    const Violation& violation = violations_[r];
     if (!all && !violation.changed) continue;
     put_comma(json);
     json += '[';
-    if (!all) {
-      put(json, "{},", r);
-      violation.changed = false;
-    }
+    if (!all) put(json, "{},", r);
     put(json, R"("{}",{},{}])", violation.count == 0 ? "ok" : "violated", violation.since, violation.count);
   }
   json += ']';
@@ -194,45 +227,45 @@ void Desk::take_outputs() {
   outputs.ask();
 }
 
-std::string Desk::picture() {
+std::string Desk::picture(Role role) {
   const tables::Time now = operator_.now();
   std::string json = beat();
   put_key(json, "clock");
   put_clock(json);
-  picture_.put_all(json, now);
+  picture_.put_all(json, now, role);
   put_key(json, "findings");
-  put_findings(json, 0);
+  put_findings(json, 0, role);
   put_key(json, "requirements");
   put_requirements(json, true);
   put_key(json, "acts");
-  session_.put(json, session_.count() > kMostFindings ? session_.count() - kMostFindings : 0);
+  session_.put(json, session_.count() > kMostFindings ? session_.count() - kMostFindings : 0, role);
   put_key(json, "snapshots");
-  snapshots_.put_all(json);
+  sees_all(role) ? snapshots_.put_all(json) : void(json += "[]");
   put_key(json, "scenario");
-  played_.put(json);
+  played_.put(json, role);
   put_key(json, "exercise");
   if (exercise_ != nullptr) {
-    exercise_->put(json);
+    exercise_->put(json, role);
   } else {
     json += "null";
   }
+  put_key(json, "allowed");
+  allowed_.put(json);
   return json + "}";
 }
 
-std::string Desk::changes() {
+void Desk::look_at_changes() { take_outputs(); }
+
+std::string Desk::changes(Role role) {
   std::string json;
   if (std::string clock; put_clock(clock), clock != sent_clock_) {
     put_key(json, "clock");
     json += clock;
-    sent_clock_ = std::move(clock);
   }
-  take_outputs();
-  const tables::Time now = operator_.now();
-  if (picture_.has_changes()) picture_.put_changes(json, now);
-  if (const std::uint64_t count = first_finding_ + findings_.size(); count != sent_findings_) {
+  if (picture_.has_changes()) picture_.put_changes(json, operator_.now(), role);
+  if (first_finding_ + findings_.size() != sent_findings_) {
     put_key(json, "findings");
-    put_findings(json, sent_findings_);
-    sent_findings_ = count;
+    put_findings(json, sent_findings_, role);
   }
   if (std::any_of(violations_.begin(), violations_.end(), [](const Violation& v) { return v.changed; })) {
     put_key(json, "requirements");
@@ -240,27 +273,46 @@ std::string Desk::changes() {
   }
   if (session_.count() != sent_acts_) {
     put_key(json, "acts");
-    session_.put(json, sent_acts_);
-    sent_acts_ = session_.count();
+    session_.put(json, sent_acts_, role);
   }
-  if (snapshots_.version() != sent_snapshots_) {
+  if (snapshots_.version() != sent_snapshots_ && sees_all(role)) {
     put_key(json, "snapshots");
     snapshots_.put_all(json);
-    sent_snapshots_ = snapshots_.version();
   }
   if (played_.version() != sent_played_) {
     put_key(json, "scenario");
-    played_.put(json);
-    sent_played_ = played_.version();
+    played_.put(json, role);
   }
   if (exercise_ != nullptr && (exercise_.get() != sent_of_ || exercise_->version() != sent_exercise_)) {
     put_key(json, "exercise");
-    exercise_->put(json);
-    sent_of_ = exercise_.get();
-    sent_exercise_ = exercise_->version();
+    exercise_->put(json, role);
+  }
+  if (allowed_.version() != sent_allowed_) {
+    put_key(json, "allowed");
+    allowed_.put(json);
   }
   if (json.empty()) return json;
   return beat() + "," + json + "}";
+}
+
+void Desk::forget_changes() {
+  sent_clock_.clear();
+  put_clock(sent_clock_);
+  picture_.forget_changes();
+  sent_findings_ = first_finding_ + findings_.size();
+  for (Violation& violation : violations_) violation.changed = false;
+  sent_acts_ = session_.count();
+  sent_snapshots_ = snapshots_.version();
+  sent_played_ = played_.version();
+  sent_of_ = exercise_.get();
+  sent_exercise_ = exercise_ != nullptr ? exercise_->version() : 0;
+  sent_allowed_ = allowed_.version();
+}
+
+/// What a trainee may operate in the exercise that is played.
+void Desk::allow() {
+  const scenario::Exercise* const rules = is_exercise() ? &*exercise_->scenario().exercise : nullptr;
+  rules != nullptr && rules->allow ? allowed_.by_patterns(*rules->allow) : allowed_.by_default();
 }
 
 std::string Desk::beat() const {
@@ -340,7 +392,8 @@ void Desk::acted(const Pending& pending, const trace::Record& note) {
   for (std::size_t i = 0; i < pending.steps.size(); ++i) {
     const scenario::Step step = refusals_.done_of(pending.steps[i], i);
     const std::string actions = scenario::actions_json(step, setup_.names);
-    if (!actions.empty()) log(note.time, note.value >> scenario::kTurnBits, "hand", actions, true);
+    const std::string_view by = sees_all(pending.group->sender.role) ? "hand" : role_name(Role::trainee);
+    if (!actions.empty()) log(note.time, note.value >> scenario::kTurnBits, by, actions, true);
     if (std::string act = scenario::act_json(step, setup_.names); !act.empty()) new_acts_.push_back(std::move(act));
   }
   if (!refusals_.empty()) pending.group->error = std::string(refusals_.words()) + "; the other acts were done";
@@ -358,6 +411,7 @@ void Desk::play(Pending& pending, tables::Time time) {
     playing_ = nullptr;
   }
   played_.begin(nullptr);
+  allow();
 }
 
 std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time) {
@@ -387,6 +441,7 @@ void Desk::go_back_to(const Pending& pending) {
     if (exercise_ != nullptr) exercise_->end(pending.asked);
     playing_ = nullptr;
     played_.begin(nullptr);
+    allow();
   } else if (pending.state->exercise) {
     exercise_->go_back_to(*pending.state->exercise);
   }
@@ -401,7 +456,7 @@ void Desk::copied(Pending& pending, tables::Time time) {
   if (pending.purpose == Purpose::backtrack) return snapshots_.keep_backtrack(std::move(pending.state));
   if (pending.purpose == Purpose::why) {
     shadow().restore(pending.state->snapshot.block);
-    group.body = explain(pending.name, time);
+    group.body = explain(pending.name, time, group.sender.role);
     return;
   }
   if (pending.purpose == Purpose::save) {
@@ -416,12 +471,13 @@ void Desk::copied(Pending& pending, tables::Time time) {
 }
 
 /// The answer to `why`: the shadow has the state.
-std::string Desk::explain(const std::string& name, tables::Time time) {
+std::string Desk::explain(const std::string& name, tables::Time time, Role role) {
   const scenario::RunView view(setup_.names, setup_.history, time, &shadow(),
                                {.links = link_states_ ? link_states_() : std::vector<exec::LinkState>(),
                                 .carried = setup_.carried,
                                 .scenario = playing_,
                                 .frozen_at_panel = operator_.frozen(),
+                                .shows_malfunctions = sees_all(role),
                                 .violations = [&](std::uint32_t requirement) {
                                   const Violation& violation = violations_[requirement];
                                   return scenario::Violations{violation.count, violation.first};

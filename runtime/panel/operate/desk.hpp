@@ -16,6 +16,7 @@
 #include "symplant/exec/exchange.hpp"
 #include "symplant/panel/answer.hpp"
 #include "symplant/panel/operate/act_reader.hpp"
+#include "symplant/panel/operate/allowed.hpp"
 #include "symplant/panel/operate/exercises.hpp"
 #include "symplant/panel/operate/operator.hpp"
 #include "symplant/panel/operate/played.hpp"
@@ -24,6 +25,8 @@
 #include "symplant/panel/operate/snapshots.hpp"
 #include "symplant/panel/picture/chart.hpp"
 #include "symplant/panel/picture/picture.hpp"
+#include "symplant/panel/role.hpp"
+#include "symplant/panel/view.hpp"
 #include "symplant/plant/owned_plant.hpp"
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/history.hpp"
@@ -66,6 +69,7 @@ class Desk {
     bool paced;           ///< the speed can be changed
     bool acts;            ///< clients may act
     std::string resumed;  ///< the name of the snapshot with which the run began; empty: none
+    View view;
   };
 
   explicit Desk(Setup setup);
@@ -88,16 +92,20 @@ class Desk {
   void finding(const trace::FoundThing& found, const std::string& words);
 
   // --- for the thread of the panel
-  void request(std::string_view body, Answered answered);
+  void request(std::string_view body, const Sender& sender, Answered answered);
   /// What request() would refuse now.
-  Answer check(std::string_view body);
-  void why(std::string_view name, Answered answered);
+  Answer check(std::string_view body, const Sender& sender);
+  void why(std::string_view name, const Sender& sender, Answered answered);
   std::string chart(const ChartWish& wish) const { return chart_.text(wish, operator_.now()); }
   /// The keys of the description that the desk knows.
   void put_description(std::string& json) const;
-  /// The data of the event `picture`, and of `changes`; the latter is empty if there is nothing new.
-  std::string picture();
-  std::string changes();
+  /// The data of the event `picture`, as a role sees it.
+  std::string picture(Role role);
+  /// Before changes(): takes what has come since.
+  void look_at_changes();
+  /// The data of the event `changes` since forget_changes(), as a role sees it; empty if there is nothing new.
+  std::string changes(Role role);
+  void forget_changes();
   /// Whether the plant was set to another state since the last call: then the stream needs the picture again.
   bool begun_again() { return std::exchange(begun_again_, false); }
   /// The beginning of an event that has only the time, without the brace at its end.
@@ -127,6 +135,7 @@ class Desk {
     std::int64_t until = kNoLimit;  ///< by act_clock(), of its acts on the plant
     std::string body;
     std::string error;
+    Sender sender = {};
   };
   struct Pending {
     Purpose purpose;
@@ -142,11 +151,14 @@ class Desk {
   struct Found {
     tables::Time time;
     std::string json;           ///< its members without `n`
+    std::string shown;          ///< the same for roles that do not see malfunctions; empty: these do not see it
     std::uint32_t requirement;  ///< that is violated, or kNone
     std::string step;           ///< the step of a scenario that failed, and why; empty: none
     std::string text;
   };
 
+  /// The error if the acts cannot be read or are not possible; nothing if they are.
+  std::optional<Answer> refused(const ReadActs& read, const Sender& sender);
   std::string refusal(const std::vector<Act>& acts);
   std::string refusal(const Act& act);
   void carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group);
@@ -164,11 +176,15 @@ class Desk {
   std::optional<SetBack> set_back(const Pending& pending, tables::Time time);
   void go_back_to(const Pending& pending);
   void copied(Pending& pending, tables::Time time);
-  std::string explain(const std::string& name, tables::Time time);
+  std::string explain(const std::string& name, tables::Time time, Role role);
+  std::string words_without_malfunctions(const trace::FoundThing& found);
+  void allow();
   void log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step);
   void step_noted(const trace::Record& record);
   void step_failed(std::size_t step, tables::Time time);
-  void add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity);
+  /// `shown`: the text for roles that do not see malfunctions; empty: they do not see the finding.
+  void add_finding(Found found, std::string_view kind, std::string_view of, std::string_view severity,
+                   const std::string& shown);
   bool is_exercise() const { return exercise_ != nullptr && &exercise_->scenario() == playing_; }
   /// The plant was set back to the time `after`: removes later findings.
   void forget_findings(tables::Time after);
@@ -176,8 +192,8 @@ class Desk {
   const ExerciseFile* exercise_file(std::string_view name) const;
   void take_outputs();
   void put_clock(std::string& json) const;
-  void put_findings(std::string& json, std::uint64_t from) const;
-  void put_requirements(std::string& json, bool all);
+  void put_findings(std::string& json, std::uint64_t from, Role role) const;
+  void put_requirements(std::string& json, bool all) const;
   std::string save_session(const std::string& name);
   std::string session_json() const;
   std::string session_junit() const;
@@ -189,6 +205,7 @@ class Desk {
   ActReader reader_;
   Snapshots snapshots_;
   Session session_;
+  Allowed allowed_;
   std::optional<plant::OwnedPlant> shadow_;  ///< a plant into which copies of the state are restored
   std::size_t block_ = 0;                    ///< the size of a state
   std::map<std::uint32_t, Pending> pending_;
@@ -228,6 +245,7 @@ class Desk {
   std::uint64_t sent_acts_ = 0;
   std::uint64_t sent_snapshots_ = 0;
   std::uint64_t sent_exercise_ = 0;
+  std::uint64_t sent_allowed_ = 0;
   std::uint64_t sent_played_ = 0;
   const Exercise* sent_of_ = nullptr;
   std::string sent_clock_;

@@ -118,17 +118,24 @@ std::string Desk::refusal(const std::vector<Act>& acts) {
   return "";
 }
 
-Answer Desk::check(std::string_view body) {
-  const ReadActs read = reader_.read(body);
+std::optional<Answer> Desk::refused(const ReadActs& read, const Sender& sender) {
   if (!read.error.empty()) return error_answer(read.is_form ? 400 : 422, read.error);
+  if (!sees_all(sender.role)) {
+    for (const Act& act : read.acts) {
+      if (const std::string why = allowed_.refusal(act); !why.empty()) return error_answer(403, why);
+    }
+  }
   const std::string why = refusal(read.acts);
-  return why.empty() ? Answer{200, "{}"} : error_answer(422, why);
+  return why.empty() ? std::nullopt : std::optional(error_answer(422, why));
 }
 
-void Desk::request(std::string_view body, Answered answered) {
+Answer Desk::check(std::string_view body, const Sender& sender) {
+  return refused(reader_.read(body), sender).value_or(Answer{200, "{}"});
+}
+
+void Desk::request(std::string_view body, const Sender& sender, Answered answered) {
   ReadActs read = reader_.read(body);
-  if (!read.error.empty()) return answered(error_answer(read.is_form ? 400 : 422, read.error));
-  if (const std::string why = refusal(read.acts); !why.empty()) return answered(error_answer(422, why));
+  if (auto refusal = refused(read, sender)) return answered(std::move(*refusal));
   if (ended_) return answered(error_answer(503, "the run has ended"));
   if (read.until < act_clock()) return answered(error_answer(422, kTooLateText));
   if (pending_.size() + 2 * read.acts.size() > Operator::kMostOrders) {
@@ -138,6 +145,7 @@ void Desk::request(std::string_view body, Answered answered) {
   group->answered = std::move(answered);
   group->time = operator_.now();
   group->until = read.until;
+  group->sender = sender;
   ++group->waiting;  // until all orders are offered
   carry_out(std::move(read.acts), group);
   --group->waiting;
@@ -292,7 +300,7 @@ void Desk::offer_exercise(const std::string& name, const std::shared_ptr<Group>&
   offer(std::move(play));
 }
 
-void Desk::why(std::string_view name, Answered answered) {
+void Desk::why(std::string_view name, const Sender& sender, Answered answered) {
   if (why::things_named(name, setup_.names).empty()) {
     const std::string nearest = why::nearest_thing(name, setup_.names);
     return answered(error_answer(
@@ -302,6 +310,7 @@ void Desk::why(std::string_view name, Answered answered) {
   if (pending_.size() >= Operator::kMostOrders) return answered(error_answer(429, kTooMany));
   const auto group = std::make_shared<Group>();
   group->answered = std::move(answered);
+  group->sender = sender;
   offer_copy(Purpose::why, std::string(name), group);
 }
 
@@ -320,12 +329,12 @@ std::string Desk::session_json() const {
   put_member(json, "plant", setup_.names.tables().name);
   put(json, R"(,"model_hash":"{:016x}","seed":{},"t":{})", setup_.plant.model_hash(), setup_.seed, operator_.now());
   put_key(json, "acts");
-  session_.put(json, 0);
+  session_.put(json, 0, Role::trainer);
   put_key(json, "findings");
-  put_findings(json, 0);
+  put_findings(json, 0, Role::trainer);
   put_key(json, "exercise");
   if (exercise_ != nullptr) {
-    exercise_->put(json);
+    exercise_->put(json, Role::trainer);
   } else {
     json += "null";
   }

@@ -79,34 +79,43 @@ std::int64_t Exercise::most() const {
   return rules.for_expectation * expectations + rules.for_time;
 }
 
-void Exercise::put(std::string& json) const {
-  const scenario::Exercise& rules = *scenario().exercise;
+void Exercise::put_step(std::string& json, std::size_t step, Role role) const {
+  const State of = progress_.states[step];
+  const bool active = of == State::pending && step == progress_.next && !is_over();
+  const char* const state = active                 ? "active"
+                            : of == State::pending ? "pending"
+                            : of == State::done    ? "done"
+                                                   : "failed";
+  put_comma(json);
   json += '{';
-  put_member(json, "name", file_.name);
-  put_member(json, "title", rules.title);
-  put_member(json, "text", rules.text);
-  panel::put(json, R"(,"state":"{}","step":{},"steps":[)", is_over() ? "over" : "running", progress_.next);
-  for (std::size_t i = 0; i < progress_.states.size(); ++i) {
-    const bool active = progress_.states[i] == State::pending && i == progress_.next && !is_over();
-    const char* const state = active                                  ? "active"
-                              : progress_.states[i] == State::pending ? "pending"
-                              : progress_.states[i] == State::done    ? "done"
-                                                                      : "failed";
-    put_comma(json);
-    json += '{';
-    put_member(json, "text", scenario().steps[i].text);
-    put_member(json, "does", step_words(scenario(), i, names_));
-    panel::put(json, R"(,"state":"{}","t":{}}})", state,
-               progress_.states[i] == State::pending ? "null" : std::to_string(progress_.times[i]));
-  }
-  panel::put(json, R"(],"score":{},"most":{},"points":[)", progress_.score, most());
+  put_member(json, "text", scenario().steps[step].text);
+  if (sees_all(role)) put_member(json, "does", step_words(scenario(), step, names_));
+  panel::put(json, R"(,"state":"{}","t":{}}})", state,
+             of == State::pending ? "null" : std::to_string(progress_.times[step]));
+}
+
+void Exercise::put_score(std::string& json) const {
+  panel::put(json, R"(,"score":{},"most":{},"points":[)", progress_.score, most());
   for (const Point& point : progress_.points) {
     put_comma(json);
     panel::put(json, R"({{"t":{},"points":{})", point.time, point.points);
     put_member(json, "text", point.text);
     json += '}';
   }
-  panel::put(json, R"(],"since":{},"took":{}}})", progress_.since, is_over() ? std::to_string(progress_.took) : "null");
+  json += ']';
+}
+
+void Exercise::put(std::string& json, Role role) const {
+  const scenario::Exercise& rules = *scenario().exercise;
+  json += '{';
+  put_member(json, "name", file_.name);
+  put_member(json, "title", rules.title);
+  put_member(json, "text", rules.text);
+  panel::put(json, R"(,"state":"{}","step":{},"steps":[)", is_over() ? "over" : "running", progress_.next);
+  for (std::size_t i = 0; i < progress_.states.size(); ++i) put_step(json, i, role);
+  json += ']';
+  if (sees_all(role) || rules.shows_score) put_score(json);
+  panel::put(json, R"(,"since":{},"took":{}}})", progress_.since, is_over() ? std::to_string(progress_.took) : "null");
 }
 
 const char* Exercise::failure_of(std::size_t step) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "symplant/panel/role.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/junit_xml.hpp"
@@ -58,8 +59,8 @@ class Exercise {
   const std::string& name() const { return file_.name; }
   const scenario::Scenario& scenario() const { return *file_.scenario; }
   bool is_over() const { return progress_.took >= 0; }
-  /// Appends the exercise as an object (docs/panel-interface.md).
-  void put(std::string& json) const;
+  /// Appends the exercise as an object (docs/panel-interface.md), as a role sees it.
+  void put(std::string& json, Role role) const;
   /// A test case for each expectation, for what was refused or not reached of the other steps, and for the score.
   void add_cases(std::vector<trace::TestCase>& cases) const;
   /// Grows with each change.
@@ -68,6 +69,8 @@ class Exercise {
  private:
   /// Why the test case of a step failed; empty if it did not fail.
   const char* failure_of(std::size_t step) const;
+  void put_step(std::string& json, std::size_t step, Role role) const;
+  void put_score(std::string& json) const;
   void add_points(tables::Time time, std::int64_t points, std::string text);
   std::int64_t most() const;
 

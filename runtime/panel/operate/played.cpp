@@ -51,7 +51,7 @@ std::string Played::next() const {
   return none ? "" : step_words(*scenario_, done_, names_);
 }
 
-void Played::put(std::string& json) const {
+void Played::put(std::string& json, Role role) const {
   if (scenario_ == nullptr) {
     json += "null";
     return;
@@ -60,7 +60,7 @@ void Played::put(std::string& json) const {
   put_member(json, "name", name_);
   panel::put(json, R"(,"done":{},"steps":{},"over":{})", known_ ? std::to_string(done_) : "null",
              scenario_->steps.size(), over_);
-  put_member(json, "next", next());
+  put_member(json, "next", sees_all(role) ? next() : std::string());
   json += '}';
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "symplant/panel/role.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/plant_names.hpp"
 
@@ -25,8 +26,8 @@ class Played {
   /// Forgets the progress: it is unknown until the next step.
   void forget();
 
-  /// Appends the object, or null.
-  void put(std::string& json) const;
+  /// Appends the object, or null. Only a trainer sees what comes next.
+  void put(std::string& json, Role role) const;
   /// A different number after each change.
   std::uint64_t version() const { return version_; }
 

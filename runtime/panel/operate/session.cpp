@@ -61,10 +61,11 @@ std::string Session::scenario(std::string_view restore, tables::Time end) const 
   return text + fmt::format("    {{ \"at\": \"{}\" }}\n  ]\n}}\n", tables::duration_text(end));
 }
 
-void Session::put(std::string& json, std::uint64_t from) const {
+void Session::put(std::string& json, std::uint64_t from, Role role) const {
   json += '[';
   for (std::uint64_t n = std::max(from, first_); n < count(); ++n) {
     const Deed& deed = deeds_[n - first_];
+    if (!sees_all(role) && deed.by != role_name(Role::trainee)) continue;
     put_comma(json);
     panel::put(json, R"({{"n":{},"t":{},"by":"{}","act":{}}})", n, deed.time, deed.by, deed.json);
   }

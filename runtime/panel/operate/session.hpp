@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "symplant/panel/operate/snapshots.hpp"
+#include "symplant/panel/role.hpp"
 #include "symplant/trace/plant_names.hpp"
 
 namespace symplant::panel {
@@ -19,7 +20,7 @@ struct Deed {
   tables::Time time = 0;
   std::uint64_t turn = 0;  ///< equal for what took effect in one instant
   bool further = false;    ///< earlier deeds at this time took effect in an earlier instant
-  std::string by;          ///< `hand` or `scenario`
+  std::string by;          ///< `hand`, `trainee` or `scenario`
   std::string json;        ///< an object: the act
   std::string actions;     ///< its members if it is a step of a scenario; else empty
 };
@@ -43,8 +44,8 @@ class Session {
   /// False if there were more than kMostSteps steps or kMostStepBytes, so that scenario() is not complete.
   bool is_complete() const { return is_complete_; }
 
-  /// Appends the acts from number `from` on, for the stream.
-  void put(std::string& json, std::uint64_t from) const;
+  /// Appends the acts from number `from` on, for the stream. Only a trainer sees those that no trainee did.
+  void put(std::string& json, std::uint64_t from, Role role) const;
   /// The number of acts so far.
   std::uint64_t count() const { return first_ + deeds_.size(); }
 

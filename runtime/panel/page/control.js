@@ -2,6 +2,7 @@
 import {actButton, acting, actingButton, perform, resultOutput} from "./acts.js";
 import {ask} from "./dialog.js";
 import {make, select, setAttribute, setText} from "./dom.js";
+import {seesMalfunctions} from "./rights.js";
 import {clockText, count, factor} from "./words.js";
 
 const kSpeeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
@@ -24,6 +25,10 @@ export const restore = async (app, result, {name}) => {
   await perform(app, result, () => ({restore: name}));
 };
 
+/// Why the page does not act.
+const restNote = ({plant, rights, deniedNote}) =>
+  !plant.acts ? "This panel only shows: acts are off." : rights === "denied" ? deniedNote() : "This link only shows the plant.";
+
 export class ControlBar {
   constructor(app) {
     this.app = app;
@@ -32,9 +37,9 @@ export class ControlBar {
     this.state = make("span", {class: "plant-state"});
     this.forced = make("a", {href: "#view=io&filter=forced"});
     this.malfunctions = make("a", {href: "#view=malfunctions"});
-    const acts = app.canAct ? this.acts() : [make("span", {class: "note"}, app.plant.acts ? app.deniedNote() : "This panel only shows: acts are off.")];
+    const acts = app.canAct ? this.acts() : app.rights === "allowed" ? [] : [make("span", {class: "note"}, restNote(app))];
     this.element = make("div", {class: "row bar"}, this.time, this.state, acts, this.result);
-    this.marks = make("div", {class: "row marks"}, this.malfunctions, this.forced, app.canAct ? this.releaseAll : null);
+    this.marks = make("div", {class: "row marks"}, seesMalfunctions(app) ? this.malfunctions : null, this.forced, app.canAct ? this.releaseAll : null);
     this.update();
   }
 

@@ -4,6 +4,7 @@ import {button, make, setAttribute, setText} from "./dom.js";
 import {fillDevice} from "./device_details.js";
 import {fillLocation} from "./location_details.js";
 import {fillRequirement} from "./requirement_details.js";
+import {operates} from "./rights.js";
 import {fillSymbol} from "./symbol_details.js";
 import {fillValue} from "./value_details.js";
 import {Why} from "./why.js";
@@ -74,7 +75,7 @@ export class Details {
     const index = kind === "why" ? null : app.names.index(kind, name);
     pane.element.append(make("div", {class: "row pane-head"},
       make("div", {class: "grow"}, make("div", {class: "soft"}, kWords[kind]), make("h2", {class: "name", tabindex: -1}, name)),
-      button("✕", () => app.router.deselect(), {class: "close", "aria-label": "Close the details", title: "Close (Esc)"}), app.canAct ? pane.result : null));
+      button("✕", () => app.router.deselect(), {class: "close", "aria-label": "Close the details", title: "Close (Esc)"}), operates(app) ? pane.result : null));
     if (kind !== "why" && index === null) {
       pane.element.append(make("p", {class: "wrong"}, "The plant has no " + kWords[kind].toLowerCase() + " of this name."));
     } else {

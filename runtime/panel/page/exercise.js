@@ -7,14 +7,14 @@ const kLetters = {pending: "○", active: "▶", done: "✓", failed: "✗"};
 
 export class ExerciseView {
   constructor(app) {
-    Object.assign(this, {app, title: "Exercises", trainer: false, shown: ""});
+    Object.assign(this, {app, title: "Exercises", trainer: app.plant.role === "trainer", shown: ""});
     this.result = resultOutput();
     this.running = make("div", {});
     this.time = make("span", {class: "big"});
     const choose = (trainer, text) => button(text, () => this.choose(trainer), {class: "toggle"});
-    this.roles = [choose(false, "Trainee"), choose(true, "Trainer")];
+    this.roles = this.trainer ? [choose(false, "Trainee"), choose(true, "Trainer")] : [];
     this.element = make("div", {class: "view columns"},
-      make("section", {"aria-label": "Exercise"}, make("div", {class: "row", role: "group", "aria-label": "View of the"}, this.roles), this.running, this.result),
+      make("section", {"aria-label": "Exercise"}, this.trainer ? make("div", {class: "row", role: "group", "aria-label": "View of the"}, this.roles) : null, this.running, this.result),
       make("section", {"aria-label": "Exercises of this plant"}, make("h2", {}, "Exercises of this plant"), this.offers()));
   }
 
@@ -45,7 +45,7 @@ export class ExerciseView {
     if (!exercise) return this.running.replaceChildren(make("p", {class: "soft"}, "No exercise is running."));
     const isOver = exercise.state === "over";
     this.running.replaceChildren(make("h2", {}, exercise.title), make("p", {class: "lines"}, exercise.text),
-      make("p", {class: "row"}, this.time, make("span", {class: "big"}, exercise.score + " of " + exercise.most + " points")),
+      make("p", {class: "row"}, this.time, exercise.score === undefined ? null : make("span", {class: "big"}, exercise.score + " of " + exercise.most + " points")),
       ...(isOver ? [make("p", {class: "note"}, "The exercise is over.")] : []),
       this.trainer ? this.allSteps(exercise) : this.presentStep(exercise),
       ...(this.trainer ? [this.points(exercise)] : []),

@@ -3,6 +3,7 @@ import {actButton} from "./acts.js";
 import {make, select, setText, table} from "./dom.js";
 import {locationLink} from "./links_to.js";
 import {symbolItem} from "./device_details.js";
+import {operates} from "./rights.js";
 import {length, speed} from "./words.js";
 
 const kMostRows = 100;
@@ -61,14 +62,15 @@ const partTable = (pane, location, rank, hand) => {
 /// What a hand can do with the parts of a location; null if the page may not act. `change` replaces the part at a location by
 /// one of the chosen kind, in one instant.
 const handOn = (app, location, result) => {
-  if (!app.canAct) return null;
+  if (!operates(app)) return null;
   const isTrack = location.kind === "track";
   const kinds = select("Kind of the part", app.plant.part_kinds.map(({name}) => [name, name]));
   const at = make("input", {type: "text", size: 7, "aria-label": "Position on the track", placeholder: "300 mm", autocomplete: "off"});
   const where = () => isTrack && at.value.trim() !== "" ? location.name + "@" + at.value.trim() : location.name;
   const put = (to) => ({put: {at: to, kind: kinds.value}});
   const change = (from) => [{take: from}, put(from)];
-  const button = (label, acts, attributes) => actButton(app, result, label, acts, attributes);
+  const may = () => app.may("locations", app.names.index("location", location.name));
+  const button = (label, acts, attributes) => actButton(app, result, label, acts, attributes, may);
   const controls = make("div", {class: "row controls"}, kinds, isTrack ? at : null, button("Put", () => put(where())),
     button(isTrack ? "Take at" : "Take", () => ({take: where()})), isTrack ? null : button("Change", () => change(where()), {"aria-label": "Change the kind"}));
   return {controls, change, button};

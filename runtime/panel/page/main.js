@@ -7,11 +7,13 @@ import {ControlBar} from "./control.js";
 import {Details} from "./details.js";
 import {askToken} from "./dialog.js";
 import {make} from "./dom.js";
+import {ExerciseStrip} from "./exercise_strip.js";
 import {followPlant} from "./follow_plant.js";
 import {Frames} from "./frames.js";
 import {Names} from "./names.js";
 import {Notice} from "./notice.js";
 import {Player, RecordingBar} from "./recording.js";
+import {mayOperate, rightsOf} from "./rights.js";
 import {Router} from "./router.js";
 import {ScenarioLine} from "./scenario_line.js";
 import {makeSearch} from "./search.js";
@@ -59,19 +61,9 @@ const loadPlant = async (api) => {
   }
 };
 
-/// Whether the token may act.
-const mayAct = async (api, plant) => {
-  if (!plant.acts || plant.mode !== "live" || !api.token) return false;
-  try {
-    await api.check({run: true});
-  } catch (error) {
-    return error.status !== 401 && error.status !== 403;
-  }
-  return true;
-};
-
-const makeApp = (api, plant, canAct) => {
-  const app = {api, plant, canAct, lost: false, store: new Store(plant), names: new Names(plant), clock: new PlantClock(), frames: new Frames(),
+/// `rights`: see rights.js. `canAct`: everything; `may(kind, name)`: whether the page may operate a thing.
+const makeApp = (api, plant, rights) => {
+  const app = {api, plant, rights, canAct: rights === "all", may: (kind, index) => mayOperate(app, kind, index), lost: false, store: new Store(plant), names: new Names(plant), clock: new PlantClock(), frames: new Frames(),
     main: byId("main"), deniedText: kDenied, deniedNote: () => "Only shows: there is no valid token."};
   app.statuses = new Statuses(app.store, app.names);
   app.router = new Router((route) => app.routed(route));
@@ -99,6 +91,7 @@ const makeReceiver = (app, parts) => {
   app.store.listen((change) => {
     app.clock.set(app.store.t, app.store.clock, change.jumped);
     const statusChanged = app.statuses.update(change);
+    if (change.all || change.keys.has("allowed")) refreshActs(app);
     for (const part of parts) part.change?.(change, statusChanged);
     parts[0].update();
     app.frames.request();
@@ -111,7 +104,8 @@ const makeReceiver = (app, parts) => {
   };
 };
 
-const animate = (app, bar, details, views) => {
+/// `parts` have texts that depend on plant time.
+const animate = (app, bar, parts, views) => {
   let last = 0;
   app.frames.add(() => {
     const now = app.clock.now();
@@ -119,8 +113,7 @@ const animate = (app, bar, details, views) => {
     bar.tick();
     if (wall - last > kTick) {
       last = wall;
-      details.tick();
-      views.tick();
+      for (const part of parts) part.tick();
     }
     const plays = app.player?.frame(wall) ?? false;
     return views.frame(now) || plays || app.clock.runs;
@@ -153,9 +146,9 @@ const start = async () => {
   const plant = await loadPlant(api);
   api.run = plant.run;
   document.title = plant.plant + " - symplant";
-  const app = makeApp(api, plant, false);
-  app.canAct = await mayAct(api, plant);
-  if (plant.acts && plant.mode === "live" && !app.canAct) denied(kDenied);
+  const rights = await rightsOf(api, plant);
+  const app = makeApp(api, plant, rights);
+  if (rights === "denied") denied(kDenied);
   if (plant.mode === "recording") app.player = new Player(app);
   const bar = app.player ? new RecordingBar(app, app.player) : new ControlBar(app);
   const search = makeSearch(app, {label: "Search", choose: (found) => choose(app, found)});
@@ -163,9 +156,10 @@ const start = async () => {
   const views = new Views(app, makeViews(app), byId("views"));
   byId("title").append(make("h1", {class: "name", title: plant.plant}, plant.plant), search, make("span", {class: "grow"}), ...[bar.marks].filter(Boolean));
   const scenario = new ScenarioLine(app);
-  byId("bar").append(bar.element, scenario.element);
+  const strip = new ExerciseStrip(app);
+  byId("bar").append(bar.element, scenario.element, strip.element);
   const announcer = new Announcer(app, byId("footer"), byId("live"));
-  app.receive = makeReceiver(app, [bar, scenario, views, details, announcer]);
+  app.receive = makeReceiver(app, [bar, scenario, strip, views, details, announcer]);
   app.routed = (route) => {
     views.show(route);
     details.show(app.router.selection());
@@ -174,7 +168,7 @@ const start = async () => {
   byId("help").addEventListener("click", () => keys.help());
   byId("skip").addEventListener("click", () => app.main.focus());
   app.router.read();
-  animate(app, bar, details, views);
+  animate(app, bar, [details, strip, views], views);
   connect(app, plant, bar);
   globalThis.symplant = app;  // for tests and the console
 };

@@ -9,7 +9,7 @@ export const VALUE = {held: 1};
 
 const kMostFindings = 1000;
 const kMostActs = 1000;
-const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "scenario", "exercise"];  // replaced if they change
+const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "scenario", "exercise", "allowed"];  // replaced if they change
 
 const kJumps = ["reset", "restore", "exercise"];  // acts after which plant time may be any
 
@@ -38,7 +38,7 @@ export class Store {
     this.places = [];
     this.requirements = [];
     Object.assign(this, {rev: -1, t: 0, forced: 0, clock: {state: "frozen", speed: 1, real_speed: 0, until: null},
-      malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, findings: [], acts: []});
+      malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, allowed: null, findings: [], acts: []});
     this.valuesOfDevice = new Map();
     (plant.values ?? []).forEach(({device}, index) => {
       if (device !== null) this.valuesOfDevice.set(device, [...this.valuesOf(device), index]);

@@ -34,7 +34,8 @@ export const valueControl = (app, index, result) => {
   const value = () => app.plant.values[index()];
   const set = (number) => ({set: {[value().name]: number}});
   let dragged = false;
-  const slider = acting(app, make("input", {type: "range"}));
+  const may = () => app.may("values", index());
+  const slider = acting(app, make("input", {type: "range"}), may);
   const input = make("input", {type: "text", size: 7, inputmode: "decimal", autocomplete: "off"});
   const read = () => {
     const {value: number, error} = readValue(input.value, "LREAL");
@@ -42,7 +43,7 @@ export const valueControl = (app, index, result) => {
     if (typeof number !== "number") throw new Error("`" + input.value + "` is not a number");
     return set(number);
   };
-  const button = actButton(app, result, "Set", read, {class: "small"});
+  const button = actButton(app, result, "Set", read, {class: "small"}, may);
   const element = make("span", {class: "row value-control"}, slider, input, button);
   slider.addEventListener("input", () => {
     dragged = true;
@@ -82,6 +83,7 @@ export const valueControl = (app, index, result) => {
     setAttribute(input, "aria-label", "Number for " + name);
     setAttribute(input, "placeholder", unit || "number");
     setAttribute(button, "aria-label", "Set " + name);
+    for (const each of [slider, button]) each.refresh();
   };
   const update = () => {
     if (shown !== index()) showValue();

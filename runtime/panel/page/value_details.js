@@ -3,6 +3,7 @@ import {button, make} from "./dom.js";
 import {deviceLink, linkTo} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
 import {fillMalfunctions} from "./malfunction_section.js";
+import {operates} from "./rights.js";
 import {VALUE} from "./store.js";
 import {valueControl, valueDisplay} from "./value_control.js";
 import {formulaText, rangeText, shortName} from "./value_words.js";
@@ -15,7 +16,7 @@ const display = (pane, index) => {
 };
 
 const control = (pane, index) => {
-  if (!pane.app.canAct || !pane.app.plant.values[index].settable) return null;
+  if (!operates(pane.app) || !pane.app.plant.values[index].settable) return null;
   const made = valueControl(pane.app, () => index, pane.result);
   pane.follow(made.update);
   return made.element;

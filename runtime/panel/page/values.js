@@ -1,6 +1,7 @@
 // The values view: all values with their numbers, bars, and what sets them.
 import {resultOutput} from "./acts.js";
 import {button, make, setAttribute, setText} from "./dom.js";
+import {operates} from "./rights.js";
 import {selecting} from "./router.js";
 import {valueControl, valueDisplay} from "./value_control.js";
 import {formulaText} from "./value_words.js";
@@ -19,11 +20,11 @@ export class ValuesView {
     this.settable = box;
     this.found = make("span", {class: "soft", role: "status"});
     this.result = resultOutput();
-    const heads = app.canAct ? [...kColumns, "Set", "Chart"] : [...kColumns, "Chart"];
+    const heads = operates(app) ? [...kColumns, "Set", "Chart"] : [...kColumns, "Chart"];
     this.list = new VirtualList({height: kHeight, label: "Values",
       head: make("div", {class: "value-row io-head", role: "row"}, heads.map((head) => make("span", {role: "columnheader", class: "value-" + head.toLowerCase()}, head))),
       makeRow: () => this.makeRow(), fillRow: (row, at) => this.fillRow(row, this.indexes[at])});
-    this.list.element.classList.toggle("io-acts", app.canAct);
+    this.list.element.classList.toggle("io-acts", operates(app));
     this.element = make("div", {class: "view values-view fills"},
       make("div", {class: "row tools"}, this.search, make("label", {class: "check"}, box, "can be set")),
       make("div", {class: "row result-line"}, this.found, this.result), this.list.element);
@@ -52,7 +53,7 @@ export class ValuesView {
     const cell = (name, ...content) => make("span", {role: "cell", class: "value-" + name}, content);
     row.display = valueDisplay(app, index);
     row.formula = cell("formula");
-    row.control = app.canAct ? valueControl(app, index, this.result) : null;
+    row.control = operates(app) ? valueControl(app, index, this.result) : null;
     row.chart = button("chart", () => app.chart.addValue(row.shown), {class: "small"});
     row.element = make("div", {class: "value-row", role: "row"}, cell("value", row.first), cell("number", row.display.text, row.display.mark),
       cell("range", row.display.bar), row.formula, row.control ? cell("set", row.control.element) : null, cell("chart", row.chart));

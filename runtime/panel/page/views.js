@@ -11,13 +11,16 @@ import {MalfunctionsView} from "./malfunctions.js";
 import {SessionView} from "./session.js";
 import {ValuesView} from "./values.js";
 
+const kOfTrainer = ["malfunctions", "session"];
+
 /// [key, title, class] in order.
 export const makeViews = (app) => {
   const values = app.plant.values.length > 0 ? [["values", "Values", ValuesView]] : [];
   const all = [["line", "Line", LineView], ["io", "I/O", IoView], ...values, ["chart", "Chart", ChartView], ["findings", "Findings", FindingsView],
     ["links", "Links", LinksView], ["malfunctions", "Malfunctions", MalfunctionsView], ["exercises", "Exercises", ExerciseView],
     ["session", "Session", SessionView]];
-  return app.plant.mode === "recording" ? all.slice(0, 4 + values.length) : all;
+  if (app.plant.mode === "recording") return all.slice(0, 4 + values.length);
+  return app.plant.role === "trainer" ? all : all.filter(([key]) => !kOfTrainer.includes(key));
 };
 
 export class Views {

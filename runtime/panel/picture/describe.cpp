@@ -9,6 +9,7 @@
 #include "symplant/condition/compare.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/panel/picture/describe_values.hpp"
+#include "symplant/panel/picture/drivers.hpp"
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/panel/picture/value_states.hpp"
@@ -142,22 +143,6 @@ void put_device(std::string& json, std::uint32_t unit, const trace::PlantNames& 
   json += '}';
 }
 
-/// What drives each event, as the interface names it.
-std::vector<std::string_view> drivers_of(const tables::PlantTables& tables) {
-  std::vector<std::string_view> drivers(tables.symbols.size(), "none");
-  for (std::size_t s = 0; s < drivers.size(); ++s) {
-    const tables::SymbolRow& row = tables.symbols[s];
-    if (row.direction() == tables::Direction::event && row.moved()) drivers[s] = "device";
-  }
-  for (const tables::SensorRow& sensor : tables.material.sensors) drivers[sensor.symbol] = "parts";
-  for (const tables::FollowRow& follow : tables.follows) drivers[follow.symbol] = "follow";
-  for (const tables::SignalRow& signal : tables.values.signals) drivers[signal.symbol] = "signal";
-  for (const tables::SharedAddress& shared : tables.shared_addresses) {
-    if (drivers[shared.symbol] == "none") drivers[shared.symbol] = drivers[shared.leader];
-  }
-  return drivers;
-}
-
 /// The link of a symbol; kNone if it is on none.
 std::uint32_t link_of(const tables::PlantTables& tables, std::uint32_t symbol, const std::vector<LinkName>& links) {
   if (tables.symbols[symbol].form() == tables::AddressForm::none) return kNone;
@@ -202,7 +187,7 @@ void put_programs(std::string& json, const trace::PlantNames& names) {
   json += ']';
 }
 
-void put_symbols(std::string& json, const trace::PlantNames& names, const std::vector<LinkName>& links) {
+void put_symbols(std::string& json, const trace::PlantNames& names, const std::vector<LinkName>& links, Role role) {
   const tables::PlantTables& tables = names.tables();
   const why::SymbolUse use(tables);
   const std::vector<std::string_view> drivers = drivers_of(tables);
@@ -219,7 +204,7 @@ void put_symbols(std::string& json, const trace::PlantNames& names, const std::v
         operation ? "operation" : "event", index_or_null(row.unit, kNone));
     if (operation) {
       json += "null";
-      put_drives(json, why::driven_things(symbol, use, names));
+      put_drives(json, why::driven_things(symbol, use, names, sees_all(role)));
     } else {
       put_text(json, drivers[symbol]);
     }
@@ -340,8 +325,8 @@ void put_malfunctions(std::string& json, const trace::PlantNames& names) {
 
 }  // namespace
 
-void put_plant(std::string& json, const trace::PlantNames& names, const View& view,
-               const std::vector<LinkName>& links) {
+void put_plant(std::string& json, const trace::PlantNames& names, const View& view, const std::vector<LinkName>& links,
+               Role role) {
   const tables::PlantTables& tables = names.tables();
   const Stations stations = stations_of(names, view);
   put_stations(json, stations);
@@ -352,7 +337,7 @@ void put_plant(std::string& json, const trace::PlantNames& names, const View& vi
     put_device(json, unit, names, stations, view);
   }
   json += ']';
-  put_symbols(json, names, links);
+  put_symbols(json, names, links, role);
   put_values(json, names);
   put_material(json, names);
   put_key(json, "requirements");
@@ -365,7 +350,7 @@ void put_plant(std::string& json, const trace::PlantNames& names, const View& vi
         tables.requirements[r].kind == tables::RequirementRow::Kind::never ? "never" : "expect");
   }
   json += ']';
-  put_malfunctions(json, names);
+  if (sees_all(role)) put_malfunctions(json, names);
   put_key(json, "links");
   json += '[';
   for (const LinkName& link : links) {

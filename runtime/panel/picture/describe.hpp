@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "symplant/panel/role.hpp"
 #include "symplant/panel/view.hpp"
 #include "symplant/trace/plant_names.hpp"
 
@@ -19,7 +20,8 @@ struct LinkName {
 };
 
 /// Appends the keys of `GET /api/v1/plant` that follow from the tables: stations, devices, symbols, material,
-/// requirements, links. O(plant).
-void put_plant(std::string& json, const trace::PlantNames& names, const View& view, const std::vector<LinkName>& links);
+/// requirements, links, and for a trainer malfunctions. O(plant).
+void put_plant(std::string& json, const trace::PlantNames& names, const View& view, const std::vector<LinkName>& links,
+               Role role);
 
 }  // namespace symplant::panel

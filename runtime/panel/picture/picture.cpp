@@ -170,19 +170,20 @@ bool Picture::is_blocked(std::uint32_t unit, const plant::UnitView& view) const 
   return false;
 }
 
-void Picture::put_device(std::string& json, std::uint32_t unit, tables::Time now) const {
+void Picture::put_device(std::string& json, std::uint32_t unit, tables::Time now, Role role) const {
   const plant::UnitView view = history_.unit(unit);
   const Motion& motion = motions_[unit];
   const tables::Time passed = runs(view) ? std::min(now - motion.at, motion.remaining) : 0;
   put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state,
-      flags_of(view) | (malfunctions_.unit(unit) ? +kHasMalfunction : 0U), is_blocked(unit, view) ? 1 : 0,
-      history_.unit_since(unit), view.moving ? motion.remaining - passed : 0, view.moving ? motion.whole : 0);
+      flags_of(view) | (sees_all(role) && malfunctions_.unit(unit) ? +kHasMalfunction : 0U),
+      is_blocked(unit, view) ? 1 : 0, history_.unit_since(unit), view.moving ? motion.remaining - passed : 0,
+      view.moving ? motion.whole : 0);
 }
 
-void Picture::put_symbol(std::string& json, std::uint32_t symbol) const {
+void Picture::put_symbol(std::string& json, std::uint32_t symbol, Role role) const {
   json += trace::json_value(names_.tables().symbols[symbol].type(), history_.value(symbol));
-  const unsigned flags =
-      (history_.forced_since(symbol) >= 0 ? +kIsForced : 0U) | (malfunctions_.symbol(symbol) ? +kIsOverridden : 0U);
+  const unsigned flags = (history_.forced_since(symbol) >= 0 ? +kIsForced : 0U) |
+                         (sees_all(role) && malfunctions_.symbol(symbol) ? +kIsOverridden : 0U);
   put(json, ",{},{}", flags, history_.since(symbol));
 }
 
@@ -209,15 +210,15 @@ void Picture::put_place(std::string& json, std::uint32_t place) const {
   }
 }
 
-void Picture::put_all(std::string& json, tables::Time now) {
+void Picture::put_all(std::string& json, tables::Time now, Role role) {
   look_at_tracks(now);
-  put_array(json, "devices", motions_.size(), [&](std::uint32_t unit) { put_device(json, unit, now); });
-  put_array(json, "symbols", symbols_.marked.size(), [&](std::uint32_t symbol) { put_symbol(json, symbol); });
+  put_array(json, "devices", motions_.size(), [&](std::uint32_t unit) { put_device(json, unit, now, role); });
+  put_array(json, "symbols", symbols_.marked.size(), [&](std::uint32_t symbol) { put_symbol(json, symbol, role); });
   put_array(json, "tracks", tracks_.size(), [&](std::uint32_t track) { put_track(json, track); });
   put_array(json, "places", locations_.marked.size() - tracks_.size(),
             [&](std::uint32_t place) { put_place(json, place); });
-  values_.put_all(json);
-  put_malfunctions(json);
+  values_.put_all(json, role);
+  if (sees_all(role)) put_malfunctions(json);
 }
 
 void Picture::put_malfunctions(std::string& json) const {
@@ -228,7 +229,7 @@ void Picture::put_malfunctions(std::string& json) const {
   });
 }
 
-void Picture::put_changes(std::string& json, tables::Time now) {
+void Picture::put_changes(std::string& json, tables::Time now, Role role) {
   look_at_tracks(now);
   std::vector<std::uint32_t> tracks;
   std::vector<std::uint32_t> places;
@@ -240,17 +241,16 @@ void Picture::put_changes(std::string& json, tables::Time now) {
       places.push_back(location - first_place);
     }
   }
-  put_some(json, "devices", devices_.list, [&](std::uint32_t unit) { put_device(json, unit, now); });
-  put_some(json, "symbols", symbols_.list, [&](std::uint32_t symbol) { put_symbol(json, symbol); });
+  put_some(json, "devices", devices_.list, [&](std::uint32_t unit) { put_device(json, unit, now, role); });
+  put_some(json, "symbols", symbols_.list, [&](std::uint32_t symbol) { put_symbol(json, symbol, role); });
   put_some(json, "tracks", tracks, [&](std::uint32_t track) { put_track(json, track); });
   put_some(json, "places", places, [&](std::uint32_t place) {
     json += '[';
     put_place(json, place);
     json += ']';
   });
-  values_.put_changes(json);
-  if (malfunctions_changed_) put_malfunctions(json);
-  forget_changes();
+  values_.put_changes(json, role);
+  if (malfunctions_changed_ && sees_all(role)) put_malfunctions(json);
 }
 
 void Picture::forget_changes() {

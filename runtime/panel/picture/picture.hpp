@@ -10,6 +10,7 @@
 #include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/panel/picture/track_state.hpp"
 #include "symplant/panel/picture/value_states.hpp"
+#include "symplant/panel/role.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -39,10 +40,10 @@ class Picture {
            !(devices_.list.empty() && symbols_.list.empty() && locations_.list.empty());
   }
   /// Appends the keys `devices`, `symbols`, `tracks`, `places` and `values` of all of them, as at plant time `now`, and
-  /// `malfunctions`. O(plant).
-  void put_all(std::string& json, tables::Time now);
-  /// Appends these keys of what changed since the last call, and forgets it. O(changes).
-  void put_changes(std::string& json, tables::Time now);
+  /// `malfunctions`; a role that does not see all gets nothing of malfunctions. O(plant).
+  void put_all(std::string& json, tables::Time now, Role role);
+  /// Appends these keys of what changed since forget_changes(). O(changes).
+  void put_changes(std::string& json, tables::Time now, Role role);
   void forget_changes();
 
  private:
@@ -81,8 +82,8 @@ class Picture {
   void set_motion(const trace::Record& record);
   void set_malfunction(const trace::Record& record);
   void put_malfunctions(std::string& json) const;
-  void put_device(std::string& json, std::uint32_t unit, tables::Time now) const;
-  void put_symbol(std::string& json, std::uint32_t symbol) const;
+  void put_device(std::string& json, std::uint32_t unit, tables::Time now, Role role) const;
+  void put_symbol(std::string& json, std::uint32_t symbol, Role role) const;
   void put_track(std::string& json, std::uint32_t track) const;
   void put_place(std::string& json, std::uint32_t place) const;
   void look_at_tracks(tables::Time now);

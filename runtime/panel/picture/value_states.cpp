@@ -57,30 +57,30 @@ void ValueStates::load(const plant::Plant& plant) {
   for (const engine::ActiveMalfunction& one : plant.active_malfunctions()) change(one.number, true);
 }
 
-void ValueStates::put_one(std::string& json, std::uint32_t output) const {
+void ValueStates::put_one(std::string& json, std::uint32_t output, Role role) const {
   json += trace::json_value(tables::DataType::lreal, std::bit_cast<std::uint64_t>(numbers_[output]));
-  put(json, ",{}", holds_[output] != 0 ? +kIsHeld : 0U);
+  put(json, ",{}", sees_all(role) && holds_[output] != 0 ? +kIsHeld : 0U);
 }
 
-void ValueStates::put_all(std::string& json) const {
+void ValueStates::put_all(std::string& json, Role role) const {
   if (numbers_.empty()) return;
   put_key(json, "values");
   json += '[';
   for (std::uint32_t output = 0; output < numbers_.size(); ++output) {
     json += output == 0 ? "[" : ",[";
-    put_one(json, output);
+    put_one(json, output, role);
     json += ']';
   }
   json += ']';
 }
 
-void ValueStates::put_changes(std::string& json) const {
+void ValueStates::put_changes(std::string& json, Role role) const {
   if (changed_.empty()) return;
   put_key(json, "values");
   json += '[';
   for (std::size_t i = 0; i < changed_.size(); ++i) {
     put(json, "{}{},", i == 0 ? "[" : ",[", changed_[i]);
-    put_one(json, changed_[i]);
+    put_one(json, changed_[i], role);
     json += ']';
   }
   json += ']';

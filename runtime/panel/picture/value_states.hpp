@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "symplant/panel/role.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/trace/record.hpp"
@@ -32,15 +33,15 @@ class ValueStates {
   std::span<const double> numbers() const { return numbers_; }
   bool has_changes() const { return !changed_.empty(); }
   /// Appends the key `values` with all of them, `[number,flags]` each; nothing in a plant without values.
-  void put_all(std::string& json) const;
+  void put_all(std::string& json, Role role) const;
   /// The same of those that changed, their index first.
-  void put_changes(std::string& json) const;
+  void put_changes(std::string& json, Role role) const;
   void forget_changes();
 
  private:
   void set(std::uint32_t output, double number);
   void mark(std::uint32_t output);
-  void put_one(std::string& json, std::uint32_t output) const;
+  void put_one(std::string& json, std::uint32_t output, Role role) const;
 
   const tables::PlantTables& tables_;
   std::vector<double> numbers_;

@@ -28,7 +28,7 @@ Recording::Recording(trace::ReadTrace trace, const trace::PlantNames& names, con
       model_hash);
   put(description_, R"("files":false,"exercises":[],"begin":{},"end":{})", begin_, end_);
   std::string plant;
-  put_plant(plant, names, view, {});
+  put_plant(plant, names, view, {}, Role::trainer);
   description_ += "," + plant;
 }
 
@@ -50,13 +50,13 @@ std::string Recording::picture_at(tables::Time time) {
   go_to(std::clamp(time, begin_, end_));
   std::string json = "{";
   put(json, R"("rev":{},"t":{},"clock":{{"state":"frozen","speed":1,"real_speed":0}})", next_, at_);
-  picture_->put_all(json, at_);
+  picture_->put_all(json, at_, Role::trainer);
   json += R"(,"findings":[],"requirements":[],"acts":[],"snapshots":[],"exercise":null,"links":[],"cycle":null)";
   return json + "}";
 }
 
 std::optional<Reply> Recording::get(std::string_view path, const std::map<std::string, std::string>& query,
-                                    const Answered& /*later*/) {
+                                    const Sender& /*sender*/, const Answered& /*later*/) {
   if (path == "chart") {
     ChartWish wish;
     if (!read_chart(query, names_, wish)) return Reply{Reply::Kind::now, error_answer(400, kChartForm)};
@@ -70,7 +70,8 @@ std::optional<Reply> Recording::get(std::string_view path, const std::map<std::s
   return Reply{Reply::Kind::now, {200, picture_at(time)}};
 }
 
-void Recording::post(std::string_view /*path*/, std::string_view /*body*/, const Answered& later) {
+void Recording::post(std::string_view /*path*/, std::string_view /*body*/, const Sender& /*sender*/,
+                     const Answered& later) {
   later(error_answer(403, "a recording only shows the plant"));
 }
 

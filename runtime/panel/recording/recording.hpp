@@ -19,19 +19,19 @@ namespace symplant::panel {
 
 /// A trace has no states of devices and no positions of parts between the locations. Both are reconstructed: a device
 /// is in the state whose events are on, and moves while none is; a part moves evenly from where it came past the
-/// sensors that saw it to the end of its track. Used by one thread at a time.
+/// sensors that saw it to the end of its track. All roles see everything. Used by one thread at a time.
 class Recording final : public Source {
  public:
   /// `names` must outlive it. O(records * log(records)).
   Recording(trace::ReadTrace trace, const trace::PlantNames& names, const View& view, std::uint64_t model_hash);
 
-  void put_description(std::string& json) override { json += "," + description_; }
+  void put_description(std::string& json, Role /*role*/) override { json += "," + description_; }
   bool acts() const override { return false; }
-  std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query,
+  std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query, const Sender& sender,
                            const Answered& later) override;
-  void post(std::string_view path, std::string_view body, const Answered& later) override;
-  std::string picture() override { return picture_at(at_); }
-  std::string changes() override { return ""; }
+  void post(std::string_view path, std::string_view body, const Sender& sender, const Answered& later) override;
+  std::string picture(Role /*role*/) override { return picture_at(at_); }
+  News changes(bool /*for_others*/) override { return {}; }
 
   /// The data of the event `picture` at a time. O(records between the last call and this one), from the beginning if
   /// the time is before that of the last call.

@@ -1,4 +1,4 @@
-// Decides whether a request may look and whether it may act: by tokens, and by the page of the browser that made it.
+// Decides the role of a request: by tokens, and by the page of the browser that made it.
 #include "symplant/panel/web/access.hpp"
 
 #include <arpa/inet.h>
@@ -52,12 +52,22 @@ std::string machine_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
 }
 
+/// In a time that depends on the lengths only.
+bool is_same(std::string_view given, std::string_view token) {
+  unsigned difference = given.size() == token.size() ? 0 : 1;
+  for (std::size_t i = 0; i < token.size(); ++i) {
+    const char c = i < given.size() ? given[i] : '\0';
+    difference |= static_cast<unsigned>(static_cast<unsigned char>(c) ^ static_cast<unsigned char>(token[i]));
+  }
+  return difference == 0 && !token.empty();
+}
+
 }  // namespace
 
-Access::Access(std::string host, std::uint16_t port, std::string token)
+Access::Access(std::string host, std::uint16_t port, Tokens tokens)
     : host_(std::move(host)),
       port_(port),
-      token_(std::move(token)),
+      tokens_(std::move(tokens)),
       machine_(machine_name()),
       is_loopback_(is_loopback_host(host_)) {}
 
@@ -72,16 +82,20 @@ bool Access::is_own(const Claim& claim) const {
   return claim.origin.empty() || equal_ignoring_case(claim.origin, "http://" + std::string(claim.host));
 }
 
-bool Access::has_token(const Claim& claim) const {
+std::optional<Role> Access::role_by_token(const Claim& claim) const {
   constexpr std::string_view kScheme = "Bearer ";
-  if (!claim.authorization.starts_with(kScheme)) return false;
+  if (!claim.authorization.starts_with(kScheme)) return std::nullopt;
   const std::string_view given = claim.authorization.substr(kScheme.size());
-  unsigned difference = given.size() == token_.size() ? 0 : 1;
-  for (std::size_t i = 0; i < token_.size(); ++i) {
-    const char c = i < given.size() ? given[i] : '\0';
-    difference |= static_cast<unsigned>(static_cast<unsigned char>(c) ^ static_cast<unsigned char>(token_[i]));
+  std::optional<Role> role;
+  for (const Role each : {Role::viewer, Role::trainee, Role::trainer}) {
+    if (is_same(given, token(each))) role = each;
   }
-  return difference == 0;
+  return role;
+}
+
+std::optional<Role> Access::role(const Claim& claim) const {
+  const std::optional<Role> role = role_by_token(claim);
+  return role || !is_loopback_ ? role : Role::viewer;
 }
 
 std::string Access::url() const {

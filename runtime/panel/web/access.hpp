@@ -1,9 +1,13 @@
-// Decides whether a request may look and whether it may act: by tokens, and by the page of the browser that made it.
+// Decides the role of a request: by tokens, and by the page of the browser that made it.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "symplant/panel/role.hpp"
 
 namespace symplant::panel {
 
@@ -14,30 +18,36 @@ struct Claim {
   std::string_view authorization;
 };
 
+/// The tokens by Role. Empty: no client has this role by a token.
+using Tokens = std::array<std::string, kRoles>;
+
 /// Immutable; any thread may use it.
 class Access {
  public:
-  /// `host`: as given to --panel; `port`: the real one. `token`: 32 hexadecimal digits.
-  Access(std::string host, std::uint16_t port, std::string token);
+  /// `host`: as given to --panel; `port`: the real one. The trainer has a token.
+  Access(std::string host, std::uint16_t port, Tokens tokens);
 
   /// Whether `Host` is an address of the panel and `Origin`, if there is one, the panel itself. This refuses other
   /// pages, and names that an attacker has pointed at this machine (DNS rebinding).
   bool is_own(const Claim& claim) const;
-  /// Whether the token is right; in constant time.
-  bool has_token(const Claim& claim) const;
-  /// Whether looking needs the token, too: if the panel can be reached from other machines.
-  bool look_needs_token() const { return !is_loopback_; }
+  /// The role of its token; nothing if it has no valid one. In constant time.
+  std::optional<Role> role_by_token(const Claim& claim) const;
+  /// The same; without a valid token a viewer, unless the panel can be reached from other machines.
+  std::optional<Role> role(const Claim& claim) const;
 
-  const std::string& token() const { return token_; }
+  bool has_role(Role role) const { return !token(role).empty(); }
   /// The address without token: `http://127.0.0.1:8137/`.
   std::string url() const;
+  /// The address with the token of a role, as a link for a browser.
+  std::string link(Role role) const { return url() + "#token=" + token(role); }
 
  private:
   bool is_known_host(std::string_view name) const;
+  const std::string& token(Role role) const { return tokens_[static_cast<std::size_t>(role)]; }
 
   std::string host_;
   std::uint16_t port_;
-  std::string token_;
+  Tokens tokens_;
   std::string machine_;  ///< the name of this machine
   bool is_loopback_;
 };

@@ -18,6 +18,8 @@ class Client {
   /// Whether it waits for a request, or for the rest of one.
   virtual bool is_idle() const = 0;
   virtual bool is_stream() const = 0;
+  /// Of a stream: whether its client sees malfunctions, and what is for the trainer.
+  virtual bool sees_all() const = 0;
   virtual void close() = 0;
   /// Closes it, and what the client has not read is lost.
   virtual void abandon() = 0;

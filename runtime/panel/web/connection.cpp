@@ -165,7 +165,7 @@ void Connection::answer(const Request& request) {
   if (!is_found) return pledge->give(failed_answer());
   if (found.kind == Reply::Kind::later) return;
   pledge->withdraw();
-  found.kind == Reply::Kind::stream ? begin_stream(found.has_token) : reply(std::move(found));
+  found.kind == Reply::Kind::stream ? begin_stream(found) : reply(std::move(found));
 }
 
 void Connection::reply(Reply found) {
@@ -199,26 +199,32 @@ void Connection::write_answer(const Reply& found, const Bytes& body, bool packed
   write_next();
 }
 
-void Connection::begin_stream(bool has_token) {
+void Connection::begin_stream(const Reply& found) {
+  using Kind = StreamPlaces::Kind;
+  const Kind kind = panel::sees_all(found.role) ? Kind::trainer
+                    : found.has_token           ? Kind::with_token
+                                                : Kind::without_token;
   const Clock::time_point now = Clock::now();
-  if (shared_.places.is_full(has_token)) {
+  if (shared_.places.is_full(kind)) {
     shared_.probe(now);
-    return reply({Reply::Kind::now, error_answer(503, has_token ? "8 clients look already; close one of them"
-                                                                : "4 clients without the token look already; close "
-                                                                  "one of them, or use the link with the token")});
+    return reply(
+        {Reply::Kind::now, error_answer(503, found.has_token ? "8 clients look already; close one of them"
+                                                             : "4 clients without a token look already; close one of "
+                                                               "them, or use the link with the token")});
   }
+  role_ = found.role;
   Bytes picture;
-  if (!shared_.guard.run("GET /api/v1/stream", [&] { picture = shared_.picture(); })) {
+  if (!shared_.guard.run("GET /api/v1/stream", [&] { picture = shared_.picture(sees_all()); })) {
     return reply({Reply::Kind::now, failed_answer()});
   }
-  shared_.places.take(has_token);
-  place_ = has_token;
+  shared_.places.take(kind);
+  place_ = kind;
   state_ = State::streaming;
   out_.add(std::make_shared<const std::string>(text_of({.content_type = "text/event-stream"})));
   out_.add(std::move(picture));
   write_next();
   watch();
-  if (shared_.places.is_full(has_token)) shared_.probe(now);
+  if (shared_.places.is_full(kind)) shared_.probe(now);
 }
 
 /// A client that closes, or sends more, ends its stream.
@@ -246,7 +252,7 @@ void Connection::write_next() {
 void Connection::written() {
   if (state_ == State::answering) return keep_alive_ ? read() : close();
   if (!std::exchange(is_late_, false)) return;
-  if (!shared_.guard.run("GET /api/v1/stream", [this] { out_.add(shared_.picture()); })) return close();
+  if (!shared_.guard.run("GET /api/v1/stream", [this] { out_.add(shared_.picture(sees_all())); })) return close();
   write_next();
 }
 

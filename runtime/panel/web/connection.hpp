@@ -27,6 +27,7 @@ class Connection final : public Client, public std::enable_shared_from_this<Conn
   void start();
   bool is_idle() const override { return state_ == State::reading; }
   bool is_stream() const override { return state_ == State::streaming; }
+  bool sees_all() const override { return panel::sees_all(role_); }
   void close() override;
   void abandon() override;
   void send(const Bytes& event) override;
@@ -44,7 +45,7 @@ class Connection final : public Client, public std::enable_shared_from_this<Conn
   void reply(Reply found);
   void refuse(Answer answer);
   void write_answer(const Reply& found, const Bytes& body, bool packed, bool by_encoding);
-  void begin_stream(bool has_token);
+  void begin_stream(const Reply& found);
   void watch();
   void write_next();
   void written();
@@ -57,7 +58,8 @@ class Connection final : public Client, public std::enable_shared_from_this<Conn
   State state_ = State::reading;
   bool keep_alive_ = true;
   bool accepts_gzip_ = false;
-  std::optional<bool> place_;  ///< of a stream: whether its client has the token
+  std::optional<StreamPlaces::Kind> place_;  ///< of a stream
+  Role role_ = Role::viewer;                 ///< of the client of a stream
   Outbox out_;
   bool writing_ = false;
   bool is_late_ = false;            ///< a picture is due

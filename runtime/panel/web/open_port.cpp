@@ -14,19 +14,39 @@ namespace {
 
 using link::LinkError;
 
-/// The token of a file, or an error; a fresh token without a file.
-std::variant<std::string, LinkError> token_of(const PanelOptions& options) {
-  if (options.token_file.empty()) return random_token();
-  std::ifstream file(options.token_file);
-  std::string token;
-  if (!file || !(file >> std::setw(kLongestToken + 1) >> token)) {
-    return LinkError{LinkError::Kind::usage, fmt::format("cannot read a token from `{}`", options.token_file)};
+/// The tokens of a file, the trainer's first, then the trainee's and the viewer's; fresh ones for those that it does
+/// not have, and without a file.
+std::variant<Tokens, LinkError> tokens_of(const PanelOptions& options) {
+  Tokens tokens;
+  std::ifstream file;
+  if (!options.token_file.empty()) {
+    file.open(options.token_file);
+    if (!file)
+      return LinkError{LinkError::Kind::usage, fmt::format("cannot read a token from `{}`", options.token_file)};
   }
-  if (is_token(token)) return token;
-  return LinkError{LinkError::Kind::usage,
-                   fmt::format("the token in `{}` is not 32 to 256 letters, digits, `-` or `_`; make one with "
-                               "`openssl rand -hex 16`",
-                               options.token_file)};
+  for (const Role role : {Role::trainer, Role::trainee, Role::viewer}) {
+    if (role != Role::trainer && !options.trainees) break;
+    std::string& token = tokens[static_cast<std::size_t>(role)];
+    if (options.token_file.empty() || !(file >> std::setw(kLongestToken + 1) >> token)) {
+      if (role == Role::trainer && !options.token_file.empty()) {
+        return LinkError{LinkError::Kind::usage, fmt::format("cannot read a token from `{}`", options.token_file)};
+      }
+      token = random_token();
+    }
+    if (!is_token(token)) {
+      return LinkError{LinkError::Kind::usage,
+                       fmt::format("the token in `{}` is not 32 to 256 letters, digits, `-` or `_`; make one with "
+                                   "`openssl rand -hex 16`",
+                                   options.token_file)};
+    }
+  }
+  const auto& [viewer, trainee, trainer] = tokens;
+  if (options.trainees && (trainer == trainee || trainer == viewer || trainee == viewer)) {
+    return LinkError{LinkError::Kind::usage,
+                     fmt::format("two tokens in `{}` are equal; the trainer's, the trainee's and the viewer's differ",
+                                 options.token_file)};
+  }
+  return tokens;
 }
 
 /// HOST:PORT, where a port alone is one of the loopback address.
@@ -39,14 +59,14 @@ std::variant<link::net::HostPort, LinkError> address_of(const std::string& text)
 }  // namespace
 
 std::variant<OpenPort, LinkError> open_port(const PanelOptions& options) {
-  auto token = token_of(options);
-  if (auto* error = std::get_if<LinkError>(&token)) return std::move(*error);
+  auto tokens = tokens_of(options);
+  if (auto* error = std::get_if<LinkError>(&tokens)) return std::move(*error);
   const auto address = address_of(options.address);
   if (const auto* error = std::get_if<LinkError>(&address)) return *error;
   auto listener = link::net::listen_on(std::get<link::net::HostPort>(address));
   if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
   auto& open = std::get<link::net::Listener>(listener);
-  Access access(open.bound.host, open.bound.port, std::get<std::string>(std::move(token)));
+  Access access(open.bound.host, open.bound.port, std::get<Tokens>(std::move(tokens)));
   return OpenPort{std::move(open), std::move(access)};
 }
 

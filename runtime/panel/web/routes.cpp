@@ -86,15 +86,17 @@ Reply Routes::answer(const Request& request, const Answered& later) {
   return error_reply(405, "only GET and POST are possible");
 }
 
-Reply Routes::description() {
-  if (description_ == nullptr) {
+Reply Routes::description(Role role) {
+  std::shared_ptr<Content>& kept = descriptions_[static_cast<std::size_t>(role)];
+  if (kept == nullptr) {
     std::string json = "{\"symplant-panel\":1";
     put_member(json, "version", tables::version());
     put_member(json, "run", run_);
-    source_.put_description(json);
-    description_ = std::make_shared<Content>("application/json", json + "}");
+    put_member(json, "role", role_name(role));
+    source_.put_description(json, role);
+    kept = std::make_shared<Content>("application/json", json + "}");
   }
-  return content_reply(description_);
+  return content_reply(kept);
 }
 
 /// 404 if the page has no such file.
@@ -115,17 +117,20 @@ Reply Routes::get(const Request& request, const Answered& later) {
     return error_reply(400, "the address does not begin with `/`, or has an invalid escape");
   }
   if (!path.starts_with(kApi)) return page_file(path);
-  const bool has_token = access_.has_token(request.claim);
-  if (access_.look_needs_token() && !has_token) {
+  const std::optional<Role> role = access_.role(request.claim);
+  if (!role) {
     return error_reply(401,
                        "this panel needs the token, even to look at the plant: use the link that the program printed");
   }
   const std::string_view what = std::string_view(path).substr(kApi.size());
-  if (what == "plant") return description();
-  if (what == "stream") return {.kind = Reply::Kind::stream, .has_token = has_token};
-  if (what == "picture") return {Reply::Kind::now, {200, source_.picture()}};
+  if (what == "plant") return description(*role);
+  if (what == "stream") {
+    const bool has_token = access_.role_by_token(request.claim).has_value();
+    return {.kind = Reply::Kind::stream, .role = *role, .has_token = has_token};
+  }
+  if (what == "picture") return {Reply::Kind::now, {200, source_.picture(*role)}};
   if (what == "openapi.json") return {Reply::Kind::now, {200, std::string(openapi())}};
-  std::optional<Reply> reply = source_.get(what, query, later);
+  std::optional<Reply> reply = source_.get(what, query, {*role}, later);
   return reply ? std::move(*reply) : nothing_there();
 }
 
@@ -135,10 +140,10 @@ Reply Routes::post(const Request& request, const Answered& later) {
   if (!request.content_type.starts_with("application/json")) {
     return error_reply(400, "the Content-Type of an act is application/json");
   }
-  if (!access_.has_token(request.claim)) {
-    return error_reply(401, "acts need the token: use the link that the program printed");
-  }
+  const std::optional<Role> role = access_.role_by_token(request.claim);
+  if (!role) return error_reply(401, "acts need the token: use the link that the program printed");
   if (!source_.acts()) return error_reply(403, "this panel only shows the plant");
+  if (*role == Role::viewer) return error_reply(403, "the link of this page only shows the plant");
   if (request.run != run_) {
     return error_reply(409, "the program was started again since this page was loaded: load it again");
   }
@@ -147,7 +152,7 @@ Reply Routes::post(const Request& request, const Answered& later) {
   if (second != second_) acts_ = 0;
   second_ = second;
   if (++acts_ > kMostPosts) return error_reply(429, "more than 100 acts in a second; try again");
-  source_.post(path.substr(kApi.size()), request.body, later);
+  source_.post(path.substr(kApi.size()), request.body, {*role}, later);
   return {Reply::Kind::later, {}};
 }
 

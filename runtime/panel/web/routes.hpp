@@ -1,6 +1,7 @@
 // From a request to its answer, independent of the network.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "symplant/panel/answer.hpp"
+#include "symplant/panel/role.hpp"
 #include "symplant/panel/web/access.hpp"
 #include "symplant/panel/web/content.hpp"
 
@@ -36,7 +38,14 @@ struct Reply {
   std::string_view content_type = "application/json";
   std::shared_ptr<Content> content = {};  ///< the same for all clients; may be null
   std::string file_name = {};             ///< the client stores the answer under this name; empty: it shows it
-  bool has_token = false;                 ///< of a stream: its client has the token
+  Role role = Role::viewer;               ///< of a stream: its client's
+  bool has_token = false;                 ///< of a stream: its client has a token
+};
+
+/// Changes for the stream. Empty: nothing new.
+struct News {
+  std::string all;    ///< for trainers
+  std::string shown;  ///< for the other roles, which do not see everything
 };
 
 /// The interface of docs/panel-interface.md over a desk, or over a recording.
@@ -44,15 +53,16 @@ class Source {
  public:
   virtual ~Source() = default;
   /// The answer of GET /api/v1/plant without its first keys, which are the same for all. It never changes.
-  virtual void put_description(std::string& json) = 0;
+  virtual void put_description(std::string& json, Role role) = 0;
   virtual bool acts() const = 0;
   /// The answer to a GET of any other path of the interface; nothing if the path is unknown.
   virtual std::optional<Reply> get(std::string_view path, const std::map<std::string, std::string>& query,
-                                   const Answered& later) = 0;
-  virtual void post(std::string_view path, std::string_view body, const Answered& later) = 0;
-  /// The events of the stream: `picture`, and `changes` (empty: nothing new).
-  virtual std::string picture() = 0;
-  virtual std::string changes() = 0;
+                                   const Sender& sender, const Answered& later) = 0;
+  virtual void post(std::string_view path, std::string_view body, const Sender& sender, const Answered& later) = 0;
+  /// The event `picture` of the stream, as a role sees it.
+  virtual std::string picture(Role role) = 0;
+  /// What changed since the last call, for the event `changes`. `for_others`: News::shown is needed.
+  virtual News changes(bool for_others) = 0;
   /// Whether all clients need the picture again.
   virtual bool begun_again() { return false; }
 };
@@ -70,13 +80,13 @@ class Routes {
  private:
   Reply get(const Request& request, const Answered& later);
   Reply post(const Request& request, const Answered& later);
-  Reply description();
+  Reply description(Role role);
   Reply page_file(std::string_view path);
 
   Source& source_;
   const Access& access_;
   std::string run_;
-  std::shared_ptr<Content> description_;                       ///< null until it is asked for
+  std::array<std::shared_ptr<Content>, kRoles> descriptions_;  ///< by role; null until it is asked for
   std::map<std::string_view, std::shared_ptr<Content>> page_;  ///< the files that were asked for, by their names
   std::int64_t second_ = 0;                                    ///< the second of the clock in which `acts_` are counted
   int acts_ = 0;

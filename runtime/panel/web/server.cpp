@@ -81,7 +81,7 @@ struct Server::Parts {
     timer.expires_at(next);
     timer.async_wait([this, next](web::Error error) {
       if (error) return;
-      shared.forget_picture();
+      shared.forget_pictures();
       if (++ticks % (1000 / kPeriod.count()) == 0) second(next);
       if (!shared.places.empty()) shared.guard.run("GET /api/v1/stream", [this] { send_changes(); });
       tick(next);
@@ -95,19 +95,20 @@ struct Server::Parts {
     if (std::exchange(is_quiet, true)) shared.broadcast(keep_alive);
   }
 
-  /// The event of this period; null: nothing new.
-  Bytes news() {
-    std::string changes = shared.source.changes();
-    if (shared.source.begun_again()) return shared.picture();
-    if (changes.empty()) return nullptr;
-    return shared.outgoing.share("event: changes\ndata: " + changes + "\n\n");
+  /// The event `changes`; null: nothing new.
+  Bytes event_of(const std::string& changes) {
+    return changes.empty() ? nullptr : shared.outgoing.share("event: changes\ndata: " + changes + "\n\n");
   }
 
   void send_changes() {
-    const Bytes event = news();
-    if (event == nullptr) return;
+    const bool for_others = shared.has_others();
+    const News news = shared.source.changes(for_others);
+    const bool whole = shared.source.begun_again();
+    const Bytes all = whole ? shared.picture(true) : event_of(news.all);
+    const Bytes shown = !for_others ? nullptr : whole ? shared.picture(false) : event_of(news.shown);
+    if (all == nullptr && shown == nullptr) return;
     is_quiet = false;
-    shared.broadcast(event);
+    shared.broadcast(all, shown);
   }
 
   web::Shared shared;

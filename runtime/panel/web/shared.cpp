@@ -21,16 +21,27 @@ const Bytes& probe_event() {
 
 }  // namespace
 
-Bytes Shared::picture() {
-  if (picture_ == nullptr) picture_ = outgoing.share("event: picture\ndata: " + source.picture() + "\n\n");
-  return picture_;
+Bytes Shared::picture(bool all) {
+  Bytes& kept = pictures_[all ? 1 : 0];
+  if (kept == nullptr) {
+    const std::string data = source.picture(all ? Role::trainer : Role::trainee);
+    kept = outgoing.share("event: picture\ndata: " + data + "\n\n");
+  }
+  return kept;
 }
 
-void Shared::broadcast(const Bytes& event) {
-  const std::list<std::shared_ptr<Client>> all = connections;  // sending may close one
-  for (const std::shared_ptr<Client>& each : all) {
-    if (each->is_stream()) each->send(event);
+void Shared::broadcast(const Bytes& all, const Bytes& shown) {
+  const std::list<std::shared_ptr<Client>> clients = connections;  // sending may close one
+  for (const std::shared_ptr<Client>& each : clients) {
+    if (!each->is_stream()) continue;
+    const Bytes& event = each->sees_all() ? all : shown;
+    if (event != nullptr) each->send(event);
   }
+}
+
+bool Shared::has_others() const {
+  return std::any_of(connections.begin(), connections.end(),
+                     [](const std::shared_ptr<Client>& each) { return each->is_stream() && !each->sees_all(); });
 }
 
 void Shared::probe(Clock::time_point now) {

@@ -1,6 +1,7 @@
 // A plant with its panel, and clients of the panel.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -87,6 +88,12 @@ class PanelBench {
     const std::size_t colon = link.rfind(':', link.find("/#"));
     port = static_cast<std::uint16_t>(std::atoi(link.c_str() + colon + 1));
     token = link.substr(link.find("token=") + 6, 32);
+    if (plan.options.trainees) {
+      const auto token_after = [&](const std::string& words) {
+        return link.substr(link.find("token=", link.find(words)) + 6, 32);
+      };
+      tokens = {token_after("panel, viewer"), token_after("panel, trainee"), token};
+    }
     run = get("/api/v1/plant").at("run");
     thread_ = std::thread([this] { cycles(); });
   }
@@ -170,7 +177,8 @@ class PanelBench {
   std::optional<host::Stage> stage;
   std::unique_ptr<panel::Panel> panel;
   std::uint16_t port = 0;
-  std::string token;
+  std::string token;                  ///< of the trainer; requests have it
+  std::array<std::string, 3> tokens;  ///< by role, with PanelOptions::trainees
   std::string run;
 
  private:

@@ -23,18 +23,23 @@ namespace symplant::test {
 /// Answers with texts, or by functions, which may throw.
 class MadeSource final : public panel::Source {
  public:
-  void put_description(std::string& json) override {
+  void put_description(std::string& json, panel::Role) override {
     ++described;
     json += ",\"text\":\"" + std::string(description_size, 'd') + "\"";
   }
   bool acts() const override { return true; }
-  std::optional<panel::Reply> get(std::string_view, const std::map<std::string, std::string>&,
+  std::optional<panel::Reply> get(std::string_view, const std::map<std::string, std::string>&, const panel::Sender&,
                                   const panel::Answered& later) override {
     return answer_get ? answer_get(later) : std::nullopt;
   }
-  void post(std::string_view, std::string_view, const panel::Answered& later) override { answer_post(later); }
-  std::string picture() override { return make_picture ? make_picture() : "{}"; }
-  std::string changes() override { return make_changes ? make_changes() : ""; }
+  void post(std::string_view, std::string_view, const panel::Sender&, const panel::Answered& later) override {
+    answer_post(later);
+  }
+  std::string picture(panel::Role) override { return make_picture ? make_picture() : "{}"; }
+  panel::News changes(bool) override {
+    const std::string changes = make_changes ? make_changes() : "";
+    return {changes, changes};
+  }
 
   std::size_t description_size = 0;
   std::atomic<int> described{0};
@@ -65,9 +70,13 @@ class ServedSource {
   std::string request(const std::string& method, const std::string& target, const std::string& more = "",
                       const std::string& body = "") const {
     return method + " " + target + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
-           "\r\nAuthorization: Bearer " + open().access.token() +
+           "\r\nAuthorization: Bearer " + token() +
            "\r\nX-Symplant-Run: run\r\nContent-Type: application/json\r\nContent-Length: " +
            std::to_string(body.size()) + "\r\n" + more + "\r\n" + body;
+  }
+  std::string token() const {
+    const std::string link = open().access.link(panel::Role::trainer);
+    return link.substr(link.find("token=") + 6);
   }
   HttpAnswer send(const std::string& text) const {
     HttpClient client(port);

@@ -25,7 +25,7 @@ TEST_CASE("The steps of a session are limited by their bytes, and one that is no
   CHECK_FALSE(session.is_complete());
   CHECK(session.count() == 2001);
   std::string json;
-  session.put(json, 0);
+  session.put(json, 0, panel::Role::trainer);
   CHECK(json.size() <= (std::size_t{16} << 20));
   CHECK(contains(json, "\"n\":2000,"));
   session.begin_again(nullptr);

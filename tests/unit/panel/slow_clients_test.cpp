@@ -148,7 +148,7 @@ TEST_CASE("Four of eight streams are for clients with the token") {
   for (int i = 0; i < 4; ++i) CHECK(opens(without));
   const HttpAnswer refused = served.send(without);
   CHECK(refused.status == 503);
-  CHECK(contains(refused.body, "4 clients without the token look already"));
+  CHECK(contains(refused.body, "4 clients without a token look already"));
   for (int i = 0; i < 4; ++i) CHECK(opens(with));
   CHECK(served.send(with).status == 503);
   streams.pop_back();

@@ -119,7 +119,7 @@ TEST_CASE("The symbol of a signal is driven by it") {
   const BenchTables tables(reported, rows);
   const trace::PlantNames names(tables.rows);
   std::string json = "{";
-  panel::put_plant(json, names, {}, {});
+  panel::put_plant(json, names, {}, {}, panel::Role::trainer);
   CHECK(Json::parse(json + "}").at("symbols").at(tables.symbol("TANK_I_LEVEL")).at("driver") == "signal");
 }
 

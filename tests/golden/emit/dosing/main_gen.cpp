@@ -19,6 +19,27 @@ constexpr std::array<symplant::host::IgnoredFinding, 0> kIgnored{{
 
 }};
 
+// Comments of the symbol list, and which symbols a person operates.
+constexpr std::array<symplant::panel::SymbolView, 17> kSymbols{{
+    {"gate of the coarse flow"},  // L1_DOSE_HOPPER_O_OPEN
+    {""},  // L1_DOSE_HOPPER_I_OPEN
+    {""},  // L1_DOSE_HOPPER_I_CLOSED
+    {"open the flap"},  // L1_DOSE_SCALE1_O_EMPTY1
+    {"fill up to the target"},  // L1_DOSE_SCALE1_O_FULL2
+    {""},  // L1_DOSE_SCALE1_I_EMPTY1
+    {""},  // L1_DOSE_SCALE1_I_FULL2
+    {"kg"},  // L1_DOSE_SCALE1_O_TARGET
+    {"kg"},  // L1_DOSE_SCALE1_I_WEIGHT
+    {"filled so far"},  // L1_DOSE_SCALE1_I_BATCHES
+    {"open the flap"},  // L1_DOSE_SCALE2_O_EMPTY1
+    {"fill up to the target"},  // L1_DOSE_SCALE2_O_FULL2
+    {""},  // L1_DOSE_SCALE2_I_EMPTY1
+    {""},  // L1_DOSE_SCALE2_I_FULL2
+    {"kg"},  // L1_DOSE_SCALE2_O_TARGET
+    {"kg"},  // L1_DOSE_SCALE2_I_WEIGHT
+    {"filled so far"},  // L1_DOSE_SCALE2_I_BATCHES
+}};
+
 }  // namespace
 
 // The link that the program opens if it is started without --link; the build sets it (LINK_DEFAULT).
@@ -32,6 +53,9 @@ int main(int argc, char** argv) {
                                              .links = kLinks,
                                              .link_settings = dosing::link_settings(),
                                              .default_link = SYMPLANT_LINK_DEFAULT,
-                                             .ignored = kIgnored};
+                                             .ignored = kIgnored,
+                                             .view = {
+                                                 .symbols = kSymbols,
+                                             }};
   return symplant::host::run_plant(argc, argv, program);
 }

@@ -45,6 +45,9 @@ int main(int argc, char** argv) {
                                              .link_settings = everything::link_settings(),
                                              .default_link = SYMPLANT_LINK_DEFAULT,
                                              .ignored = kIgnored,
-                                             .view = {kDevices, {kStations, sizeof kStations - 1}}};
+                                             .view = {
+                                                 .devices = kDevices,
+                                                 .stations = {kStations, sizeof kStations - 1},
+                                             }};
   return symplant::host::run_plant(argc, argv, program);
 }

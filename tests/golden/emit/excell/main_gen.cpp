@@ -19,6 +19,18 @@ constexpr std::array<symplant::host::IgnoredFinding, 0> kIgnored{{
 
 }};
 
+// Comments of the symbol list, and which symbols a person operates.
+constexpr std::array<symplant::panel::SymbolView, 8> kSymbols{{
+    {"AGV stands at place 1"},  // EXLINE_MB_AGV_I_P1
+    {"AGV stands at place 2"},  // EXLINE_MB_AGV_I_P2
+    {"AGV drive to place 2"},  // EXLINE_MB_AGV_O_P2
+    {"AGV drive to place 1"},  // EXLINE_MB_AGV_O_P1
+    {"Machine is idle"},  // EXLINE_MB_MC_I_IDLE1
+    {"Machine is working"},  // EXLINE_MB_MC_I_RUN2
+    {"Machine go idle"},  // EXLINE_MB_MC_O_IDLE1
+    {"Machine start work"},  // EXLINE_MB_MC_O_RUN2
+}};
+
 }  // namespace
 
 // The link that the program opens if it is started without --link; the build sets it (LINK_DEFAULT).
@@ -32,6 +44,9 @@ int main(int argc, char** argv) {
                                              .links = kLinks,
                                              .link_settings = excell::link_settings(),
                                              .default_link = SYMPLANT_LINK_DEFAULT,
-                                             .ignored = kIgnored};
+                                             .ignored = kIgnored,
+                                             .view = {
+                                                 .symbols = kSymbols,
+                                             }};
   return symplant::host::run_plant(argc, argv, program);
 }
