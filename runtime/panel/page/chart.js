@@ -1,39 +1,52 @@
 // The chart view: chosen symbols, states and values over the last minutes, as a logic analyzer and a recorder show them.
-import {cursorText, drawAxis, drawCursors, drawRows, kAxisHeight, kRowHeight, valueAt} from "./chart_draw.js";
-import {exportCsv, exportPng, exportVcd} from "./chart_export.js";
+import {CursorTable} from "./chart_cursors.js";
+import {bandHeight, drawAxis, drawCursors, drawRows, kAxisHeight} from "./chart_draw.js";
+import {exportCsv, exportVcd} from "./chart_export.js";
 import {listenToChart} from "./chart_input.js";
+import {ChartLegend} from "./chart_legend.js";
 import {kMostRows} from "./chart_model.js";
+import {exportPng} from "./chart_png.js";
+import {cursorText, describeRows} from "./chart_rows.js";
 import {button, make, setAttribute, setText} from "./dom.js";
-import {linkTo} from "./links_to.js";
 import {makeSearch} from "./search.js";
 import {fitCanvas, onTheme} from "./theme.js";
-import {axesOf, kColors} from "./trend_axes.js";
-import {drawAxes, drawTrends, kAxisWidth, kTrendHeight} from "./trend_draw.js";
+import {axesOf, kMostAxes} from "./trend_axes.js";
+import {drawAxes, drawTrends, kAxisWidth} from "./trend_draw.js";
 
 const kLeastSpan = 1e4;   // ns
 const kMostSpan = 86400e9;
 const kFirstSpan = 20e9;
+const kTrendHeight = 260;  // pixels for the curves on a narrow page, and their limits on a wide one
+const kLeastHigh = 160;
+const kMostHigh = 420;
+const kNarrow = 560;  // pixels: without room for names next to the plot, they are in it
+const kHint = "Click: cursor A, Shift + click: cursor B. Wheel: zoom. Drag: earlier and later. At most " + kMostRows + " rows.";
 
 export class ChartView {
   constructor(app) {
     Object.assign(this, {app, title: "Chart", model: app.chart, view: {from: 0, to: kFirstSpan}, cursors: {A: null, B: null}, active: "A", scaleCount: 0,
-      following: app.plant.mode === "live", dirty: true, drawn: 0, width: 0, labels: []});
+      following: app.plant.mode === "live", dirty: true, cursorsDirty: true, drawn: 0, width: 0, high: kTrendHeight, narrow: false, shownRows: {curves: [], bands: []}});
     this.axis = make("canvas", {"aria-hidden": "true"});
     this.trends = make("canvas", {"aria-hidden": "true"});
     this.canvas = make("canvas", {"aria-hidden": "true"});
     this.scales = make("canvas", {"aria-hidden": "true"});
     this.over = make("canvas", {class: "over", "aria-hidden": "true"});
-    this.plot = make("div", {class: "plot", tabindex: 0, role: "application", "aria-label": "Chart. Keys: plus, minus, arrows, a, b, c, f, Home"},
+    this.plot = make("div", {class: "plot", tabindex: 0, role: "application", "aria-label": "Chart. Keys: plus, minus, arrows, a, b, c, f, y, Home"},
       this.axis, this.trends, this.canvas, this.over);
-    this.names = make("ul", {class: "chart-names"});
+    const found = (act) => (row) => act(this.model.rows.find(({kind, index}) => kind === row.kind && index === row.index));
+    this.legend = new ChartLegend(app, {moveUp: found((row) => this.model.moveUp(row)), remove: found((row) => this.model.remove(row))});
+    this.cursorTable = new CursorTable();
     this.time = make("p", {class: "chart-time", role: "status"});
     this.wrong = make("p", {class: "wrong", role: "status"});
     this.followButton = button("Follow", () => this.follow(!this.following), {class: "toggle"});
+    this.wholeButton = button("Whole ranges", () => this.model.showWhole(!this.model.whole),
+      {class: "toggle", title: "The axes show min to max of the values that have them, else what is in view"});
     this.empty = make("p", {class: "empty"}, "Nothing is chosen. Add symbols, devices and values above, or by “Show in chart” in their details.");
-    this.element = make("div", {class: "view fills chart-view"}, this.tools(), this.time, this.wrong, this.empty,
-      make("div", {class: "chart-grid"}, this.names, make("div", {class: "chart-scales"}, this.scales), this.plot));
+    this.grid = make("div", {class: "chart-grid"}, this.legend.element, make("div", {class: "chart-scales"}, this.scales), this.plot);
+    this.element = make("div", {class: "view fills chart-view"}, this.tools(), this.time, this.wrong, this.empty, this.grid, this.cursorTable.element);
     listenToChart(this.plot, this);
-    new ResizeObserver(() => this.resize()).observe(this.plot);
+    const size = new ResizeObserver(() => this.resize());
+    for (const element of [this.grid, this.plot]) size.observe(element);
     onTheme(() => this.touch());
     this.model.listen((what) => this.modelChanged(what));
   }
@@ -48,9 +61,10 @@ export class ChartView {
           this.model.changed();
         }}),
       button("Zoom in", () => this.zoom(1 / 1.5, this.middle()), small), button("Zoom out", () => this.zoom(1.5, this.middle()), small),
-      button("All", () => this.showAll(), small), this.followButton,
+      button("All", () => this.showAll(), small), this.followButton, this.wholeButton,
       button("Remove cursors", () => this.clearCursors(), small),
-      button("Export VCD", () => exportVcd(this.app, this.rows()), small), button("Export CSV", () => exportCsv(this.rows()), small), button("Export PNG", () => exportPng(this.app, this), small));
+      button("Export VCD", () => exportVcd(this.app, this.rows()), small), button("Export CSV", () => exportCsv(this.rows()), small),
+      button("Export PNG", () => exportPng(this.app, this), small));
   }
 
   middle() { return (this.view.from + this.view.to) / 2; }
@@ -68,71 +82,39 @@ export class ChartView {
       this.setCursor("A", what.show);
     }
     setText(this.wrong, this.model.wrong);
+    this.cursorsDirty = true;
     this.touch();
   }
 
-  /// The values first, in one plot; then the others, one below the other.
-  rows() {
-    const {plant} = this.app;
-    const isValue = ({kind}) => kind === "value";
-    const values = this.model.rows.filter(isValue).map((row, rank) => ({...row, name: this.app.names.name("value", row.index), type: "LREAL", rank,
-      value: plant.values[row.index]}));
-    return [...values, ...this.model.rows.filter((row) => !isValue(row)).map((row) => ({...row, name: this.app.names.name(row.kind, row.index),
-      device: plant.devices[row.index], symbol: plant.symbols[row.index], type: row.kind === "symbol" ? plant.symbols[row.index].type : "state"}))];
-  }
-
-  values() { return this.rows().filter(({kind}) => kind === "value"); }
-  others() { return this.rows().filter(({kind}) => kind !== "value"); }
+  /// All rows, the curves first.
+  rows() { return [...this.shownRows.curves, ...this.shownRows.bands]; }
 
   buildRows() {
-    this.labels = [];
-    this.names.replaceChildren(make("li", {class: "chart-head"}, make("span", {class: "grow"}, "Name"), make("span", {}, "A"), make("span", {}, "B")),
-      ...this.valueLabels(), ...this.model.rows.filter(({kind}) => kind !== "value").map((row) => this.label(row)));
+    this.shownRows = describeRows(this.app, this.model.rows);
+    this.legend.build(this.shownRows);
     this.empty.hidden = this.model.rows.length > 0;
+    this.wholeButton.hidden = !this.shownRows.curves.some(({least, most}) => least !== null || most !== null);
+    this.cursorsDirty = true;
     this.resize(true);
   }
 
-  /// The names of the values as one entry, next to their plot.
-  valueLabels() {
-    const rows = this.model.rows.filter(({kind}) => kind === "value");
-    if (rows.length === 0) return [];
-    return [make("li", {class: "chart-values"}, make("ul", {}, rows.map((row, rank) => {
-      const label = this.label(row);
-      label.firstChild.prepend(make("span", {class: "swatch trend" + rank % kColors + " dash" + Math.floor(rank / kColors) % 4, "aria-hidden": "true"}));
-      return label;
-    })))];
-  }
-
-  label(row) {
-    const name = this.app.names.name(row.kind, row.index);
-    const link = linkTo(row.kind, name, this.twoLines(row, name));
-    link.title = name;
-    const values = [make("span", {class: "at-cursor"}), make("span", {class: "at-cursor"})];
-    const up = button("↑", () => this.model.moveUp(row), {class: "tiny", "aria-label": "Move up " + name, title: "Move up"});
-    this.labels.push(values);
-    return make("li", {}, make("span", {class: "grow"}, link), values, make("span", {class: "row-buttons"}, up, button("✕", () => this.model.remove(row), {class: "tiny", "aria-label": "Remove " + name, title: "Remove"})));
-  }
-
-  /// What rows have in common is small, what differs is large.
-  twoLines({kind, index}, name) {
-    if (kind === "value") return [make("span", {class: "cut"}, name)];
-    const {plant} = this.app;
-    const device = kind === "device" ? plant.devices[index] : plant.devices[plant.symbols[index].device];
-    const head = kind === "device" ? name.slice(0, -device.label.length) : device && name.startsWith(device.name + "_") ? device.name + "_" : "";
-    return name.endsWith(name.slice(head.length)) && head !== "" ? [make("span", {class: "soft cut"}, head), make("span", {class: "cut"}, name.slice(head.length))]
-      : [make("span", {class: "cut"}, name)];
-  }
-
+  /// The curves take the height that the other rows leave.
   resize(again = false) {
+    this.narrow = this.grid.clientWidth < kNarrow;
+    this.grid.classList.toggle("narrow", this.narrow);
     const width = this.plot.clientWidth;
-    if (width === 0 || (width === this.width && !again)) return;
+    const before = this.high;
+    this.high = this.narrow ? kTrendHeight : Math.max(kLeastHigh, Math.min(kMostHigh, this.grid.clientHeight - kAxisHeight - this.bandsHeight()));
+    if (width === 0 || width === this.width && this.high === before && !again) return;
     this.width = width;
     this.plot.style.height = this.height() + "px";
+    this.legend.setHeight(this.trendHeight());
     this.touch();
   }
 
-  trendHeight() { return this.model.rows.some(({kind}) => kind === "value") ? kTrendHeight : 0; }
-  height() { return kAxisHeight + this.trendHeight() + Math.max(this.trendHeight() > 0 ? 0 : 1, this.others().length) * kRowHeight; }
+  bandsHeight() { return Math.max(this.shownRows.curves.length > 0 ? 0 : 1, this.shownRows.bands.length) * bandHeight(this.narrow); }
+  trendHeight() { return this.shownRows.curves.length > 0 ? this.high : 0; }
+  height() { return kAxisHeight + this.trendHeight() + this.bandsHeight(); }
 
   touch() {
     this.dirty = true;
@@ -168,7 +150,8 @@ export class ChartView {
   }
 
   showAll() {
-    const {from, until} = this.model;
+    const {from} = this.model;
+    const until = Math.max(this.model.until, this.app.store.t);  // what is not known yet comes soon
     const margin = Math.max(1e6, (until - from) / 50);
     this.setView(from, until + margin);
   }
@@ -176,19 +159,21 @@ export class ChartView {
   setCursor(name, t) {
     this.cursors[name] = Math.max(0, Math.round(t));
     this.active = name;
+    this.cursorsDirty = true;
     this.touch();
   }
 
   clearCursors() {
     this.cursors = {A: null, B: null};
+    this.cursorsDirty = true;
     this.touch();
   }
 
   /// To the nearest change of any row.
   stepCursor(by) {
     const t = this.cursors[this.active] ?? Math.round(this.middle());
-    // Values change all the time: they count only if there is nothing else.
-    const rows = this.others().length > 0 ? this.others() : this.model.rows;
+    // Curves change all the time: they count only if there is nothing else.
+    const rows = this.shownRows.bands.length > 0 ? this.shownRows.bands : this.shownRows.curves;
     const found = rows.map(({data}) => data.neighbor(t, by)).filter((time) => time !== null);
     if (found.length === 0) return;
     const next = by > 0 ? Math.min(...found) : Math.max(...found);
@@ -216,33 +201,35 @@ export class ChartView {
     return runs || this.model.stale && this.model.rows.length > 0;
   }
 
+  /// Texts that depend on plant time.
+  tick() { this.legend.update(); }
+
+  axes() { return axesOf(this.shownRows.curves, this.view, this.model.until, this.model.whole, this.narrow ? kMostAxes / 2 : kMostAxes); }
+
   draw(now) {
     this.dirty = false;
     this.drawn = now;
+    const {bands} = this.shownRows;
+    const {view} = this;
     const height = this.height();
-    const rows = this.rows();
     const known = {from: this.model.from, until: this.model.until};
     const high = this.trendHeight();
-    const axes = axesOf(this.values(), this.view, known.until);
+    const axes = this.axes();
     drawAxes(fitCanvas(this.scales, axes.length * kAxisWidth, high), axes, high);
     if (axes.length !== this.scaleCount) {  // the plot became wider or narrower
       this.scaleCount = axes.length;
       this.width = this.plot.clientWidth;
     }
-    drawTrends(fitCanvas(this.trends, this.width, high), axes, this.view, known, this.width, high);
-    drawAxis(fitCanvas(this.axis, this.width, kAxisHeight), this.view, this.width);
-    drawRows(fitCanvas(this.canvas, this.width, height - kAxisHeight - high), this.others(), this.view, known, this.width);
-    drawCursors(fitCanvas(this.over, this.width, height), this.cursors, now, this.view, this.width, height);
-    setText(this.time, cursorText(this.cursors) || "Click: cursor A, Shift + click: cursor B. Wheel: zoom. Drag: earlier and later. At most " + kMostRows + " rows.");
-    this.names.classList.toggle("one-cursor", this.cursors.B === null);
+    const {width} = this;
+    drawTrends(fitCanvas(this.trends, width, high), axes, view, known, width, high);
+    drawAxis(fitCanvas(this.axis, width, kAxisHeight), view, width);
+    drawRows(fitCanvas(this.canvas, width, height - kAxisHeight - high), bands, view, known, width, this.narrow);
+    drawCursors(fitCanvas(this.over, width, height), this.cursors, now, view, width, height);
+    setText(this.time, cursorText(this.cursors) || kHint);
     setAttribute(this.followButton, "aria-pressed", String(this.following));
-    rows.forEach((row, i) => {
-      if (!this.labels[i]) return;
-      const texts = [valueAt(row, this.cursors.A ?? now), this.cursors.B === null ? "" : valueAt(row, this.cursors.B)];
-      texts.forEach((text, k) => {
-        setText(this.labels[i][k], text);
-        setAttribute(this.labels[i][k], "title", text || null);  // a narrow column cuts it
-      });
-    });
+    setAttribute(this.wholeButton, "aria-pressed", String(this.model.whole));
+    if (!this.cursorsDirty) return;
+    this.cursorsDirty = false;
+    this.cursorTable.show(this.rows(), this.cursors, known.until);
   }
 }

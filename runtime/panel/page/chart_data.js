@@ -12,10 +12,14 @@ export const lastNotAfter = (times, t) => {
   return from - 1;
 };
 
+/// The number of a value of a symbol: integers beyond 2^53 and numbers that are not finite come as texts.
+export const numberOf = (value) => typeof value === "number" ? value
+  : {inf: Infinity, "-inf": -Infinity}[value] ?? Number(value);
+
 export class ChartRow {
   constructor() {
     this.times = [];
-    this.values = [];  // of a device: { state, target }
+    this.values = [];  // of a device: { state, target }; of a symbol also texts, see numberOf()
   }
 
   clear() {
@@ -49,6 +53,21 @@ export class ChartRow {
   /// undefined before the first entry.
   at(t) { return this.values[lastNotAfter(this.times, t)]; }
 
+  /// The number at a time as line() draws it: between two samples it is on the line from one to the other. undefined before
+  /// the first entry.
+  numberAt(t, every) {
+    const index = lastNotAfter(this.times, t);
+    if (index < 0) return undefined;
+    const before = numberOf(this.values[index]);
+    const next = this.times[index + 1];
+    if (next === undefined) return before;
+    const begin = Math.max(this.times[index], next - every);
+    return t <= begin ? before : before + (numberOf(this.values[index + 1]) - before) * (t - begin) / (next - begin);
+  }
+
+  /// How many changes there are after `from` and not after `to`.
+  changesBetween(from, to) { return lastNotAfter(this.times, to) - lastNotAfter(this.times, from); }
+
   /// The nearest change after (`by` 1) or before (-1) a time, or null.
   neighbor(t, by) {
     const at = lastNotAfter(this.times, t);
@@ -58,9 +77,11 @@ export class ChartRow {
 
   /// The line of a number between `from` and `to` on `width` pixels: [x, y] with y as a number. A number is known at each whole
   /// multiple of `every` at which it changed: it holds until one `every` before the next change. Of the changes in one pixel
-  /// the first, the least, the greatest and the last remain, so that no peak is lost, however many there are.
+  /// the first, the least, the greatest and the last remain, so that no peak is lost, however many there are. With `every` 0 it
+  /// is a line of steps. A number that is not finite is a gap: [x, NaN].
   line(from, to, end, width, every) {
-    const {times, values} = this;
+    const {times} = this;
+    const number = (at) => numberOf(this.values[at]);
     const scale = width / (to - from);
     const last = Math.min(to, end);
     const points = [];
@@ -76,6 +97,11 @@ export class ChartRow {
     };
     const add = (t, number) => {
       const x = Math.max(-width, Math.floor((t - from) * scale));
+      if (!Number.isFinite(number)) {
+        close();
+        points.push([x, NaN]);
+        return;
+      }
       if (column?.x !== x) {
         close();
         column = {x, first: number, least: number, greatest: number, final: number};
@@ -86,27 +112,30 @@ export class ChartRow {
     };
     let index = Math.max(0, lastNotAfter(times, from));
     for (; index < times.length && times[index] <= last; ++index) {
-      if (index > 0 && times[index] - times[index - 1] > every) add(times[index] - every, values[index - 1]);
-      add(times[index], values[index]);
+      if (index > 0 && times[index] - times[index - 1] > every) add(times[index] - every, number(index - 1));
+      add(times[index], number(index));
     }
     if (index < times.length && index > 0 && times[index - 1] <= last) {
-      if (times[index] - every > times[index - 1]) add(Math.min(times[index] - every, last), values[index - 1]);
-      if (times[index] - every < last) add(times[index], values[index]);
+      if (times[index] - every > times[index - 1]) add(Math.min(times[index] - every, last), number(index - 1));
+      if (times[index] - every < last) add(times[index], number(index));
     } else if (index > 0) {
-      add(last, values[index - 1]);
+      add(last, number(index - 1));
     }
     close();
     return points;
   }
 
-  /// The least and the greatest number between `from` and `to`, with that at `from`; null if none is known.
+  /// The least and the greatest finite number between `from` and `to`, with that at `from`; null if none is known.
   extent(from, to) {
     const {times, values} = this;
-    let found = null;
+    let [least, greatest] = [Infinity, -Infinity];
     for (let index = Math.max(0, lastNotAfter(times, from)); index < times.length && times[index] <= to; ++index) {
-      found = found ? [Math.min(found[0], values[index]), Math.max(found[1], values[index])] : [values[index], values[index]];
+      const number = numberOf(values[index]);
+      if (!Number.isFinite(number)) continue;
+      if (number < least) least = number;
+      if (number > greatest) greatest = number;
     }
-    return found;
+    return least <= greatest ? [least, greatest] : null;
   }
 
   /// What is drawn between `from` and `to` on `width` pixels: [x begin, x end, value, dense]. Changes that are closer

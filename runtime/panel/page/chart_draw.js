@@ -1,12 +1,15 @@
 // Draws the chart on a canvas: the axis of time, a row for each symbol or device, cursors.
+import {stateWords} from "./chart_rows.js";
 import {ticks} from "./layout.js";
 import {kFont, theme} from "./theme.js";
-import {withUnit} from "./value_words.js";
-import {duration, exactInstant, value as valueText} from "./words.js";
 
-export const kRowHeight = 40;
+const kRowHeight = 40;
+const kNameHeight = 15;  // of a name above its row
 export const kAxisHeight = 26;
 const kPad = 8;
+
+/// The height of a row; `named` rows have their names above them in the picture.
+export const bandHeight = (named) => kRowHeight + (named ? kNameHeight : 0);
 
 const text = (context, words, x, y, color, align = "left") => {
   context.fillStyle = color;
@@ -60,31 +63,6 @@ const drawBool = (context, pieces, color) => {
   context.stroke();
 };
 
-const drawNumber = (context, pieces, color) => {
-  const numbers = pieces.map((piece) => Number(piece[2])).filter((number) => Number.isFinite(number));
-  const least = Math.min(...numbers);
-  const span = Math.max(...numbers) - least || 1;
-  context.strokeStyle = color.accent;
-  context.beginPath();
-  pieces.forEach(([x, until, number], i) => {
-    const y = kRowHeight - kPad - (Number(number) - least) / span * (kRowHeight - 2 * kPad);
-    if (!Number.isFinite(y)) return;
-    if (i === 0) context.moveTo(x, y);
-    else context.lineTo(x, y);
-    context.lineTo(until, y);
-  });
-  context.stroke();
-  for (const [x, until, number] of pieces) {
-    const words = String(number);
-    if (until - x > context.measureText(words).width + 8) text(context, words, x + 4, kRowHeight / 2, color.text);
-  }
-};
-
-export const stateWords = (device, {state, target}) => {
-  const name = device.states[state] ?? "?";
-  return target !== state && target >= 0 ? name + " → " + (device.states[target] ?? "?") : name;
-};
-
 const drawStates = (context, pieces, color, device) => {
   const [high, low] = [kPad, kRowHeight - kPad];
   for (const [x, until, value, dense] of pieces) {
@@ -99,25 +77,27 @@ const drawStates = (context, pieces, color, device) => {
   }
 };
 
-/// `rows`, without values: { kind, type, device, symbol, data } each. `view`: { from, to } shown, `known` { from, until } of which there is data.
-export const drawRows = (context, rows, view, known, width) => {
+/// `rows`: bits and states as describeRows() makes them. `view`: { from, to } shown, `known` { from, until } of which there is data.
+export const drawRows = (context, rows, view, known, width, named) => {
   const color = theme();
-  context.clearRect(0, 0, width, Math.max(1, rows.length) * kRowHeight);
+  const pitch = bandHeight(named);
+  context.clearRect(0, 0, width, Math.max(1, rows.length) * pitch);
   context.font = "11px " + kFont;
   const x = (t) => (t - view.from) / (view.to - view.from) * width;
   context.fillStyle = color.side;
-  if (known.from > view.from) context.fillRect(0, 0, Math.min(width, x(known.from)), rows.length * kRowHeight);
-  if (known.until < view.to) context.fillRect(Math.max(0, x(known.until)), 0, width, rows.length * kRowHeight);
+  if (known.from > view.from) context.fillRect(0, 0, Math.min(width, x(known.from)), rows.length * pitch);
+  if (known.until < view.to) context.fillRect(Math.max(0, x(known.until)), 0, width, rows.length * pitch);
   rows.forEach((row, rank) => {
     context.save();
-    context.translate(0, rank * kRowHeight);
+    context.translate(0, rank * pitch);
     context.fillStyle = color.line;
-    context.fillRect(0, kRowHeight - 1, width, 1);
+    context.fillRect(0, pitch - 1, width, 1);
+    if (named) text(context, row.name, 4, kNameHeight / 2 + 2, color.soft);
+    context.translate(0, pitch - kRowHeight);
     context.lineWidth = 1.25;
     const pieces = row.data.pieces(view.from, view.to, known.until, width);
     if (row.kind === "device") drawStates(context, pieces, color, row.device);
-    else if (row.type === "BOOL") drawBool(context, pieces, color);
-    else if (pieces.length > 0) drawNumber(context, pieces, color);
+    else drawBool(context, pieces, color);
     context.restore();
   });
 };
@@ -145,15 +125,3 @@ export const drawCursors = (context, cursors, now, view, width, height) => {
     text(context, name, x, 8, color.back, "center");
   }
 };
-
-/// The value of a row at a time, as text.
-export const valueAt = (row, t) => {
-  const found = row.data.at(t);
-  if (found === undefined) return "-";
-  if (row.kind === "value") return withUnit(found, row.value);
-  return row.kind === "device" ? stateWords(row.device, found) : valueText(found, row.symbol);
-};
-
-/// "A 1.2 s, B 3.4 s, from A to B 2.2 s"
-export const cursorText = ({A, B}) => [A === null ? "" : "A " + exactInstant(A, 6), B === null ? "" : "B " + exactInstant(B, 6),
-  A === null || B === null ? "" : "from A to B " + duration(B - A)].filter((words) => words).join(", ");

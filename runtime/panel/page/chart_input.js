@@ -3,7 +3,7 @@
 const kClick = 4;  // pixels: a shorter drag is a click
 
 export const kChartKeys = [["+ and -", "zoom in and out"], ["← and →", "earlier and later"], ["Shift + ← and →", "move the cursor to the change before or after"],
-  ["a and b", "put cursor A or B into the middle"], ["c", "remove the cursors"], ["f", "follow the plant"], ["Home", "show everything that is known"]];
+  ["a and b", "put cursor A or B into the middle"], ["c", "remove the cursors"], ["f", "follow the plant"], ["y", "axes from min to max, or what is in view"], ["Home", "show everything that is known"]];
 
 /// `chart` is the ChartView: zoom, pan, setCursor, stepCursor, follow, showAll.
 export const listenToChart = (element, chart) => {
@@ -45,6 +45,7 @@ export const listenToChart = (element, chart) => {
     else if (event.key === "a" || event.key === "b") chart.setCursor(event.key.toUpperCase(), middle());
     else if (event.key === "c") chart.clearCursors();
     else if (event.key === "f") chart.follow(true);
+    else if (event.key === "y") chart.model.showWhole(!chart.model.whole);
     else if (event.key === "Home") chart.showAll();
     else return;
     event.preventDefault();

@@ -1,5 +1,6 @@
 // The chosen rows of the chart and their changes, which it asks of the plant.
 import {ChartRow} from "./chart_data.js";
+import {isCurve} from "./chart_rows.js";
 
 export const kMostRows = 32;
 const kKept = 600e9;   // plant time that the page keeps
@@ -11,6 +12,7 @@ export class ChartModel {
     Object.assign(this, {app, rows: [], next: null, nextValue: 0, from: 0, until: 0, wrong: "", busy: false, stale: true, last: 0});
     this.listeners = new Set();
     this.key = "symplant chart " + app.plant.plant;
+    this.whole = sessionStorage.getItem(this.key + " whole") === "1";
     this.load();
   }
 
@@ -32,6 +34,13 @@ export class ChartModel {
 
   save() {
     sessionStorage.setItem(this.key, JSON.stringify(this.rows.map(({kind, index}) => [kind, this.app.names.name(kind, index)])));
+  }
+
+  /// `whole`: the axes of numbers show `min` to `max` of the values that have them, else what is in view.
+  showWhole(whole) {
+    this.whole = whole;
+    sessionStorage.setItem(this.key + " whole", whole ? "1" : "0");
+    this.publish("axes");
   }
 
   /// Not a value that no trace shows.
@@ -100,8 +109,8 @@ export class ChartModel {
 
   moveUp(row) {
     const at = this.rows.indexOf(row);
-    const isValue = row.kind === "value";  // values have their own plot
-    const above = this.rows.slice(0, Math.max(0, at)).findLastIndex(({kind}) => (kind === "value") === isValue);
+    const isLine = ({kind, index}) => isCurve(this.app.plant, kind, index);  // lines have their own plot
+    const above = this.rows.slice(0, Math.max(0, at)).findLastIndex((other) => isLine(other) === isLine(row));
     if (above < 0) return;
     this.rows = this.rows.with(at, this.rows[above]).with(above, row);
     this.next = null;  // answers come in the order of the rows

@@ -23,7 +23,7 @@ const legend = () => make("details", {class: "legend"}, make("summary", {}, "Leg
   make("ul", {}, STATUSES.map(({key, letter, text}) =>
     make("li", {}, make("span", {class: "letter s-" + key, "aria-hidden": "true"}, letter), " ", text))),
   make("p", {class: "soft"}, "▸ an operation that is on, ■ □ events that are on and off, F a forced symbol. On a track: ▼ sensors, ",
-    "bars across the belt are stops, filled if they hold; triangles below are transfers."));
+    "bars across the belt are stops, filled if they hold; triangles below are transfers; circles below are drives, filled while they run."));
 
 export class LineView {
   constructor(app) {
@@ -84,7 +84,7 @@ export class LineView {
     const name = this.nameOf(group);
     const grid = new TileGrid(this.app, group.devices, "Devices of " + name, this.app.main);
     grid.frame = make("section", {class: "frame", "aria-label": "Station " + name},
-      make("h2", {}, link ? make("a", {href: stationAddress(name)}, name) : name), grid.element);
+      make("h2", {tabindex: link ? null : -1}, link ? make("a", {href: stationAddress(name)}, name) : name), grid.element);
     if (link) grid.frame.style.width = frameWidth(group.devices.map((device) => this.app.plant.devices[device].view)) + "px";
     else grid.frame.classList.add("whole");
     return grid;

@@ -4,6 +4,8 @@ import {make, select, setText, table} from "./dom.js";
 import {locationLink} from "./links_to.js";
 import {symbolItem} from "./device_details.js";
 import {operates} from "./rights.js";
+import {driveText} from "./drive_words.js";
+import {kindChip} from "./kinds.js";
 import {length, speed} from "./words.js";
 
 const kMostRows = 100;
@@ -26,8 +28,10 @@ const partRow = (app, location, rank, hand, number) => {
     hand.button("Take", () => ({take: where()}), {class: "small", "aria-label": "Take part " + number}), " ",
     hand.button("Change", () => hand.change(where()), {class: "small", "aria-label": "Change the kind of part " + number}))) : null;
   const element = make("tr", {}, make("th", {scope: "row"}, String(number)), cells, acts);
+  let shownKind = null;
   return {element, update: ([, kind, x, v]) => {
-    setText(cells[0], app.plant.part_kinds[kind].name);
+    if (shownKind !== kind) cells[0].replaceChildren(kindChip(app.plant.part_kinds, kind));
+    shownKind = kind;
     if (!isTrack) return;
     setText(cells[1], length(x));
     if (isExact) setText(cells[2], speed(v));
@@ -76,6 +80,14 @@ const handOn = (app, location, result) => {
   return {controls, change, button};
 };
 
+/// The drives of a track with their speeds. A recording does not know them.
+const fillDrives = (pane, {kind, drives}, rank) => {
+  const {store, plant} = pane.app;
+  if (kind !== "track" || plant.mode === "recording") return;
+  pane.section("Drives", make("ul", {class: "plain"}, drives.map(({from, until}, drive) => make("li", {}, length(from) + " to " + length(until) + ": ",
+    pane.live(() => driveText(store.tracks[rank]?.drives[drive] ?? 0), "strong")))));
+};
+
 export const fillLocation = (pane, index) => {
   const {app} = pane;
   const {plant, store} = app;
@@ -89,6 +101,7 @@ export const fillLocation = (pane, index) => {
     pane.section("Sensors", make("ul", {class: "plain"}, location.sensors.map(({symbol, at}) =>
       symbolItem(pane, symbol, at === undefined ? "" : "at " + length(at), result))));
   }
+  fillDrives(pane, location, store.rankOfLocation[index]);
   const ends = (location.ends ?? []).map(({to}) => make("li", {}, "the end leads ", to === null ? "out" : ["to ", locationLink(app, to)]));
   const target = (to) => to.location === null ? "out" : locationLink(app, to.location);
   const transfers = plant.transfers.filter(({from, to}) => from.location === index || to.location === index)

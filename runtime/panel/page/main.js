@@ -2,6 +2,7 @@
 import {perform, refreshActs} from "./acts.js";
 import {Announcer} from "./announce.js";
 import {Api} from "./api.js";
+import {Band} from "./band.js";
 import {ChartModel} from "./chart_model.js";
 import {ControlBar} from "./control.js";
 import {Details} from "./details.js";
@@ -75,8 +76,16 @@ const makeApp = (api, plant, rights) => {
   return app;
 };
 
-/// Where a found station, device, symbol ... is shown.
-const choose = (app, {kind, name}) => kind === "station" ? app.router.view("line", {station: name}) : app.router.select(kind, name);
+/// Shows a found station, device, symbol ..., and gives it the focus: so keys of one letter act again.
+const choose = (app, {kind, name}) => {
+  const before = location.hash;
+  const isStation = kind === "station";
+  if (isStation) app.router.view("line", {station: name});
+  else app.router.select(kind, name);
+  const focus = () => document.querySelector(isStation ? "#main .frame h2" : "#details h2")?.focus();
+  if (location.hash === before) focus();
+  else addEventListener("hashchange", focus, {once: true});
+};
 
 const makeKeys = (app, bar, search, views) => new Shortcuts([
   ["/", "search", () => search.input.focus()],
@@ -120,7 +129,7 @@ const animate = (app, bar, parts, views) => {
   });
 };
 
-const connect = (app, plant, bar) => {
+const connect = (app, plant, bar, band) => {
   if (app.player) return app.player.seek(plant.begin);
   app.api.stale = () => Notice.reload(kRestarted);
   const receive = (event, text) => {
@@ -134,6 +143,7 @@ const connect = (app, plant, bar) => {
     if (app.lost !== (state === "lost")) {
       app.lost = state === "lost";
       bar.update();
+      band.update();
       refreshActs(app);
     }
     notice.show("lost", state === "open" ? "" : text + "; the page shows the state of then and tries again");
@@ -158,8 +168,10 @@ const start = async () => {
   const scenario = new ScenarioLine(app);
   const strip = new ExerciseStrip(app);
   byId("bar").append(bar.element, scenario.element, strip.element);
+  const band = new Band(app, bar.result);
+  if (!app.player) byId("band").append(band.element);
   const announcer = new Announcer(app, byId("footer"), byId("live"));
-  app.receive = makeReceiver(app, [bar, scenario, strip, views, details, announcer]);
+  app.receive = makeReceiver(app, [bar, band, scenario, strip, views, details, announcer]);
   app.routed = (route) => {
     views.show(route);
     details.show(app.router.selection());
@@ -169,7 +181,7 @@ const start = async () => {
   byId("skip").addEventListener("click", () => app.main.focus());
   app.router.read();
   animate(app, bar, [details, strip, views], views);
-  connect(app, plant, bar);
+  connect(app, plant, bar, band);
   globalThis.symplant = app;  // for tests and the console
 };
 

@@ -1,5 +1,6 @@
 // Tracks and places, as a part of the line view. Only those that can be seen are drawn.
 import {make} from "./dom.js";
+import {kindLegend} from "./kinds.js";
 import {Place} from "./place.js";
 import {onTheme} from "./theme.js";
 import {Track} from "./track.js";
@@ -18,7 +19,7 @@ export class Material {
     this.ofLocation = new Map(this.items.map((item) => [item.index, item]));
     this.seen = new Set();
     const of = (kind) => this.items.filter(({location}) => location.kind === kind).map(({element}) => element);
-    this.element = make("section", {"aria-label": "Tracks and places", class: "material"},
+    this.element = make("section", {"aria-label": "Tracks and places", class: "material"}, kindLegend(plant),
       make("div", {class: "tracks"}, of("track")), make("div", {class: "places"}, of("place")));
     this.observer = new IntersectionObserver((entries) => this.observed(entries), {rootMargin: "80px"});
     for (const item of this.items) this.observer.observe(item.element);

@@ -1,5 +1,6 @@
 // A place in the line view: slots with the kinds of the parts in it, its sensors and its transfers.
 import {make, setText} from "./dom.js";
+import {showKind} from "./kinds.js";
 import {linkTo} from "./links_to.js";
 import {isOn} from "./words.js";
 
@@ -43,8 +44,7 @@ export class Place {
     const {store, plant} = this.app;
     const parts = store.places[this.rank] ?? [];
     this.slots.forEach((slot, i) => {
-      setText(slot, parts[i] ? plant.part_kinds[parts[i][1]].name : "");
-      slot.classList.toggle("full", Boolean(parts[i]));
+      showKind(slot, plant.part_kinds, parts[i] ? parts[i][1] : null);
     });
     setText(this.text, parts.length === 0 ? "empty, holds " + this.location.holds
       : parts.length + " of " + this.location.holds + ": " + countsByKind(parts, plant.part_kinds));

@@ -11,6 +11,7 @@ export const makeSearch = (app, {label, accepts = () => true, choose}) => {
   const id = "search" + ++fields;
   let found = [];
   let active = -1;
+  let before = null;  // what had the focus
   const list = make("ul", {id, class: "found", role: "listbox", "aria-label": label + ": found", hidden: true});
   const input = make("input", {type: "search", role: "combobox", "aria-expanded": "false", "aria-controls": id, "aria-autocomplete": "list",
     "aria-label": label, placeholder: label, autocomplete: "off", spellcheck: "false"});
@@ -44,7 +45,17 @@ export const makeSearch = (app, {label, accepts = () => true, choose}) => {
     active = -1;
   };
   input.addEventListener("input", show);
-  input.addEventListener("focus", () => { if (input.value) show(); });
+  /// Back to what had the focus, so that keys of one letter act again.
+  const leave = () => {
+    input.value = "";
+    close();
+    if (before?.isConnected && before !== document.body) before.focus();
+    else app.main.focus();
+  };
+  input.addEventListener("focus", ({relatedTarget}) => {
+    before = relatedTarget;
+    if (input.value) show();
+  });
   input.addEventListener("blur", close);
   input.addEventListener("keydown", (event) => {
     if (event.key === "ArrowDown" || event.key === "ArrowUp") {
@@ -52,9 +63,9 @@ export const makeSearch = (app, {label, accepts = () => true, choose}) => {
       if (found.length > 0) mark((active + (event.key === "ArrowDown" ? 1 : found.length - 1) + (active < 0 && event.key === "ArrowUp" ? 1 : 0)) % found.length);
     } else if (event.key === "Enter") {
       take(Math.max(0, active));
-    } else if (event.key === "Escape" && !list.hidden) {
+    } else if (event.key === "Escape") {
       event.stopPropagation();
-      close();
+      leave();
     }
   });
   const element = make("div", {class: "search"}, input, list);

@@ -1,7 +1,11 @@
 // Colors of the style sheet, for what is drawn on a canvas.
 
-const kNames = ["back", "side", "text", "soft", "line", "accent", "belt", "part", "ink", "on", "stop", "moving", "finding", "blocked",
-  "hatch", "mark", "transfer", "trend0", "trend1", "trend2", "trend3", "trend4", "trend5"];
+const kNames = ["back", "side", "text", "soft", "line", "accent", "belt", "ink", "on", "stop", "moving", "finding", "blocked",
+  "hatch", "mark", "transfer", "trend0", "trend1", "trend2", "trend3", "trend4", "trend5",
+  "kind0", "kind1", "kind2", "kind3", "kind4", "kind5", "kind6", "kind7", "on-kind"];
+
+/// `matches`: nothing moves that is only decoration.
+export const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
 let colors = null;
 const listeners = new Set();
@@ -28,9 +32,8 @@ export const onTheme = (listener) => {
 
 export const kFont = 'system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif';
 
-/// Fits a canvas to a size in CSS pixels, and returns its context, scaled for the screen. Setting a size clears it.
-export const fitCanvas = (canvas, width, height) => {
-  const ratio = window.devicePixelRatio || 1;
+/// Fits a canvas to a size in CSS pixels, and returns its context, scaled for the screen (`ratio` pixels for a CSS pixel). Setting a size clears it.
+export const fitCanvas = (canvas, width, height, ratio = window.devicePixelRatio || 1) => {
   const wide = Math.round(width * ratio);
   const high = Math.round(height * ratio);
   if (canvas.width !== wide || canvas.height !== high) {

@@ -1,10 +1,11 @@
 // A track in the line view: a strip to scale, on which parts move.
 import {make, setAttribute, setText} from "./dom.js";
+import {drivesText, driveText} from "./drive_words.js";
 import {placeNames} from "./layout.js";
 import {linkTo} from "./links_to.js";
 import {SYMBOL} from "./store.js";
-import {fitCanvas} from "./theme.js";
-import {drawBelt, drawMarks, drawParts, kCompact, kFull, measureNames, sensorAt, xOf} from "./track_draw.js";
+import {fitCanvas, reducedMotion} from "./theme.js";
+import {drawBelt, drawMarks, drawMotors, drawParts, kCompact, kFull, measureNames, sensorAt, xOf} from "./track_draw.js";
 import {count, isOn} from "./words.js";
 
 /// What a sensor is called on its track: without the levels that it shares with the others.
@@ -20,7 +21,7 @@ export class Track {
   constructor(app, index, compact) {
     const {plant, store} = app;
     Object.assign(this, {app, index, rank: store.rankOfLocation[index], location: plant.locations[index], width: 0,
-      form: compact ? kCompact : kFull, marksDirty: true, partsDirty: true});
+      form: compact ? kCompact : kFull, hasMotors: plant.mode !== "recording", marksDirty: true, partsDirty: true});
     const names = shortNames(this.location.sensors.map(({symbol}) => plant.symbols[symbol].name));
     this.sensors = this.location.sensors.map(({symbol, at}, i) => ({symbol, at, text: names[i]}));
     this.transfers = plant.transfers.flatMap(({from, to}) => [
@@ -31,8 +32,9 @@ export class Track {
     this.strip = make("div", {class: "strip"}, this.canvas);
     this.still = document.createElement("canvas");
     this.parts = make("span", {class: "soft"});
+    this.drives = make("span", {class: "drive"});
     this.element = make("section", {class: compact ? "track compact" : "track", "data-location": this.location.name},
-      make("div", {class: "row track-head"}, linkTo("location", this.location.name), this.parts, this.ends()), this.strip);
+      make("div", {class: "row track-head"}, linkTo("location", this.location.name), this.parts, this.drives, this.ends()), this.strip);
     this.size = new ResizeObserver(() => this.resize());
     this.size.observe(this.strip);
   }
@@ -90,7 +92,17 @@ export class Track {
 
   isMoving() {
     const track = this.app.store.tracks[this.rank];
-    return Boolean(track) && (track.parts.some((part) => part[3] !== 0) || track.drives.some((speed) => speed !== 0));
+    return Boolean(track) && (track.parts.some((part) => part[3] !== 0) || !reducedMotion.matches && track.drives.some((speed) => speed !== 0));
+  }
+
+  /// After a change of the track. A recording does not know its drives.
+  writeTexts({parts, drives}) {
+    setText(this.parts, count(parts.length, "part"));
+    if (this.hasMotors) {
+      setText(this.drives, drivesText(drives, this.form === kCompact));
+      setAttribute(this.drives, "title", drives.map(driveText).join("; "));
+    }
+    this.drives.classList.toggle("runs", drives.some((speed) => speed !== 0));
   }
 
   /// Returns whether parts move on.
@@ -104,11 +116,14 @@ export class Track {
       drawMarks(this.context, this.still, this.location, this.width, this.form,
         this.sensors.map((sensor) => ({...sensor, ...this.sensorState(sensor)})));
     }
+    if (this.partsDirty && track) this.writeTexts(track);
     if (moving || this.partsDirty) {
       this.partsDirty = false;
-      setText(this.parts, count(track?.parts.length ?? 0, "part"));
+      const speeds = track?.drives ?? [];
+      const seconds = reducedMotion.matches ? 0 : now / 1e9;
+      if (this.hasMotors) drawMotors(this.context, this.still, this.location, this.width, this.form, speeds, seconds);
       drawParts(this.context, this.still, this.location, this.width, this.form, {parts: store.partsOn(this.rank, now), kinds: plant.part_kinds,
-        speeds: track?.drives ?? [], stops: track?.stops ?? [], seconds: now / 1e9});
+        speeds, stops: track?.stops ?? [], seconds});
     }
     return moving;
   }

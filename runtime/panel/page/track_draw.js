@@ -1,20 +1,22 @@
 // Draws a track on a canvas: the belt to scale, its parts, sensors, stops and transfers.
+import {kindColor} from "./kinds.js";
 import {ticks} from "./layout.js";
 import {kFont, theme} from "./theme.js";
 import {length as lengthText} from "./words.js";
 
 const kSide = 14;
 const kBeltHeight = 22;
+const kMotorBand = 11;      // pixels below the belt, for its motors
+const kMotorRadius = 4.5;
+const kRollRadius = 60000;  // um, of a roller: what a motor drives turns as fast as it would
+const kMostTurn = 8;        // radians per second, so that the eye sees the direction
 
 /// A strip with the names of sensors and a scale, and a low one without: its height, the top of its belt, the line of names.
 export const kFull = {height: 86, belt: 34, names: 11};
-export const kCompact = {height: 48, belt: 15, names: null};
+export const kCompact = {height: 50, belt: 15, names: null};
 
 export const scaleOf = (track, width) => (width - 2 * kSide) / track.length;
 export const xOf = (track, width, position) => kSide + position * scaleOf(track, width);
-
-/// Colors of kinds of parts; the text on a part says its kind, too.
-const kindColor = (kind) => "hsl(" + (kind * 67 + 32) % 360 + " 60% 72%)";
 
 const write = (context, text, x, y, color, align = "center", size = 11) => {
   context.font = size + "px " + kFont;
@@ -101,6 +103,42 @@ const drawDrives = (context, track, width, {belt}, speeds, shift) => {
   context.lineWidth = 1;
 };
 
+const drawMotor = (context, x, y, speed, seconds) => {
+  const color = theme();
+  context.beginPath();
+  context.arc(x, y, kMotorRadius, 0, 2 * Math.PI);
+  context.fillStyle = speed === 0 ? color.back : color.moving;
+  context.strokeStyle = speed === 0 ? color.soft : color.moving;
+  context.fill();
+  context.stroke();
+  if (speed === 0) return;
+  const angle = seconds * Math.max(-kMostTurn, Math.min(kMostTurn, speed / kRollRadius)) % (2 * Math.PI);
+  const [dx, dy] = [Math.cos(angle) * kMotorRadius, Math.sin(angle) * kMotorRadius];
+  context.strokeStyle = color.back;
+  context.beginPath();
+  context.moveTo(x - dx, y - dy);
+  context.lineTo(x + dx, y + dy);
+  context.stroke();
+  const side = Math.sign(speed);
+  context.fillStyle = color.moving;
+  context.beginPath();
+  context.moveTo(x + side * (kMotorRadius + 8), y);
+  context.lineTo(x + side * (kMotorRadius + 2), y - 4);
+  context.lineTo(x + side * (kMotorRadius + 2), y + 4);
+  context.fill();
+};
+
+/// The motor of each drive below the belt: filled and turning while it runs, with an arrow. `seconds` is plant time.
+export const drawMotors = (context, still, track, width, {belt}, speeds, seconds) => {
+  const ratio = still.width / width;
+  const top = belt + kBeltHeight + 1;
+  context.clearRect(0, top, width, kMotorBand);
+  context.drawImage(still, 0, top * ratio, still.width, kMotorBand * ratio, 0, top, width, kMotorBand);
+  context.lineWidth = 1.5;
+  track.drives.forEach(({from}, drive) => drawMotor(context, xOf(track, width, from) + 16, top + kMotorBand / 2, speeds[drive] ?? 0, seconds));
+  context.lineWidth = 1;
+};
+
 /// Stops are bars across the belt, filled while they hold.
 const drawStops = (context, track, width, {belt}, stops) => {
   const color = theme();
@@ -127,12 +165,12 @@ export const drawParts = (context, still, track, width, form, {parts, kinds, spe
   for (const [number, kind, x] of parts) {
     const long = Math.max(3, kinds[kind].length * scale);
     const left = kSide + x * scale - long;
-    context.fillStyle = kindColor(kind);
+    context.fillStyle = color[kindColor(kind)];
     context.fillRect(left, belt + 3, long, kBeltHeight - 6);
     context.strokeRect(left + .5, belt + 3.5, long - 1, kBeltHeight - 7);
     context.font = "11px " + kFont;
     const text = cut(context, kinds[kind].name, long - 4) || cut(context, String(number), long - 2);
-    if (text.length > 1 || long < 30) write(context, text, left + long / 2, belt + kBeltHeight / 2, "#1b1f24");
+    if (text.length > 1 || long < 30) write(context, text, left + long / 2, belt + kBeltHeight / 2, color["on-kind"]);
   }
   drawStops(context, track, width, form, stops);
 };

@@ -1,48 +1,67 @@
-// Draws the values of the chart: their lines over one axis of time, with an axis of numbers for each unit.
+// Draws the curves of the chart: their lines over one axis of time, with an axis of numbers for each unit.
 import {kFont, theme} from "./theme.js";
-import {lineStyle} from "./trend_axes.js";
-import {numberText} from "./value_words.js";
+import {axisTexts, lineStyle} from "./trend_axes.js";
 
-export const kTrendHeight = 260;
 export const kAxisWidth = 58;  // of an axis of numbers
-const kPad = 10;
+const kTop = 28;     // above the plot: the unit, and the lines to which the axis belongs
+const kBottom = 10;
+const kSample = 13;  // pixels of a line in the head of its axis
+const kMostSamples = 4;
 
-const yOf = (axis, height) => (number) => kPad + (axis.to - number) / (axis.to - axis.from) * (height - 2 * kPad);
+const yOf = (axis, height) => (number) => kTop + (axis.to - number) / (axis.to - axis.from) * (height - kTop - kBottom);
 
-/// The numbers of a tick, as exact as the distance of two ticks needs.
-const tickText = (number, {ticks: all}) => {
-  const step = all.length > 1 ? all[1] - all[0] : 1;
-  const digits = Math.max(0, Math.min(9, -Math.floor(Math.log10(step) + 1e-9)));
-  return Math.abs(number) >= 1e6 ? numberText(number) : number.toFixed(digits);
+/// A piece of a line in its color and dashes, for axes and legends.
+export const drawSample = (context, rank, x, y, width) => {
+  const style = lineStyle(rank);
+  context.strokeStyle = theme()[style.color];
+  context.lineWidth = 2;
+  context.setLineDash(style.dash);
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(x + width, y);
+  context.stroke();
+  context.setLineDash([]);
+};
+
+const drawAxis = (context, axis, right, height) => {
+  const color = theme();
+  const y = yOf(axis, height);
+  const {head, texts} = axisTexts(axis);
+  context.fillStyle = color.soft;
+  context.fillRect(right, kTop - 4, 1, height - kTop + 4);
+  context.textAlign = "right";
+  context.font = "11px " + kFont;
+  axis.ticks.forEach((tick, i) => {
+    context.fillRect(right - 4, Math.round(y(tick)), 4, 1);
+    context.fillText(texts[i], right - 7, y(tick), kAxisWidth - 10);
+  });
+  context.fillStyle = color.text;
+  context.font = "bold 11px " + kFont;
+  context.fillText(head, right, 8, kAxisWidth - 6);
+  axis.rows.slice(0, kMostSamples).forEach(({rank}, i) => drawSample(context, rank, right - (i + 1) * (kSample + 1), 19, kSample - 2));
 };
 
 /// The axes next to the plot, the first one at the right, next to the lines.
 export const drawAxes = (context, axes, height) => {
-  const color = theme();
   const width = axes.length * kAxisWidth;
   context.clearRect(0, 0, width, height);
-  context.font = "11px " + kFont;
   context.textBaseline = "middle";
-  axes.forEach((axis, i) => {
-    const right = width - i * kAxisWidth - 1;
-    const y = yOf(axis, height);
-    context.fillStyle = color.line;
-    context.fillRect(right, 0, 1, height);
-    for (const tick of axis.ticks) {
-      context.fillStyle = color.soft;
-      context.fillRect(right - 4, Math.round(y(tick)), 4, 1);
-      context.textAlign = "right";
-      // The unit is above the numbers.
-      if (y(tick) > 24 && y(tick) < height - 6) context.fillText(tickText(tick, axis), right - 7, y(tick), kAxisWidth - 10);
-    }
-    context.fillStyle = color.text;
-    context.font = "bold 11px " + kFont;
-    context.fillText(axis.unit || "-", right - 7, 9, kAxisWidth - 10);
-    context.font = "11px " + kFont;
-  });
+  axes.forEach((axis, i) => drawAxis(context, axis, width - i * kAxisWidth - 1, height));
 };
 
-/// The lines of the values. `known` { from, until } is of what there is data.
+const drawLine = (context, points, y) => {
+  let joined = false;
+  context.beginPath();
+  for (const [at, number] of points) {
+    if (Number.isNaN(number)) joined = false;
+    else if (joined) context.lineTo(at, y(number));
+    else context.moveTo(at, y(number));
+    joined = !Number.isNaN(number);
+  }
+  context.stroke();
+};
+
+/// The lines of the curves. `known` { from, until } is of what there is data.
 export const drawTrends = (context, axes, view, known, width, height) => {
   const color = theme();
   context.clearRect(0, 0, width, height);
@@ -61,12 +80,7 @@ export const drawTrends = (context, axes, view, known, width, height) => {
       const style = lineStyle(row.rank);
       context.strokeStyle = color[style.color];
       context.setLineDash(style.dash);
-      context.beginPath();
-      row.data.line(view.from, view.to, known.until, width, row.value.trace).forEach(([at, number], i) => {
-        if (i === 0) context.moveTo(at, y(number));
-        else context.lineTo(at, y(number));
-      });
-      context.stroke();
+      drawLine(context, row.data.line(view.from, view.to, known.until, width, row.every), y);
     }
   }
   context.setLineDash([]);

@@ -31,10 +31,11 @@ const valueLine = ([kind], value, id) => {
   return "b" + binary(value) + " " + id;
 };
 
-/// `rows`: { name, type, times, values } each; type is BOOL, REAL, LREAL, another one of integers, or "state" for texts.
+/// `rows`: { name, unit, type, times, values } each; type is BOOL, REAL, LREAL, another one of integers, or "state" for texts.
 export const writeVcd = (plant, rows) => {
   const types = rows.map(({type}) => type === "state" ? ["string", 1] : kTypes[type] ?? ["integer", 64]);
   const lines = ["$timescale 1 ns $end", "$scope module " + vcdName(plant) + " $end",
+    ...rows.filter(({unit}) => unit).map(({name, unit}) => "$comment " + vcdName(name) + " is in " + vcdText(unit) + " $end"),
     ...rows.map(({name}, i) => "$var " + types[i].join(" ") + " " + identifier(i) + " " + vcdName(name) + " $end"),
     "$upscope $end", "$enddefinitions $end"];
   const changes = rows.flatMap(({times, values}, row) => times.map((t, i) => [t, row, values[i]]));

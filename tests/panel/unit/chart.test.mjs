@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 import {ChartRow} from "../../../runtime/panel/page/chart_data.js";
 import {writeCsv} from "../../../runtime/panel/page/chart_csv.js";
-import {axesOf, lineStyle} from "../../../runtime/panel/page/trend_axes.js";
+import {axesOf} from "../../../runtime/panel/page/trend_axes.js";
 import {identifier, vcdName, vcdText, writeVcd} from "../../../runtime/panel/page/vcd.js";
 
 const rowOf = (...entries) => {
@@ -110,7 +110,7 @@ test("The extent of a number in the view has the value at its beginning", () => 
 });
 
 test("Values of one unit share an axis, and each axis shows what is in view", () => {
-  const value = (rank, unit, ...entries) => ({rank, value: {unit}, data: rowOf(...entries)});
+  const value = (rank, unit, ...entries) => ({rank, unit, symbol: null, least: null, most: null, data: rowOf(...entries)});
   const axes = axesOf([value(0, "l", [0, 10], [50, 30]), value(1, "degC", [0, 200]), value(2, "l", [0, -10], [90, 500])], {from: 0, to: 60}, 100);
   assert.deepEqual(axes.map(({unit, rows}) => [unit, rows.map(({rank}) => rank)]), [["l", [0, 2]], ["degC", [1]]]);
   assert.deepEqual([axes[0].from, axes[0].to], [-12, 32]);
@@ -119,13 +119,8 @@ test("Values of one unit share an axis, and each axis shows what is in view", ()
 });
 
 test("An axis without data is from 0 to 1", () => {
-  const [axis] = axesOf([{rank: 0, value: {unit: ""}, data: rowOf()}], {from: 0, to: 60}, 0);
+  const [axis] = axesOf([{rank: 0, unit: "", symbol: null, least: null, most: null, data: rowOf()}], {from: 0, to: 60}, 0);
   assert.ok(axis.from < 0.01 && axis.to > 0.99);
-});
-
-test("Lines of one color differ in their dashes", () => {
-  const styles = Array.from({length: 24}, (_, rank) => JSON.stringify(lineStyle(rank)));
-  assert.equal(new Set(styles).size, 24);
 });
 
 test("CSV has a line for each time of a change, with what all rows are then", () => {

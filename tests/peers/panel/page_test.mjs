@@ -6,6 +6,7 @@
 import assert from "node:assert/strict";
 import {startServer} from "../../panel/mock/server.mjs";
 import {Browser, until} from "./browser.mjs";
+import {kEveryday} from "./everyday_cases.mjs";
 import {kCases} from "./page_cases.mjs";
 
 const [playwright, axe] = process.argv.slice(2);
@@ -268,7 +269,7 @@ const kTests = [
   }],
 ];
 
-for (const [what, name, check] of kCases) kTests.push([what, () => withServer({name}, async (page, server) => {
+for (const [what, name, check] of [...kCases, ...kEveryday]) kTests.push([what, () => withServer({name}, async (page, server) => {
   const setWidth = (width) => page.setViewportSize({width, height: 700});
   await page.emulateMedia({colorScheme: "light", reducedMotion: "reduce"});
   await setWidth(1280);

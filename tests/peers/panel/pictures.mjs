@@ -47,13 +47,28 @@ const withPlant = async (args, use) => {
 await withPlant(["run", "examples/body-shop/plant.json", "--scenario", "examples/body-shop/cycle.json"], async () => {
   await time(5);
   await picture("line");
-  await page.evaluate(() => symplant.chart.addDevice(symplant.names.index("device", "BODY_UNDER10_CLAMP1")));
-  await page.evaluate(() => symplant.chart.addDevice(symplant.names.index("device", "BODY_UNDER10_ROBOT1")));
-  await time(9);
+});
+await withPlant(["run", "examples/oven/plant.json"], async () => {
+  await page.setViewportSize({width: 1120, height: 840});
+  await act({set: {HEAT_O1_HEATER_O_POWER: 27648}}, {speed: 50});
+  await page.evaluate(() => {
+    const rows = {value: ["oven.temp", "oven.probe"], symbol: ["HEAT_O1_HEATER_O_POWER", "HEAT_O1_LIMITER_I_HOT"], device: ["HEAT_O1_DOOR"]};
+    for (const [kind, names] of Object.entries(rows)) for (const name of names) symplant.chart.add(kind, symplant.names.index(kind, name));
+    symplant.chart.showTime();
+  });
+  await time(100);
+  await act({state: {HEAT_O1_DOOR: "OPEN"}});
+  await time(130);
+  await act({state: {HEAT_O1_DOOR: "NOT_OPEN"}});
+  await time(240);
+  await act({freeze: true});
+  await page.waitForTimeout(700);
+  await page.getByRole("button", {name: "All", exact: true}).click();
   await page.getByRole("application").click({position: {x: 160, y: 60}});
-  await page.getByRole("application").click({position: {x: 300, y: 60}, modifiers: ["Shift"]});
+  await page.getByRole("application").click({position: {x: 330, y: 60}, modifiers: ["Shift"]});
   await page.waitForTimeout(700);
   await picture("chart");
+  await page.setViewportSize({width: 1120, height: 700});
 });
 await withPlant(["run", "examples/body-shop/plant.json", "--exercise", kExercise], async () => {
   await act({state: {BODY_UNDER10_AIR: "NOT_GOOD"}}, {set: {BODY_UNDER10_CLAMP1_O_CLOSE: true}});
