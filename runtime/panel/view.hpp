@@ -25,7 +25,7 @@ struct SymbolView {
 /// One of `alarms` of the description.
 struct AlarmView {
   std::uint32_t symbol = tables::kNone;  ///< an operation, or kNone
-  std::uint32_t value = tables::kNone;   ///< then a value, by its number in the tables: any of its outputs
+  std::uint32_t value = tables::kNone;   ///< then an output of a value
 };
 
 /// What names and the description give. Without a layout, stations follow from the devices' paths.

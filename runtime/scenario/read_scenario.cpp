@@ -7,12 +7,16 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "symplant/json/document.hpp"
 #include "symplant/json/schema.hpp"
 #include "symplant/scenario/step_reader.hpp"
+#include "symplant/tables/nearest.hpp"
+#include "symplant/tables/pattern.hpp"
 
 namespace symplant::scenario {
 namespace {
@@ -46,7 +50,7 @@ constexpr std::size_t kDeepestRepeats = 8;
 class FileReader {
  public:
   FileReader(const trace::PlantNames& names, const std::vector<bool>& carried, const OpenFile& open)
-      : reader_(names, carried), open_(open) {
+      : names_(names), reader_(names, carried), open_(open) {
     scenario_.files.emplace_back();
   }
 
@@ -123,9 +127,38 @@ class FileReader {
     }
     if (const auto allow = value.find("allow"); allow != value.end()) {
       exercise.allow = allow->get<std::vector<std::string>>();
+      check_allowed(*exercise.allow);
     }
     exercise.shows_score = value.value("show_score", false);
     scenario_.exercise = std::move(exercise);
+  }
+
+  /// The names of all that a trainee could operate.
+  std::vector<std::string> operable_names() const {
+    const tables::PlantTables& tables = names_.tables();
+    std::vector<std::string> all;
+    for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) all.emplace_back(names_.symbol(i));
+    for (std::uint32_t i = 0; i < tables.units.size(); ++i) all.emplace_back(names_.unit(i));
+    for (std::uint32_t i = 0; i < tables.values.outputs; ++i) all.push_back(names_.output(i));
+    for (std::uint32_t i = 0; i < tables.material.locations(); ++i) all.emplace_back(names_.location(i));
+    return all;
+  }
+
+  /// A name or pattern of `allow` that matches nothing is a mistake.
+  void check_allowed(const std::vector<std::string>& patterns) {
+    const std::vector<std::string> names = operable_names();
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+      const std::string& pattern = patterns[i];
+      tables::NearestName nearest(pattern);
+      const bool any = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        nearest.offer(name);
+        return tables::matches_pattern(name, pattern);
+      });
+      if (any) continue;
+      std::string message = "`" + pattern + "` matches no symbol, device, value, track or place";
+      if (!nearest.name().empty()) message += "; did you mean `" + std::string(nearest.name()) + "`?";
+      add(json::child("/exercise/allow", i), std::move(message));
+    }
   }
 
   void read_restore(const Json& step, const std::string& pointer) {
@@ -230,6 +263,7 @@ class FileReader {
     }
   }
 
+  const trace::PlantNames& names_;
   StepReader reader_;
   const OpenFile& open_;
   Scenario scenario_;

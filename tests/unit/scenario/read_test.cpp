@@ -51,6 +51,17 @@ TEST_CASE("Unknown keys and wrong shapes are reported at their locations, and th
   CHECK(contains(step_faults(R"({"at":"1s","at":"2s"})"), "at"));  // a key twice
 }
 
+TEST_CASE("What an exercise allows matches something of the plant") {
+  CHECK(
+      faults_of(
+          R"({"symplant-scenario":1,"exercise":{"title":"T","allow":["START","l_p_agv","SPE?D","L_*"]},"steps":[]})") ==
+      "");
+  CHECK(faults_of(R"({"symplant-scenario":1,"exercise":{"title":"T","allow":["START",
+"STRAT","*_DOOR_*"]},"steps":[]})") ==
+        "2:1 `\"STRAT\"` `STRAT` matches no symbol, device, value, track or place; did you mean `START`?\n"
+        "2:9 `\"*_DOOR_*\"` `*_DOOR_*` matches no symbol, device, value, track or place\n");
+}
+
 TEST_CASE("A step gives its time once") {
   CHECK(step_faults(R"({"set":{}})") == "2:1 `{` this step has no time; add `at`, `plus` or `wait`\n");
   CHECK(contains(step_faults(R"({"at":"1s","plus":"2s"})"), "2:12 `\"plus\"` `at` already sets the time of this step"));
