@@ -1,8 +1,7 @@
 // Controls that act on the plant. Each shows its result, or what the server says against it, next to itself.
 import {actText} from "./act_words.js";
 import {button, make, select, setAttribute, setText} from "./dom.js";
-import {operates} from "./rights.js";
-import {instant, levels, readValue} from "./words.js";
+import {instant} from "./words.js";
 
 const kShown = 8000;  // ms; a result that is no error goes by itself
 
@@ -35,14 +34,16 @@ export const perform = async (app, result, acts) => {
   }
 };
 
-const refreshAct = (app, element) => {
+/// Brings a control that acts up to date. What it does is shown as busy until the answer.
+export const refreshAct = (app, element) => {
+  setAttribute(element, "aria-busy", element.isBusy ? "true" : null);
   const isOff = app.lost || element.isBusy || !element.isPossible();
   if (element.tagName === "SELECT" || element.type === "range") element.disabled = isOff;
   else setAttribute(element, "aria-disabled", String(isOff));
 };
 
 /// All controls in the document that act: they rest while the connection to the plant is lost.
-export const refreshActs = (app) => { for (const element of document.querySelectorAll(".acts-on-plant")) refreshAct(app, element); };
+export const refreshActs = () => { for (const element of document.querySelectorAll(".acts-on-plant")) element.refresh(); };
 
 /// Makes a button or <select> one that acts: it rests while the connection is lost, or `isPossible()` is false. Call `refresh()`
 /// when that may have changed.
@@ -73,43 +74,9 @@ export const actingButton = (app, label, run, attributes = {}, isPossible = unde
 export const actButton = (app, result, label, acts, attributes = {}, isPossible = undefined) =>
   actingButton(app, label, () => perform(app, result, acts), attributes, isPossible);
 
-/// A field for a value, with its buttons: [[label, (value) => act], ...].
-const valueForm = (app, result, symbol, buttons, isPossible) => {
-  const input = make("input", {type: "text", size: 8, "aria-label": "Value for " + symbol.name, placeholder: symbol.type,
-    inputmode: "decimal", autocomplete: "off"});
-  return make("span", {class: "row"}, input, buttons.map(([label, act]) => actButton(app, result, label, () => {
-    const {value, error} = readValue(input.value, symbol.type);
-    if (error) throw new Error(error);
-    return act(value);
-  }, {}, isPossible)));
-};
-
-const isSettable = (symbol) => symbol.direction === "event" ? symbol.driver === "none"
-  : symbol.link === null && symbol.program === undefined;
-
-/// Set, force and release of a symbol; nothing if the page may not act.
-export const symbolControls = (app, index, result) => {
-  const symbol = app.plant.symbols[index];
-  const settable = isSettable(symbol) && operates(app);
-  if (!app.canAct && !settable) return null;
-  const act = (key, value) => ({[key]: {[symbol.name]: value}});
-  const release = app.canAct ? actButton(app, result, "Release", () => ({release: [symbol.name]}), {class: "release"}) : null;
-  const may = () => app.may("symbols", index);
-  if (symbol.type !== "BOOL") {
-    const buttons = app.canAct ? [["Force", (value) => act("force", value)]] : [];
-    if (settable) buttons.unshift(["Set", (value) => act("set", value)]);
-    return make("div", {class: "row controls"}, valueForm(app, result, symbol, buttons, may), release);
-  }
-  const pair = (key, label) => make("span", {class: "row", role: "group", "aria-label": label}, make("span", {class: "soft"}, label),
-    levels(symbol).map(([text, bit]) => actButton(app, result, text, () => act(key, bit), {"aria-label": label + " " + text}, may)));
-  return make("div", {class: "row controls"}, settable ? pair("set", "Set") : null, app.canAct ? pair("force", "Force") : null, release);
-};
-
 /// Puts a device into one of its states.
 export const stateControl = (app, index, result) => {
-  if (!operates(app)) return null;
   const {name, states} = app.plant.devices[index];
-  if (states.length === 0) return null;
   const choice = select("State for " + name, states.map((state) => [state, state]));
   return make("div", {class: "row controls"}, make("span", {class: "soft"}, "Put into state"), choice,
     actButton(app, result, "Set state", () => ({state: {[name]: choice.value}}), {}, () => app.may("devices", index)));

@@ -59,6 +59,13 @@ export class Api {
       throw error.status === 0 ? new ApiError(0, kBroken) : error;
     }
   }
+
+  /// Acts that are sent although the page is closed: the browser sends them afterward, and no answer is read.
+  leave(...acts) {
+    fetch("/api/v1/acts", {method: "POST", keepalive: true, body: JSON.stringify({acts}),
+      headers: this.headers({"Content-Type": "application/json", "X-Symplant-Run": this.run ?? ""})}).catch(() => {});
+  }
+
   /// Whether the token may act: rejected with the status 401 if not.
   check(...acts) { return this.post("check", {acts}); }
 

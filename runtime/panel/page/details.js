@@ -1,6 +1,7 @@
 // The pane at the side: what is selected, with why it is as it is, and what can be done with it.
 import {resultOutput} from "./acts.js";
-import {button, make, setAttribute, setText} from "./dom.js";
+import {commentOf} from "./comments.js";
+import {breakable, button, make, setAttribute, setText} from "./dom.js";
 import {fillDevice} from "./device_details.js";
 import {fillLocation} from "./location_details.js";
 import {fillRequirement} from "./requirement_details.js";
@@ -20,6 +21,7 @@ export class Pane {
     this.updates = [];
     this.element = make("div", {class: "pane"});
     this.result = resultOutput();  // of all acts of the pane; it stays in view at the top
+    this.beforeWhy = null;  // the section after which the explanation comes; null: the first one
     this.devices = new Set();
     this.symbols = new Set();
   }
@@ -46,7 +48,13 @@ export class Pane {
   /// "since 12.3 s", with the exact time as its title.
   since(time) { return this.attribute(this.live(() => "since " + instant(time())), "title", () => exactInstant(time())); }
 
-  section(title, ...content) { this.element.append(make("section", {}, make("h3", {}, title), ...content)); }
+  /// Appends a section and returns it.
+  section(title, ...content) {
+    const section = make("section", {}, make("h3", {}, title), ...content);
+    this.element.append(section);
+    return section;
+  }
+
   update() { for (const update of this.updates) update(); }
 }
 
@@ -73,8 +81,10 @@ export class Details {
     const {app} = this;
     const pane = this.pane = new Pane(app);
     const index = kind === "why" ? null : app.names.index(kind, name);
+    const comment = index === null ? "" : commentOf(app.plant, kind, index);
     pane.element.append(make("div", {class: "row pane-head"},
-      make("div", {class: "grow"}, make("div", {class: "soft"}, kWords[kind]), make("h2", {class: "name", tabindex: -1}, name)),
+      make("div", {class: "grow"}, make("div", {class: "soft"}, kWords[kind]), make("h2", {class: "name", tabindex: -1}, breakable(name)),
+        comment ? make("div", {class: "comment"}, comment) : null),
       button("✕", () => app.router.deselect(), {class: "close", "aria-label": "Close the details", title: "Close (Esc)"}), operates(app) ? pane.result : null));
     if (kind !== "why" && index === null) {
       pane.element.append(make("p", {class: "wrong"}, "The plant has no " + kWords[kind].toLowerCase() + " of this name."));
@@ -82,8 +92,8 @@ export class Details {
       kFillers[kind]?.(pane, index);
       if (app.plant.mode === "live") {
         this.why = new Why(app, name);
-        // Why comes first: it is what the user looks for.
-        pane.element.children[pane.element.children.length > 1 ? 1 : 0].after(this.why.element);
+        // Why comes as early as possible: it is what the user looks for. Before it come the controls of a faceplate.
+        (pane.beforeWhy ?? pane.element.children[pane.element.children.length > 1 ? 1 : 0]).after(this.why.element);
       }
     }
     this.element.replaceChildren(pane.element);

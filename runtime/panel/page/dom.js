@@ -33,7 +33,7 @@ export const setAttribute = (element, name, value) => {
 };
 
 /// A name that may break after its levels.
-export const breakable = (name) => name.split(/(?<=_)/).flatMap((level, i) => i > 0 ? [make("wbr"), level] : [level]);
+export const breakable = (name) => name.split(/(?<=[_.])/).flatMap((level, i) => i > 0 ? [make("wbr"), level] : [level]);
 
 /// A plant time to the millisecond; the exact one is its title.
 export const timeOf = (ns) => make("span", {title: exactInstant(ns)}, instant(ns));

@@ -1,17 +1,18 @@
 // The I/O view: every symbol with its address, its value as the PLC sees it, what drives it, and force.
 import {actButton, resultOutput} from "./acts.js";
-import {breakable, make, select, setText} from "./dom.js";
+import {breakable, make, select, setAttribute, setText} from "./dom.js";
 import {selecting} from "./router.js";
 import {filterSymbols} from "./io_filter.js";
 import {SYMBOL} from "./store.js";
-import {driverOrDrivenText, typeText} from "./symbol_details.js";
+import {driverOrDrivenText} from "./symbol_details.js";
+import {invertedMark} from "./symbol_marks.js";
 import {VirtualList} from "./virtual_list.js";
-import {count, cutMiddle, exactInstant, instant, isOn, levels, value} from "./words.js";
+import {count, cutMiddle, exactInstant, instant, isOn, levels, valueWithBit} from "./words.js";
 
 const kHeight = 34;
 const kMostLetters = 44;  // of a name: they fit into two lines
 const kPause = 300;  // ms between two applications of a filter that depends on the state
-const kColumns = ["Symbol", "Address", "Type", "Direction", "Value", "Since", "Driven by", "Link"];
+const kColumns = ["Symbol", "Comment", "Address", "Type", "Direction", "Value", "Since", "Driven by", "Link"];
 const columnClass = (column) => "io-" + column.toLowerCase().replace(" ", "-");  // narrow lists hide some
 const kChecks = [["lately", "changed in the last 10 s"], ["forced", "forced"], ["unlinked", "on no link"], ["malfunction", "malfunction"],
   ["undriven", "no device drives it"]];
@@ -19,7 +20,7 @@ const kChecks = [["lately", "changed in the last 10 s"], ["forced", "forced"], [
 export class IoView {
   constructor(app) {
     Object.assign(this, {app, title: "I/O", last: 0, pending: false, indexes: [], rowOf: new Map()});
-    this.search = make("input", {type: "search", "aria-label": "Filter by name or address", placeholder: "Name or address", autocomplete: "off",
+    this.search = make("input", {type: "search", "aria-label": "Filter by name, address or comment", placeholder: "Name, address or comment", autocomplete: "off",
       oninput: () => this.apply()});
     this.direction = select("Direction", [["", "Events and operations"], ["event", "Events"], ["operation", "Operations"]],
       {onchange: () => this.apply()});
@@ -29,11 +30,13 @@ export class IoView {
     });
     this.found = make("span", {class: "soft", role: "status"});
     this.result = resultOutput();
-    const heads = app.canAct ? [...kColumns, "Force"] : kColumns;
+    this.columns = app.plant.symbols.some(({comment}) => comment) ? kColumns : kColumns.filter((column) => column !== "Comment");
+    const heads = app.canAct ? [...this.columns, "Force"] : this.columns;
     this.list = new VirtualList({height: kHeight, label: "Symbols",
       head: make("div", {class: "io-row io-head", role: "row"}, heads.map((head) => make("span", {role: "columnheader", class: columnClass(head)}, head))),
       makeRow: () => this.makeRow(), fillRow: (row, at) => this.fillRow(row, at)});
     this.list.element.classList.toggle("io-acts", app.canAct);
+    this.list.element.classList.toggle("io-comments", this.columns === kColumns);
     this.element = make("div", {class: "view io-view fills"},
       make("div", {class: "row tools"}, this.search, this.direction, this.checks.map(({element}) => element)),
       make("div", {class: "row result-line"}, this.found, this.result), this.list.element);
@@ -70,7 +73,7 @@ export class IoView {
 
   makeRow() {
     const {app} = this;
-    const cells = kColumns.slice(1).map((column) => make("span", {role: "cell", class: columnClass(column)}));
+    const cells = Object.fromEntries(this.columns.slice(1).map((column) => [column, make("span", {role: "cell", class: columnClass(column)})]));
     const link = make("a", {class: "name"});
     const row = {first: link, cells, forced: false};
     const symbol = () => app.plant.symbols[this.indexes[row.index]];
@@ -79,7 +82,7 @@ export class IoView {
       actButton(app, this.result, "release", () => ({release: [symbol().name]}), {class: "small", tabindex: -1}, () => row.forced)];
     row.more = make("a", {tabindex: -1}, "force ...");
     row.acts = app.canAct ? make("span", {role: "cell", class: "row io-force"}, row.buttons.slice(0, 2), row.more, row.buttons[2]) : null;
-    row.element = make("div", {class: "io-row", role: "row"}, make("span", {role: "cell", class: "io-symbol"}, link), cells, row.acts);
+    row.element = make("div", {class: "io-row", role: "row"}, make("span", {role: "cell", class: "io-symbol"}, link), Object.values(cells), row.acts);
     return row;
   }
 
@@ -89,10 +92,10 @@ export class IoView {
     const symbol = plant.symbols[index];
     if (row.shown !== index) this.fillFixed(row, symbol);
     row.shown = index;
-    const [, , , shown, since] = row.cells;
+    const {Value: shown, Since: since} = row.cells;
     const flags = store.symbolFlags[index];
     const isForced = (flags & SYMBOL.forced) !== 0;
-    setText(shown, value(store.values[index], symbol) + (isForced ? ", forced" : "") + (flags & SYMBOL.malfunction ? ", malfunction" : ""));
+    setText(shown, valueWithBit(store.values[index], symbol) + (isForced ? ", forced" : "") + (flags & SYMBOL.malfunction ? ", malfunction" : ""));
     shown.classList.toggle("is-on", symbol.type === "BOOL" && isOn(symbol, store.values[index]));
     setText(since, instant(store.symbolSince[index]));
     since.title = exactInstant(store.symbolSince[index]);
@@ -102,12 +105,16 @@ export class IoView {
   }
 
   fillFixed(row, symbol) {
-    const [address, type, direction, , , driver, link] = row.cells;
+    const {Comment: comment, Address: address, Type: type, Direction: direction, "Driven by": driver, Link: link} = row.cells;
+    if (comment) {
+      setText(comment, symbol.comment ?? "");
+      setAttribute(comment, "title", symbol.comment ?? null);
+    }
     row.first.replaceChildren(make("span", {}, breakable(cutMiddle(symbol.name, kMostLetters))));
     row.first.href = selecting("symbol", symbol.name);
     row.element.title = symbol.name;
     setText(address, symbol.address ?? "-");
-    setText(type, typeText(symbol));
+    type.replaceChildren(symbol.type, " ", ...[invertedMark(symbol)].filter(Boolean));
     setText(direction, symbol.direction);
     setText(driver, driverOrDrivenText(symbol));
     driver.title = driver.textContent;

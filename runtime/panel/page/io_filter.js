@@ -7,7 +7,7 @@ export const kLately = 10e9;  // "changed lately" is this plant time
 export const symbolFilter = (filter, store) => {
   const {symbols} = store.plant;
   const words = filter.text.toLowerCase().split(/\s+/).filter((word) => word !== "");
-  const texts = words.length > 0 ? symbols.map(({name, address}) => (name + " " + (address ?? "")).toLowerCase()) : null;
+  const texts = words.length > 0 ? symbols.map(({name, address, comment}) => (name + " " + (address ?? "") + " " + (comment ?? "")).toLowerCase()) : null;
   return (index) => {
     const symbol = symbols[index];
     if (filter.direction && symbol.direction !== filter.direction) return false;

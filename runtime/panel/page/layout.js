@@ -1,6 +1,8 @@
 // Where things are in the line view. Pure functions, without elements.
 
 const kNameGap = 8;  // between two names of sensors
+const kHalfGap = 3;  // between the middle of marks that are side by side and their names
+const kMarkWidth = 14;  // of the mark of a sensor, with a gap
 
 /// Cells for tiles, in units of a tile. `views` has { x, y } or undefined for each tile; tiles without fill the free cells,
 /// row by row. Returns { cells: [[x, y]], columns, rows }; `columns` may be more than asked if a view needs it.
@@ -64,15 +66,37 @@ export const groupDevices = (plant) => {
   return [...groups, loose].filter(({devices}) => devices.length > 0);
 };
 
-/// Which names of sensors, { at, text, wide }, are written in a strip: from the left, those that overlap no other one. `x(at)` is
-/// where a position is. Sets `shown`.
-export const placeNames = (sensors, width, x) => {
-  let until = 0;
+/// Where the marks of sensors, { at }, are in a strip: those that would be over each other are side by side, in their order. `x(at)` is
+/// where a position is. Sets `mark`, the middle in pixels, and `side`: where its name is from there ("none": it has no room).
+export const placeMarks = (sensors, x) => {
+  const groups = [];
   for (const sensor of [...sensors].sort((a, b) => a.at - b.at)) {
-    const left = x(sensor.at) - sensor.wide / 2;
-    const fits = left >= until && left + sensor.wide <= width;
-    sensor.shown = fits ? sensor.text : "";
-    if (fits) until = left + sensor.wide + kNameGap;
+    const last = groups[groups.length - 1];
+    if (last && x(sensor.at) - last.middle < (last.sensors.length + 1) / 2 * kMarkWidth) {
+      last.sensors.push(sensor);
+      last.middle = (x(last.sensors[0].at) + x(sensor.at)) / 2;
+    } else groups.push({middle: x(sensor.at), sensors: [sensor]});
+  }
+  for (const {middle, sensors: {length}, sensors: group} of groups) {
+    group.forEach((sensor, i) => {
+      sensor.mark = middle + (i - (length - 1) / 2) * kMarkWidth;
+      sensor.side = length === 1 ? "center" : i === 0 ? "right" : i === length - 1 ? "left" : "none";
+    });
+  }
+};
+
+/// From its mark, the left end of a name of this width. `side` is the alignment of the text.
+const leftOf = ({mark, side, wide}) => side === "right" ? mark + kMarkWidth / 2 - kHalfGap - wide : side === "left" ? mark - kMarkWidth / 2 + kHalfGap : mark - wide / 2;
+
+/// Which names of sensors, { text, wide } with their marks, are written in a strip: from the left, those that overlap no other one. Sets
+/// `shown` and `left`.
+export const placeNames = (sensors, width) => {
+  let until = 0;
+  for (const sensor of [...sensors].sort((a, b) => a.mark - b.mark)) {
+    const left = leftOf(sensor);
+    const fits = sensor.side !== "none" && left >= until && left + sensor.wide <= width;
+    Object.assign(sensor, {shown: fits ? sensor.text : "", left});
+    if (fits) until = left + sensor.wide + (sensor.side === "right" ? 0 : kNameGap);
   }
 };
 

@@ -3,6 +3,7 @@ import {make, select} from "./dom.js";
 import {groupDevices, stationsOf} from "./layout.js";
 import {stationAddress} from "./links_to.js";
 import {Material} from "./material.js";
+import {OperatorPanel, operatedSymbols} from "./operator_panel.js";
 import {Overview} from "./overview.js";
 import {STATUSES} from "./status.js";
 import {TileGrid} from "./tile_grid.js";
@@ -30,6 +31,8 @@ export class LineView {
     this.app = app;
     this.title = "Line";
     this.groups = groupDevices(app.plant);
+    this.operated = operatedSymbols(app.plant);
+    if (this.operated.has(null) && !this.groups.some(({station}) => station === null)) this.groups.push({station: null, devices: []});
     this.locationStations = app.plant.locations.map((location) => stationsOf(location, app.plant));
     this.content = make("div", {class: "line"});
     this.tools = make("div", {class: "row tools"});
@@ -80,6 +83,14 @@ export class LineView {
       make("span", {class: "soft"}, count(one.devices.length, "device"))];
   }
 
+  /// The devices of a group, and its buttons, selectors and lamps.
+  makeGroup(group, link) {
+    const symbols = this.operated.get(group.station) ?? [];
+    const name = group.station === null ? "" : " of " + this.nameOf(group);
+    return [...(group.devices.length > 0 ? [this.makeFrame(group, link)] : []),
+      ...(symbols.length > 0 ? [new OperatorPanel(this.app, symbols, "Operator panel" + name)] : [])];
+  }
+
   makeFrame(group, link) {
     const name = this.nameOf(group);
     const grid = new TileGrid(this.app, group.devices, "Devices of " + name, this.app.main);
@@ -92,7 +103,7 @@ export class LineView {
 
   makeStation(group) {
     const locations = this.locationStations.flatMap((stations, index) => stations.includes(group.station) ? [index] : []);
-    return [...(locations.length > 0 ? [new Material(this.app, locations, false)] : []), this.makeFrame(group, false)];
+    return [...(locations.length > 0 ? [new Material(this.app, locations, false)] : []), ...this.makeGroup(group, false)];
   }
 
   /// A few tracks come before the stations, many after them.
@@ -101,7 +112,7 @@ export class LineView {
   makeAll() {
     const {plant} = this.app;
     const material = plant.locations.length > 0 ? [new Material(this.app, [...plant.locations.keys()], this.isLarge())] : [];
-    if (!this.isLarge()) return [...material, ...this.groups.map((group) => this.makeFrame(group, this.groups.length > 1))];
+    if (!this.isLarge()) return [...material, ...this.groups.flatMap((group) => this.makeGroup(group, this.groups.length > 1))];
     const overview = new Overview(this.app, this.groups, (station) => this.nameOf({station}));
     overview.frame = overview.element;
     return [...material, overview];

@@ -99,7 +99,7 @@ export const fillLocation = (pane, index) => {
     hand?.controls);
   if (location.sensors.length > 0) {
     pane.section("Sensors", make("ul", {class: "plain"}, location.sensors.map(({symbol, at}) =>
-      symbolItem(pane, symbol, at === undefined ? "" : "at " + length(at), result))));
+      symbolItem(pane, symbol, at === undefined ? "" : "at " + length(at)))));
   }
   fillDrives(pane, location, store.rankOfLocation[index]);
   const ends = (location.ends ?? []).map(({to}) => make("li", {}, "the end leads ", to === null ? "out" : ["to ", locationLink(app, to)]));

@@ -11,10 +11,12 @@ import {make} from "./dom.js";
 import {ExerciseStrip} from "./exercise_strip.js";
 import {followPlant} from "./follow_plant.js";
 import {Frames} from "./frames.js";
+import {refreshHolds} from "./hold_button.js";
+import {Holds} from "./holds.js";
 import {Names} from "./names.js";
 import {Notice} from "./notice.js";
 import {Player, RecordingBar} from "./recording.js";
-import {mayOperate, rightsOf} from "./rights.js";
+import {mayOperate, operates, rightsOf} from "./rights.js";
 import {Router} from "./router.js";
 import {ScenarioLine} from "./scenario_line.js";
 import {makeSearch} from "./search.js";
@@ -73,6 +75,9 @@ const makeApp = (api, plant, rights) => {
     return selection?.kind === "device" ? selection.name : null;
   };
   app.chart = new ChartModel(app);
+  app.holds = new Holds(app, notice, sessionStorage);
+  app.holds.changed = refreshHolds;
+  app.holds.listen(window);
   return app;
 };
 
@@ -100,7 +105,7 @@ const makeReceiver = (app, parts) => {
   app.store.listen((change) => {
     app.clock.set(app.store.t, app.store.clock, change.jumped);
     const statusChanged = app.statuses.update(change);
-    if (change.all || change.keys.has("allowed")) refreshActs(app);
+    if (change.all || change.keys.has("allowed")) refreshActs();
     for (const part of parts) part.change?.(change, statusChanged);
     parts[0].update();
     app.frames.request();
@@ -144,7 +149,9 @@ const connect = (app, plant, bar, band) => {
       app.lost = state === "lost";
       bar.update();
       band.update();
-      refreshActs(app);
+      refreshActs();
+      if (app.lost) app.holds.disconnected();
+      else app.holds.connected();
     }
     notice.show("lost", state === "open" ? "" : text + "; the page shows the state of then and tries again");
   });
@@ -182,6 +189,7 @@ const start = async () => {
   app.router.read();
   animate(app, bar, [details, strip, views], views);
   connect(app, plant, bar, band);
+  if (operates(app)) app.holds.recover();
   globalThis.symplant = app;  // for tests and the console
 };
 

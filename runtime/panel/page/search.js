@@ -1,8 +1,9 @@
-// A field that finds stations, devices, symbols, tracks, requirements and values by parts of their names, or by address.
-import {make, setAttribute} from "./dom.js";
+// A field that finds stations, devices, symbols, tracks, requirements and values by parts of their names, by address, or by comment.
+import {breakable, make, setAttribute} from "./dom.js";
 
 const kMost = 40;
 const kWords = {station: "station", device: "device", symbol: "symbol", location: "track or place", requirement: "requirement", value: "value"};
+const kWithMore = ["device", "symbol"];  // their comments, and addresses, are shown
 
 let fields = 0;
 
@@ -36,8 +37,8 @@ export const makeSearch = (app, {label, accepts = () => true, choose}) => {
   const show = () => {
     found = app.names.search(input.value, kMost, accepts);
     list.replaceChildren(...found.map(({kind, name, more}, i) => make("li", {id: id + "-" + i, role: "option", "aria-selected": "false",
-      onpointerdown: (event) => event.preventDefault(), onclick: () => take(i)}, make("span", {class: "name"}, name), " ",
-      make("span", {class: "soft"}, kWords[kind] + (kind === "symbol" && more ? ", " + more : "")))));
+      onpointerdown: (event) => event.preventDefault(), onclick: () => take(i)}, make("span", {class: "name"}, breakable(name)), " ",
+      make("span", {class: "soft"}, kWords[kind] + (kWithMore.includes(kind) && more ? ", " + more : "")))));
     if (found.length === 0 && input.value.trim() !== "") list.replaceChildren(make("li", {class: "soft", role: "option", "aria-disabled": "true"}, "nothing found"));
     list.hidden = input.value.trim() === "";
     if (!list.hidden) list.scrollIntoView({block: "nearest"});

@@ -1,10 +1,11 @@
 // The details of a symbol.
-import {symbolControls} from "./acts.js";
 import {button, make} from "./dom.js";
 import {fillMalfunctions} from "./malfunction_section.js";
 import {deviceLink, locationLink} from "./links_to.js";
 import {lastFindings} from "./finding_list.js";
+import {symbolControls} from "./operate.js";
 import {SYMBOL} from "./store.js";
+import {invertedMark} from "./symbol_marks.js";
 import {length, value} from "./words.js";
 
 /// What sets the value of a symbol, in words.
@@ -17,7 +18,7 @@ const drivesText = ({drives}) => (drives ?? []).join(", ") || "-";
 /// What sets an event, or what an operation drives.
 export const driverOrDrivenText = (symbol) => symbol.direction === "operation" ? "drives " + drivesText(symbol) : driverText(symbol);
 
-export const typeText = (symbol) => symbol.type + (symbol.inverted ? ", inverted" : "");
+const typeText = (symbol) => symbol.type + (symbol.inverted ? ", inverted" : "");
 
 const marks = (store, index) => [store.symbolFlags[index] & SYMBOL.forced ? "forced" : "",
   store.symbolFlags[index] & SYMBOL.malfunction ? "a malfunction decides its value" : ""].filter((text) => text).join("; ");
@@ -28,12 +29,12 @@ export const fillSymbol = (pane, index) => {
   const symbol = plant.symbols[index];
   const {result} = pane;
   pane.section("Value",
-    make("p", {class: "big"}, pane.live(() => value(store.values[index], symbol))),
+    make("p", {class: "big row"}, pane.live(() => value(store.values[index], symbol)), invertedMark(symbol)),
     make("p", {}, pane.since(() => store.symbolSince[index])),
     pane.live(() => marks(store, index), "p", {class: "condition"}),
-    symbolControls(app, index, result),
+    symbolControls(pane, index),
     make("p", {}, button("Show in chart", () => app.chart.addSymbol(index), {class: "small"})));
-  const facts = [["Address", symbol.address ?? "-"], ["Type", typeText(symbol)],
+  const facts = [...(symbol.comment ? [["Comment", symbol.comment]] : []), ["Address", symbol.address ?? "-"], ["Type", typeText(symbol)],
     ["Direction", symbol.direction === "event" ? "event: the PLC reads it" : "operation: the PLC writes it"],
     ["Driven by", driverText(symbol)], ...(symbol.direction === "operation" ? [["Drives", drivesText(symbol)]] : []),
     ["Link", symbol.link === null ? "none" : plant.links[symbol.link].name],

@@ -1,8 +1,13 @@
 // A device as a tile: its state, the progress of its move, its commands and events, and what hinders it.
+import {deviceTitle, symbolsOf} from "./comments.js";
 import {make, setText, setAttribute} from "./dom.js";
+import {isContact} from "./person.js";
+import {operates} from "./rights.js";
 import {selecting} from "./router.js";
 import {rank, STATUSES} from "./status.js";
 import {DEVICE, SYMBOL} from "./store.js";
+import {invertedMarkOf} from "./symbol_marks.js";
+import {TileActs} from "./tile_acts.js";
 import {isKnown, shortName, withUnit} from "./value_words.js";
 import {isOn, value} from "./words.js";
 
@@ -23,10 +28,7 @@ export const stateText = (store, index) => {
   return isMove ? state + " → " + (states[store.target[index]] ?? "?") : state;
 };
 
-/// The bit of an inverted symbol, in brackets.
-const bitText = ({inverted}, of) => inverted ? "(" + Number(of) + ")" : "";
-
-/// The operations that are on: "▸CLOSE", of an inverted one "▸CLOSE(0)", of a number "SPEED=5".
+/// The operations that are on: "▸CLOSE", of a number "SPEED=5".
 export const commandsText = (store, device) => {
   const {plant, values} = store;
   const texts = [];
@@ -35,17 +37,17 @@ export const commandsText = (store, device) => {
     const now = values[operation.symbol];
     if (!isOn(symbol, now)) continue;
     const label = operationLabel(plant, device, operation);
-    texts.push(typeof now !== "boolean" ? label + "=" + value(now, symbol) : "▸" + label + bitText(symbol, now));
+    texts.push(typeof now !== "boolean" ? label + "=" + value(now, symbol) : "▸" + label);
   }
   return texts.join(" ");
 };
 
-/// The events that are on and off: "■□", of an inverted one with its bit.
+/// The events that are on and off: "■□".
 export const eventsText = (store, device) => {
   let text = "";
   for (const index of device.events.slice(0, kMostEvents)) {
     const symbol = store.plant.symbols[index];
-    if (symbol.type === "BOOL") text += (isOn(symbol, store.values[index]) ? "■" : "□") + bitText(symbol, store.values[index]);
+    if (symbol.type === "BOOL") text += isOn(symbol, store.values[index]) ? "■" : "□";
   }
   return text;
 };
@@ -70,11 +72,23 @@ export class Tile {
     this.bar = make("span", {class: "bar", "aria-hidden": "true"}, this.fill);
     this.commands = make("span", {class: "commands"});
     this.events = make("span", {class: "events", "aria-hidden": "true"});
-    this.element = make("a", {class: "tile", href: selecting("device", this.device.name), title: this.device.name, tabindex: -1,
+    const comment = app.names.commentOf(this.device);
+    this.element = make("a", {class: "tile", href: selecting("device", this.device.name), title: deviceTitle(app.plant, this.device), tabindex: -1,
       "data-device": this.device.name},
       make("span", {class: "top"}, make("span", {class: "label"}, this.device.label), this.forced, this.broken, this.letter, this.word),
-      make("span", {class: "state-line"}, this.state, this.values), this.bar, make("span", {class: "low"}, this.commands, this.events));
+      comment ? make("span", {class: "comment cut"}, comment) : null,
+      make("span", {class: "state-line"}, this.state, this.values), this.bar, make("span", {class: "low"}, this.commands,
+        make("span", {class: "inputs"}, invertedMarkOf(this.bits()), this.events)));
+    this.acts = operates(app) && isContact(app.plant, this.device) ? new TileActs(app, index, this.element) : null;
+    /// What is in the grid: the tile, with its buttons if it has any.
+    this.box = this.acts ? this.acts.element : this.element;
     this.update();
+  }
+
+  /// The BOOL symbols of the device, with the last levels of their names.
+  bits() {
+    return symbolsOf(this.device).map((index) => this.app.plant.symbols[index]).filter(({type}) => type === "BOOL")
+      .map((symbol) => [symbol.name.split(/[_.]/).slice(-2).join("_"), symbol]);
   }
 
   /// After a change of the device or one of its symbols.
@@ -100,6 +114,7 @@ export class Tile {
     this.moving = store.moves(this.index);
     const isMove = store.target[this.index] !== store.state[this.index];
     this.bar.classList.toggle("shown", isMove && store.whole[this.index] > 0);
+    this.acts?.update();
     this.draw(this.app.clock.now());
   }
 
@@ -108,6 +123,12 @@ export class Tile {
     const text = valuesText(this.app.store, this.index);
     setText(this.values, text);
     setAttribute(this.values, "title", text || null);
+  }
+
+  /// 0: Tab stops at the tile and its buttons; -1: it does not.
+  setTab(tabIndex) {
+    this.element.tabIndex = tabIndex;
+    this.acts?.setTab(tabIndex);
   }
 
   select(selected) { setAttribute(this.element, "aria-current", selected ? "true" : null); }

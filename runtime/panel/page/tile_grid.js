@@ -43,8 +43,8 @@ export class TileGrid {
 
   move(rank, tile) {
     const [x, y] = this.layout.cells[rank];
-    tile.element.style.left = x * kWidth + "px";
-    tile.element.style.top = y * kHeight + "px";
+    tile.box.style.left = x * kWidth + "px";
+    tile.box.style.top = y * kHeight + "px";
   }
 
   /// Brings tiles that can be seen into the document, and removes others; the one with the focus stays.
@@ -57,8 +57,8 @@ export class TileGrid {
     this.layout.cells.forEach(([, y], rank) => {
       const isSeen = y * kHeight > from && y * kHeight < until;
       const tile = this.tiles.get(rank);
-      if (isSeen && !tile) added.push(this.make(rank).element);
-      else if (!isSeen && tile && tile.element !== document.activeElement && rank !== this.current) this.remove(rank, tile);
+      if (isSeen && !tile) added.push(this.make(rank).box);
+      else if (!isSeen && tile && !tile.box.contains(document.activeElement) && rank !== this.current) this.remove(rank, tile);
     });
     this.element.append(...added);
     if (added.length > 0) this.app.frames.request();
@@ -68,13 +68,13 @@ export class TileGrid {
     const tile = new Tile(this.app, this.devices[rank]);
     this.tiles.set(rank, tile);
     this.move(rank, tile);
-    tile.element.tabIndex = rank === this.current ? 0 : -1;
+    tile.setTab(rank === this.current ? 0 : -1);
     tile.select(tile.device.name === this.app.selectedDevice());
     return tile;
   }
 
   remove(rank, tile) {
-    tile.element.remove();
+    tile.box.remove();
     this.tiles.delete(rank);
   }
 
@@ -85,19 +85,17 @@ export class TileGrid {
   }
 
   focused(event) {
-    for (const [rank, tile] of this.tiles) if (tile.element === event.target) this.setCurrent(rank);
+    for (const [rank, tile] of this.tiles) if (tile.box.contains(event.target)) this.setCurrent(rank);
   }
 
   setCurrent(rank) {
-    const before = this.tiles.get(this.current);
-    if (before) before.element.tabIndex = -1;
+    this.tiles.get(this.current)?.setTab(-1);
     this.current = rank;
-    const tile = this.tiles.get(rank);
-    if (tile) tile.element.tabIndex = 0;
+    this.tiles.get(rank)?.setTab(0);
   }
 
   focus(rank) {
-    if (!this.tiles.has(rank)) this.element.append(this.make(rank).element);
+    if (!this.tiles.has(rank)) this.element.append(this.make(rank).box);
     this.setCurrent(rank);
     this.tiles.get(rank).element.focus();
   }

@@ -1,7 +1,7 @@
 // A track in the line view: a strip to scale, on which parts move.
 import {make, setAttribute, setText} from "./dom.js";
 import {drivesText, driveText} from "./drive_words.js";
-import {placeNames} from "./layout.js";
+import {placeMarks, placeNames} from "./layout.js";
 import {linkTo} from "./links_to.js";
 import {SYMBOL} from "./store.js";
 import {fitCanvas, reducedMotion} from "./theme.js";
@@ -62,7 +62,8 @@ export class Track {
     this.context.clearRect(0, 0, this.width, height);
     this.context.drawImage(this.still, 0, 0, this.still.width, this.still.height, 0, 0, this.width, height);
     measureNames(this.context, this.sensors);
-    placeNames(this.sensors, this.width, (at) => xOf(this.location, this.width, at));
+    placeMarks(this.sensors, (at) => xOf(this.location, this.width, at));
+    placeNames(this.sensors, this.width);
     this.touchAll();
     this.app.frames.request();
   }
@@ -74,15 +75,16 @@ export class Track {
   /// A click on a sensor selects its symbol, another one the track.
   clicked({offsetX, offsetY}) {
     const {router, names} = this.app;
-    const sensor = sensorAt(this.location, this.width, this.form, this.sensors, offsetX, offsetY);
+    const sensor = sensorAt(this.form, this.sensors, offsetX, offsetY);
     if (sensor) router.select("symbol", names.name("symbol", sensor.symbol));
     else router.select("location", this.location.name);
   }
 
   /// The name of a sensor that has no room for it is shown when the pointer is on it; the details of the track list all.
   pointed({offsetX, offsetY}) {
-    const sensor = sensorAt(this.location, this.width, this.form, this.sensors, offsetX, offsetY);
-    setAttribute(this.canvas, "title", sensor ? this.app.names.name("symbol", sensor.symbol) : null);
+    const sensor = sensorAt(this.form, this.sensors, offsetX, offsetY);
+    const {name, comment} = sensor ? this.app.plant.symbols[sensor.symbol] : {};
+    setAttribute(this.canvas, "title", sensor ? [name, comment].filter((text) => text).join("\n") : null);
   }
 
   sensorState({symbol}) {

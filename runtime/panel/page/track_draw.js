@@ -41,8 +41,7 @@ export const measureNames = (context, sensors) => {
 };
 
 /// The sensor at a point of the strip, or undefined.
-export const sensorAt = (track, width, form, sensors, x, y) => y > form.belt ? undefined
-  : sensors.find(({at}) => Math.abs(xOf(track, width, at) - x) < 8);
+export const sensorAt = (form, sensors, x, y) => y > form.belt ? undefined : sensors.find(({mark}) => Math.abs(mark - x) < 8);
 
 /// The belt, its drives, ticks, transfers: what stays.
 export const drawBelt = (context, track, width, form, transfers) => {
@@ -175,25 +174,24 @@ export const drawParts = (context, still, track, width, form, {parts, kinds, spe
   drawStops(context, track, width, form, stops);
 };
 
-/// Sensors above the belt: a filled triangle is on, an empty one off.
+/// Sensors above the belt: a filled triangle is on, an empty one off. Its tip is at the position, its base where it has room.
 export const drawMarks = (context, still, track, width, form, sensors) => {
   const color = theme();
   const {belt} = form;
   const ratio = still.width / width;
   context.clearRect(0, 0, width, belt - 1);
   context.drawImage(still, 0, 0, still.width, (belt - 1) * ratio, 0, 0, width, belt - 1);
-  for (const {at, shown, on, forced} of sensors) {
-    const x = xOf(track, width, at);
+  for (const {at, mark, shown, left, on, forced} of sensors) {
     context.beginPath();
-    context.moveTo(x, belt - 1);
-    context.lineTo(x - 6, belt - 12);
-    context.lineTo(x + 6, belt - 12);
+    context.moveTo(xOf(track, width, at), belt - 1);
+    context.lineTo(mark - 6, belt - 12);
+    context.lineTo(mark + 6, belt - 12);
     context.closePath();
     context.fillStyle = on ? color.on : color.back;
-    context.strokeStyle = on ? color.on : color.soft;
+    context.strokeStyle = on ? color.back : color.soft;  // an edge between those that are side by side
     context.fill();
     context.stroke();
-    if (form.names !== null) write(context, shown, x, form.names, on ? color.text : color.soft);
-    if (forced) write(context, "F", x + 12, belt - 7, color.blocked);
+    if (form.names !== null) write(context, shown, left, form.names, on ? color.text : color.soft, "left");
+    if (forced) write(context, "F", mark + 12, belt - 7, color.blocked);
   }
 };

@@ -28,23 +28,15 @@ export const valueDisplay = (app, index) => {
   return {text, bar, mark, update};
 };
 
-/// A slider and a field for a number, if an act can set the value `index()`; `update()` after each change, and when `index()` is
-/// another one. A slider sets the value when it is let go; until then it does not follow the plant.
-export const valueControl = (app, index, result) => {
-  const value = () => app.plant.values[index()];
-  const set = (number) => ({set: {[value().name]: number}});
+/// A slider and a field for the number of `source`: its `key()`, `name()`, `unit()`, `isSettable()`, `may()`, `range()` ({ min, max, step }, or null
+/// for no slider), `number()`, `text()`, `read(text)` and `set(number)`, an act. `update()` after each change, and when `key()` is another
+/// one. A slider sets the number when it is let go; until then it does not follow the plant. Without `sets` it has the field only.
+export const numberControl = (app, source, result, sets = true) => {
   let dragged = false;
-  const may = () => app.may("values", index());
-  const slider = acting(app, make("input", {type: "range"}), may);
+  const slider = acting(app, make("input", {type: "range"}), source.may);
   const input = make("input", {type: "text", size: 7, inputmode: "decimal", autocomplete: "off"});
-  const read = () => {
-    const {value: number, error} = readValue(input.value, "LREAL");
-    if (error) throw new Error(error);
-    if (typeof number !== "number") throw new Error("`" + input.value + "` is not a number");
-    return set(number);
-  };
-  const button = actButton(app, result, "Set", read, {class: "small"}, may);
-  const element = make("span", {class: "row value-control"}, slider, input, button);
+  const button = actButton(app, result, "Set", () => source.set(source.read(input.value)), {class: "small"}, source.may);
+  const element = make("span", {class: "row value-control"}, slider, input, sets ? button : null);
   slider.addEventListener("input", () => {
     dragged = true;
     input.value = slider.value;
@@ -57,7 +49,7 @@ export const valueControl = (app, index, result) => {
   let isSetting = false;
   slider.addEventListener("change", async () => {
     isSetting = true;
-    await perform(app, result, () => set(Number(slider.value)));
+    await perform(app, result, () => source.set(Number(slider.value)));
     isSetting = false;
     letGo();
   });
@@ -65,31 +57,48 @@ export const valueControl = (app, index, result) => {
     if (dragged && !isSetting) letGo();
   }));
   input.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") button.click();
+    if (event.key === "Enter" && sets) button.click();
     if (event.key !== "Escape") return;
     input.value = "";
     event.stopPropagation();
   });
   let shown = -1;
-  const showValue = () => {
-    const {name, min, max, settable, unit} = value();
-    shown = index();
+  const showSource = () => {
+    shown = source.key();
     dragged = false;
-    element.hidden = !settable;
-    slider.hidden = !hasRange(value());
-    if (!slider.hidden) Object.assign(slider, {min, max, step: sliderStep(value())});
+    element.hidden = !source.isSettable();
     input.value = "";
-    setAttribute(slider, "aria-label", name);
-    setAttribute(input, "aria-label", "Number for " + name);
-    setAttribute(input, "placeholder", unit || "number");
-    setAttribute(button, "aria-label", "Set " + name);
+    setAttribute(slider, "aria-label", source.name());
+    setAttribute(input, "aria-label", "Number for " + source.name());
+    setAttribute(input, "placeholder", source.unit() || "number");
+    setAttribute(button, "aria-label", "Set " + source.name());
     for (const each of [slider, button]) each.refresh();
   };
   const update = () => {
-    if (shown !== index()) showValue();
-    if (slider.hidden || dragged) return;
-    slider.value = app.store.numbers[index()];
-    setAttribute(slider, "aria-valuetext", withUnit(app.store.numbers[index()], value()));
+    if (shown !== source.key()) showSource();
+    if (dragged) return;
+    const range = source.range();
+    slider.hidden = range === null;
+    if (range === null) return;
+    for (const [name, limit] of Object.entries(range)) setAttribute(slider, name, String(limit));
+    slider.value = source.number();
+    setAttribute(slider, "aria-valuetext", source.text());
   };
-  return {element, update};
+  return {element, input, update};
+};
+
+const readNumber = (text) => {
+  const {value: number, error} = readValue(text, "LREAL");
+  if (error) throw new Error(error);
+  if (typeof number !== "number") throw new Error("`" + text + "` is not a number");
+  return number;
+};
+
+/// numberControl() of the value `index()`, if an act can set it.
+export const valueControl = (app, index, result) => {
+  const value = () => app.plant.values[index()];
+  const number = () => app.store.numbers[index()];
+  return numberControl(app, {key: index, name: () => value().name, unit: () => value().unit, isSettable: () => value().settable, may: () => app.may("values", index()), number,
+    range: () => hasRange(value()) ? {min: value().min, max: value().max, step: sliderStep(value())} : null,
+    text: () => withUnit(number(), value()), read: readNumber, set: (to) => ({set: {[value().name]: to}})}, result);
 };

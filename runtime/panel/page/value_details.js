@@ -40,12 +40,12 @@ export const fillValue = (pane, index) => {
   pane.section("Last findings", lastFindings(pane, (of) => of === value.name));
 };
 
-/// The values of a device, each with its number, bar and controls; nothing if it has none.
+/// The values of a device, each with its number, bar and controls. Returns the section; null if it has none.
 export const fillValuesOf = (pane, device) => {
   const {app} = pane;
   const indexes = app.store.valuesOf(device);
-  if (indexes.length === 0) return;
-  pane.section("Values", make("ul", {class: "plain"}, indexes.map((index) => {
+  if (indexes.length === 0) return null;
+  return pane.section("Values", make("ul", {class: "plain"}, indexes.map((index) => {
     const value = app.plant.values[index];
     const {text, bar, mark} = display(pane, index);
     return make("li", {class: "symbol-item"}, make("div", {class: "row"}, linkTo("value", value.name, shortName(value, app.plant.devices[device])),

@@ -43,7 +43,7 @@ export class Views {
       this.shownKey = key;
       this.shown = view;
       this.app.main.replaceChildren(view.element);
-      refreshActs(this.app);
+      refreshActs();
       this.app.main.setAttribute("aria-label", this.title(key));
       for (const [of, link] of this.links) setAttribute(link, "aria-current", of === key ? "page" : null);
     }

@@ -41,9 +41,11 @@ export const speed = (um) => trimmed(um / 1e6, 3) + " m/s";
 /// Whether a value of a symbol means on: its bit, turned round if it is inverted, or a number that is not 0.
 export const isOn = ({inverted}, of) => inverted ? of === false : of !== false && of !== 0;
 
-/// The value of a symbol: a number, or what its bit means; of an inverted one with the bit: "on (bit 0)".
-export const value = (of, symbol) => typeof of !== "boolean" ? String(of)
-  : (isOn(symbol, of) ? "on" : "off") + (symbol.inverted ? " (bit " + Number(of) + ")" : "");
+/// The value of a symbol: a number, or what its bit means.
+export const value = (of, symbol) => typeof of !== "boolean" ? String(of) : isOn(symbol, of) ? "on" : "off";
+
+/// value(), of an inverted symbol with the bit that the PLC sees: "on (bit 0)".
+export const valueWithBit = (of, symbol) => value(of, symbol) + (typeof of === "boolean" && symbol.inverted ? " (bit " + Number(of) + ")" : "");
 
 /// What a BOOL symbol can be, as [text, bit]: on, then off.
 export const levels = (symbol) => [!symbol.inverted, Boolean(symbol.inverted)].map((bit) => [value(bit, symbol), bit]);

@@ -187,7 +187,16 @@ void put_programs(std::string& json, const trace::PlantNames& names) {
   json += ']';
 }
 
-void put_symbols(std::string& json, const trace::PlantNames& names, const std::vector<LinkName>& links, Role role) {
+/// The comment of a symbol, and whether a person operates it: each only if it is so.
+void put_symbol_view(std::string& json, std::uint32_t symbol, const View& view) {
+  if (view.symbols.empty()) return;
+  const SymbolView& of = view.symbols[symbol];
+  if (!of.comment.empty()) put_member(json, "comment", of.comment);
+  if (of.by_operator) json += ",\"operator\":true";
+}
+
+void put_symbols(std::string& json, const trace::PlantNames& names, const View& view,
+                 const std::vector<LinkName>& links, Role role) {
   const tables::PlantTables& tables = names.tables();
   const why::SymbolUse use(tables);
   const std::vector<std::string_view> drivers = drivers_of(tables);
@@ -211,7 +220,9 @@ void put_symbols(std::string& json, const trace::PlantNames& names, const std::v
     put(json, ",\"link\":{}", index_or_null(link_of(tables, symbol, links), kNone));
     put_program(json, symbol, names);
     put_member(json, "list", names.cite(symbol));
-    put(json, ",\"inverted\":{}}}", row.inverted());
+    put(json, ",\"inverted\":{}", row.inverted());
+    put_symbol_view(json, symbol, view);
+    json += '}';
   }
   json += ']';
 }
@@ -337,7 +348,7 @@ void put_plant(std::string& json, const trace::PlantNames& names, const View& vi
     put_device(json, unit, names, stations, view);
   }
   json += ']';
-  put_symbols(json, names, links, role);
+  put_symbols(json, names, view, links, role);
   put_values(json, names);
   put_material(json, names);
   put_key(json, "requirements");

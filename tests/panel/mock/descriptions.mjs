@@ -136,6 +136,50 @@ export const cell = () => {
   return plant;
 };
 
+/// What a person operates: contacts, buttons in no device, a motor with a set point, a pump that a PLC writes, comments, inverted
+/// symbols, sensors at one position.
+export const operated = () => {
+  const plant = emptyPlant("operated");
+  const devices = new Map();
+  const add = (name, comment, more = {}, type = "BOOL", initial = "FALSE") => {
+    const index = plant.symbols.length;
+    addSymbol(plant, devices, "LINE_S1_" + name, (name.includes("_I_") ? "X" : "Y") + index.toString(16).padStart(4, "0"), type, initial, "operated.csv:" + (index + 2));
+    Object.assign(plant.symbols[index], comment ? {comment} : {}, more);
+    return index;
+  };
+  add("CLAMP1_O_CLOSE", "Clamp 1 left side, close", {inverted: true}, "BOOL", "TRUE");
+  add("CLAMP1_O_OPEN", "Clamp 1 left side, open");
+  add("CLAMP1_I_CLOSE", "Clamp 1 left side, is closed");
+  add("CLAMP1_I_OPEN", "Clamp 1 left side, is open", {}, "BOOL", "TRUE");
+  add("MOTOR_O_RUN", "Spindle motor");
+  add("MOTOR_I_RUN", "Spindle motor runs");
+  add("PUMP_O_RUN", "Kühlmittelpumpe", {link: 0});
+  add("PUMP_I_RUN", null, {link: 0});
+  add("DOOR_I_SHUT", "Safety door is shut", {}, "BOOL", "TRUE");
+  add("START_I_PUSH", "Push button start cycle");
+  add("ESTOP_I_SAFE", "비상정지 해제됨", {}, "BOOL", "TRUE");
+  add("MODE_I_OFF", "Selector off", {}, "BOOL", "TRUE");
+  add("MODE_I_MANUAL", "Selector manual");
+  add("MODE_I_AUTO", "Selector automatic");
+  finish(plant);
+  const loose = (name, comment, more = {}, type = "BOOL") => plant.symbols.push({name: "LINE_S1_" + name, address: "D" + plant.symbols.length, type,
+    direction: name.includes("_I_") ? "event" : "operation", device: null, driver: name.includes("_I_") ? "none" : null, link: null, list: "operated.csv:" + plant.symbols.length, inverted: false,
+    initial: type === "BOOL" ? "FALSE" : "0", ...(comment ? {comment} : {}), ...more}) - 1;
+  loose("MOTOR_O_SPEED", "Spindle speed in 1/min", {}, "INT");
+  loose("MOTOR_I_LOAD", "Spindle load", {driver: "signal"}, "REAL");
+  loose("PB_I_START", "Start", {operator: true});
+  loose("PB_I_RESET_FAULTS_OF_THE_WHOLE_STATION", null, {operator: true});
+  loose("PB_I_STOP", "Stop (opener)", {operator: true, inverted: true});
+  loose("PL_O_READY", "Lamp ready", {operator: true});
+  addTracks(plant, ["LINE_S1_BELT"], 3e6, 300000, null);
+  const {sensors} = plant.locations[0];
+  for (const [name, at] of [["PE2_I_LOW", sensors[1].at], ["PE2_I_HIGH", sensors[1].at], ["PE3_I_SKEW", sensors[2].at]]) {
+    sensors.push({symbol: loose("BELT_" + name, "Eye " + name.slice(6).toLowerCase(), {driver: "parts"}), at});
+  }
+  plant.links = [{name: "modbus-tcp-server://127.0.0.1:1502", controller: "PLC1"}];
+  return plant;
+};
+
 /// Names that break pages: markup, Korean, very long ones.
 export const names = () => {
   const plant = emptyPlant("이름 <b>시험</b> \"quotes\" & more, a plant with a very long name that does not end soon");

@@ -1,7 +1,7 @@
 // A server for tests of the panel's page alone: it has the interface of docs/panel-interface.md, but no real plant.
 //
 // usage: node server.mjs PLANT [--port N] [--activity N] [--view-only] [--exercise FILE]
-// PLANT: cell, body-shop, material, large (10,000 devices), symbols (3,000 and 200 parts), names, recording
+// PLANT: cell, body-shop, operated, material, large (10,000 devices), symbols (3,000 and 200 parts), names, recording
 import {createServer} from "node:http";
 import {randomBytes} from "node:crypto";
 import {readFileSync} from "node:fs";
@@ -23,6 +23,7 @@ const makePlant = (name, activity, exercises) => {
   if (name === "material") return of(descriptions.material(), {partsPerTrack: 8});
   if (name === "large") return of(descriptions.large(10000), {activity: activity ?? 10667, move: 300e6});
   if (name === "symbols") return of(descriptions.large(1000, 3000, 25), {activity: activity ?? 200, partsPerTrack: 8});
+  if (name === "operated") return of(descriptions.operated(), {partsPerTrack: 2});
   if (name === "names") return of(descriptions.names(), {partsPerTrack: 2});
   if (name === "recording") return of({...descriptions.bodyShop(project), mode: "recording", acts: false, files: false, begin: 0, end: 60e9}, {activity: 30, partsPerTrack: 5});
   throw new Error("there is no mock plant " + name);

@@ -4,7 +4,7 @@ import {test} from "node:test";
 import {actText} from "../../../runtime/panel/page/act_words.js";
 import {speedText} from "../../../runtime/panel/page/control.js";
 import {filterSymbols} from "../../../runtime/panel/page/io_filter.js";
-import {groupDevices, neighbor, placeNames, placeTiles, stationsOf, ticks} from "../../../runtime/panel/page/layout.js";
+import {groupDevices, neighbor, placeMarks, placeNames, placeTiles, stationsOf, ticks} from "../../../runtime/panel/page/layout.js";
 import {Names} from "../../../runtime/panel/page/names.js";
 import {Store} from "../../../runtime/panel/page/store.js";
 import {clockText, count, cutMiddle, duration, exactInstant, instant, length, readValue, withRoundTimes} from "../../../runtime/panel/page/words.js";
@@ -85,10 +85,26 @@ test("Names are found by parts, and their kinds are known", () => {
   assert.deepEqual(names.search("clamp", 1, (kind, index) => kind === "symbol" && index === 1).map(({name}) => name), ["LINE_S1_CLAMP_I_CLOSE"]);
 });
 
+const placed = (ats, wide = 40) => {
+  const sensors = ats.map((at) => ({at, text: String(at), wide}));
+  placeMarks(sensors, (at) => at);
+  placeNames(sensors, 200);
+  return sensors;
+};
+
 test("Names of sensors are written where they overlap no other and do not leave the strip", () => {
-  const sensors = [10, 50, 55, 120, 190].map((at) => ({at, text: String(at), wide: 40}));
-  placeNames(sensors, 200, (at) => at);
-  assert.deepEqual(sensors.map(({shown}) => shown), ["", "50", "", "120", ""]);
+  assert.deepEqual(placed([10, 50, 75, 120, 190]).map(({shown}) => shown), ["", "50", "", "120", ""]);
+});
+
+test("Sensors at one position are side by side, the names of the outer ones away from each other", () => {
+  const marks = (ats) => placed(ats, 20).map(({mark}) => mark);
+  assert.deepEqual(marks([100, 100]), [93, 107]);
+  assert.deepEqual(marks([100, 40, 100, 100]), [86, 40, 100, 114]);
+  assert.deepEqual(marks([100, 106]), [96, 110]);
+  assert.deepEqual(marks([100, 114]), [100, 114]);
+  const [first, middle, last] = placed([100, 100, 100], 20);
+  assert.deepEqual([first.shown, middle.shown, last.shown], ["100", "", "100"]);
+  assert.ok(first.left + 20 < 100 - 7 && last.left > 100 + 7);
 });
 
 test("Times of the plant are rounded in texts, and names keep their ends", () => {
@@ -106,7 +122,7 @@ test("Acts are words", () => {
     "set the speed to max", "reset the plant", 'other {"a":1}']);
   assert.equal(actText([{take: "BELT"}, {put: {at: "BELT", kind: "raw"}}]), "took a part from BELT, put raw at BELT");
   const symbolNamed = (name) => ({A: {inverted: true}, B: {inverted: false}})[name] ?? null;
-  assert.equal(actText([{force: {A: false}}, {set: {B: true, C: true}}], symbolNamed), "forced A on (bit 0), set B on, C on");
+  assert.equal(actText([{force: {A: false}}, {set: {B: true, C: true}}], symbolNamed), "forced A on, set B on, C on");
 });
 
 test("The speed is the chosen one; the real one is added where it differs", () => {

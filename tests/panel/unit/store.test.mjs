@@ -5,7 +5,7 @@ import {Names} from "../../../runtime/panel/page/names.js";
 import {rank, Statuses} from "../../../runtime/panel/page/status.js";
 import {Store} from "../../../runtime/panel/page/store.js";
 import {commandsText, eventsText} from "../../../runtime/panel/page/tile.js";
-import {isOn, levels, value} from "../../../runtime/panel/page/words.js";
+import {isOn, levels, value, valueWithBit} from "../../../runtime/panel/page/words.js";
 import {smallPicture, smallPlant} from "./plant.mjs";
 
 const startedStore = () => {
@@ -128,15 +128,17 @@ test("A device shows its most urgent status, and its station counts them", () =>
   assert.deepEqual([...statuses.of], [rank.blocked, rank.contact]);
 });
 
-test("An inverted symbol is shown by its meaning, with the bit in brackets", () => {
+test("An inverted symbol is shown by its meaning, and its bit only where it is asked for", () => {
   const plain = {type: "BOOL", inverted: false};
   const inverted = {type: "BOOL", inverted: true};
   assert.deepEqual([true, false].map((bit) => value(bit, plain)), ["on", "off"]);
-  assert.deepEqual([true, false].map((bit) => value(bit, inverted)), ["off (bit 1)", "on (bit 0)"]);
+  assert.deepEqual([true, false].map((bit) => value(bit, inverted)), ["off", "on"]);
+  assert.deepEqual([true, false].map((bit) => valueWithBit(bit, inverted)), ["off (bit 1)", "on (bit 0)"]);
+  assert.deepEqual([true, 5].map((of) => valueWithBit(of, plain)), ["on", "5"]);
   assert.equal(value(5, {type: "INT", inverted: false}), "5");
   assert.deepEqual([isOn(plain, true), isOn(inverted, true), isOn(inverted, false), isOn(plain, 0), isOn(plain, 3)], [true, false, true, false, true]);
   assert.deepEqual(levels(plain), [["on", true], ["off", false]]);
-  assert.deepEqual(levels(inverted), [["on (bit 0)", false], ["off (bit 1)", true]]);
+  assert.deepEqual(levels(inverted), [["on", false], ["off", true]]);
 });
 
 test("A tile and a status use the meaning of inverted symbols", () => {
@@ -145,14 +147,14 @@ test("A tile and a status use the meaning of inverted symbols", () => {
   const store = new Store(plant);
   store.picture(smallPicture());
   const [device] = plant.devices;
-  assert.equal(commandsText(store, device), "▸CLOSE(0)");
-  assert.equal(eventsText(store, device), "■(0)");
+  assert.equal(commandsText(store, device), "▸CLOSE");
+  assert.equal(eventsText(store, device), "■");
   const statuses = new Statuses(store, new Names(plant));
   statuses.update({all: true, symbols: [], devices: [], keys: new Set()});
   store.changes({rev: 2, t: 1, devices: [[0, 1, 1, 0, 0, 1, 0, 0]], symbols: [[1, true, 0, 1]]});
   statuses.update({all: true, symbols: [], devices: [], keys: new Set()});
   assert.equal(statuses.of[0], rank.commanded);
-  assert.equal(eventsText(store, device), "□(1)");
+  assert.equal(eventsText(store, device), "□");
   store.changes({rev: 3, t: 2, symbols: [[0, true, 0, 2]]});
   statuses.update({all: true, symbols: [], devices: [], keys: new Set()});
   assert.equal(statuses.of[0], rank.waits);

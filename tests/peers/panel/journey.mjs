@@ -20,8 +20,7 @@ const find = async (page, text, name) => {
 
 const setState = async (page, device, state) => {
   await find(page, device, device);
-  await details(page).getByRole("combobox", {name: "State for " + device}).selectOption(state);
-  await details(page).getByRole("button", {name: "Set state"}).click();
+  await details(page).getByRole("group", {name: "State of " + device}).getByRole("button", {name: state, exact: true}).click();
   await until(device + " in " + state, async () => (await textOf(details(page))).includes(state + "\n"));
 };
 
@@ -56,7 +55,7 @@ export const kSteps = [
   }],
   ["a sensor is forced in the I/O view", async ({page}) => {
     await open(page, "I/O");
-    await page.getByRole("searchbox", {name: "Filter by name or address"}).fill(kClamp + "_I_CLOSE");
+    await page.getByRole("searchbox", {name: "Filter by name, address or comment"}).fill(kClamp + "_I_CLOSE");
     const row = page.getByRole("row").filter({hasText: kClamp + "_I_CLOSE"});
     await row.getByRole("button", {name: "Force off"}).click();
     await until("forced", async () => /off, forced/.test(await textOf(row)));

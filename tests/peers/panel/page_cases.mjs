@@ -182,7 +182,7 @@ export const kCases = [
   ["placeholders can be read in the dark", "cell", async ({page, view}) => {
     await page.emulateMedia({colorScheme: "dark"});
     await view("view=io");
-    const contrast = await page.getByPlaceholder("Name or address").evaluate((input) => {
+    const contrast = await page.getByPlaceholder("Name, address or comment").evaluate((input) => {
       const light = (color) => {
         const [r, g, b] = color.match(/[\d.]+/g).map((part) => part / 255).map((part) => part <= .03928 ? part / 12.92 : ((part + .055) / 1.055) ** 2.4);
         return .2126 * r + .7152 * g + .0722 * b;

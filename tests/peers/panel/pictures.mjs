@@ -76,7 +76,7 @@ await withPlant(["run", "examples/body-shop/plant.json", "--exercise", kExercise
   await view("view=line&station=BODY+UNDER10&device=BODY_UNDER10_CLAMP1");
   await picture("station");
   await view("view=io");
-  await page.getByRole("searchbox", {name: "Filter by name or address"}).fill("under10");
+  await page.getByRole("searchbox", {name: "Filter by name, address or comment"}).fill("under10");
   await page.setViewportSize({width: 1120, height: 480});
   await page.waitForTimeout(500);
   await picture("io");
