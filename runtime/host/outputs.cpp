@@ -37,9 +37,13 @@ bool records_changes(const RunOptions& options) {
   return !options.trace.empty() || !options.vcd.empty() || options.records;
 }
 
+bool counts_utilization(const RunOptions& options) { return options.panel || !options.stats.empty(); }
+
 Outputs::Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder,
                  trace::History& history, Report& report, std::ostream& out)
-    : names_(names), options_(options), recorder_(recorder), history_(history), report_(report), out_(out) {}
+    : names_(names), options_(options), recorder_(recorder), history_(history), report_(report), out_(out) {
+  if (counts_utilization(options)) utilization_.emplace(names, history);
+}
 
 trace::OutputFile Outputs::file(const char* what, const std::string& path, std::uint64_t limit) const {
   return is_standard_output(path) ? trace::OutputFile(what, out_) : trace::OutputFile(what, path, limit);
@@ -80,6 +84,7 @@ void Outputs::write(const trace::Record& record) {
   if (panel_ != nullptr) panel_->before(record);
   history_.apply(record);
   if (panel_ != nullptr) panel_->after(record);
+  if (utilization_) utilization_->apply(record);
   if (record.kind == Kind::change) ++changes_;
   if (record.kind == Kind::finding) {
     if (loop_goes_on_) {
@@ -148,6 +153,7 @@ void Outputs::end_instant(tables::Time time) {
 
 void Outputs::set_back(std::string_view what, std::string_view name, tables::Time time) {
   if (trace_) trace_->set_back(what, name, time, history_);
+  if (utilization_) utilization_->begin(time);
   if (vcd_ && vcd_->has_begun() && vcd_end_ < 0) vcd_end_ = last_time_;
   last_time_ = time;
 }

@@ -19,12 +19,15 @@
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/recorder.hpp"
 #include "symplant/trace/trace_file.hpp"
+#include "symplant/trace/utilization.hpp"
 #include "symplant/trace/vcd_file.hpp"
 
 namespace symplant::host {
 
 /// Whether a file gets every change of the plant.
 bool records_changes(const RunOptions& options);
+/// Whether the utilization of the plant is counted, which needs every change and the motions of parts.
+bool counts_utilization(const RunOptions& options);
 
 /// An act for a trace: as JSON, and what did it: `hand` or `scenario`.
 struct ActText {
@@ -66,6 +69,10 @@ class Outputs {
   /// Writes the remaining records, and reports on `err` what is missing.
   void finish(tables::Time end, std::ostream& err);
 
+  /// What devices, tracks and places did; null without a panel and `--stats`. Until finish(), only for the thread that
+  /// drains, or under the lock of the panel.
+  trace::Utilization* utilization() { return utilization_ ? &*utilization_ : nullptr; }
+  const trace::Utilization* utilization() const { return utilization_ ? &*utilization_ : nullptr; }
   std::uint64_t changes() const { return changes_; }
   std::uint64_t instants() const { return instants_; }
 
@@ -90,6 +97,7 @@ class Outputs {
   std::optional<trace::TraceFile> trace_;
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;
+  std::optional<trace::Utilization> utilization_;
   std::vector<std::uint64_t> hands_;  ///< actions that were refused in the step whose failure is reported next
   std::vector<trace::Record>
       later_;  ///< of parts and malfunctions, of the instant that is being drained: they come last

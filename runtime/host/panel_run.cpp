@@ -61,6 +61,7 @@ int open_panel(const PanelInput& input, Stage& stage, std::ostream& out, std::os
                                                 .plant = stage.plant,
                                                 .recorder = stage.recorder,
                                                 .history = stage.history,
+                                                .utilization = *stage.outputs.utilization(),
                                                 .explainer = stage.explainer,
                                                 .behaviours = input.program.behaviours,
                                                 .carried = input.carried,

@@ -13,6 +13,7 @@
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/trace/junit_xml.hpp"
+#include "symplant/trace/utilization_text.hpp"
 
 namespace symplant::host {
 namespace {
@@ -112,7 +113,8 @@ ResultFiles::ResultFiles(const RunOptions& options, std::ostream& out) : options
 void ResultFiles::remove_results() const {
   remove_result(options_.junit, replaces_ ? "" : "<testsuite");
   remove_result(options_.findings, replaces_ ? "" : "\"finding\":");
-  remove_result(options_.stats, replaces_ ? "" : "\"symplant-stats\":");
+  const bool table = options_.stats.ends_with(".csv");
+  remove_result(options_.stats, replaces_ ? "" : table ? trace::kUtilizationHead : "\"symplant-stats\":");
 }
 
 void ResultFiles::replace_unless_among(std::span<const std::string_view> inputs) {

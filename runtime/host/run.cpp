@@ -247,8 +247,9 @@ int sum_up(Stage& stage, const Played& played, const Links& links, const Shown& 
   };
   if (plcs != nullptr) note(plcs->unreached);
   if (stage.programs && stage.programs->failed()) note(program::failure_words(*stage.programs->failure()));
-  note(played.files.write_stats(stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, shown.real,
-                                            played.clock, links, shown.answers, played.names, shown.wall})));
+  note(played.files.write_stats(
+      stats_text(options.stats, {stage.plant, options.seed, stage.outputs, stage.report, verdict, shown.real,
+                                 played.clock, links, shown.answers, played.names, shown.wall})));
   note(save_end(stage, options));
   note(played.files.write_junit(junit_text({stage.plant, played.names, played.scenario, outcomes, stage.report,
                                             options.fail_on_findings, shown.clean, plcs, errors})));

@@ -124,7 +124,10 @@ void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--junit", options.junit,
                  "report expectations, requirements, and whether a PLC connected, to this file, as JUnit XML")
       ->type_name("FILE");
-  app.add_option("--stats", options.stats, "write statistics of the run to this file, as JSON")->type_name("FILE");
+  app.add_option("--stats", options.stats,
+                 "write statistics of the run to this file, as JSON; a FILE that ends with .csv gets the utilization "
+                 "of devices, tracks and places as a table")
+      ->type_name("FILE");
   app.add_option("--save", options.save, "write the state of the plant at the end to this file, for --resume")
       ->type_name("FILE");
   app.add_option("--resume", options.resume, "start from a state that --save or the panel wrote")->type_name("FILE");

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kRealTimeRecords = std::size_t{1} << 16;
 
 trace::Recorder::Detail detail_of(const RunOptions& options) {
-  return options.panel ? trace::Recorder::Detail::motions : trace::Recorder::Detail::changes;
+  return counts_utilization(options) ? trace::Recorder::Detail::motions : trace::Recorder::Detail::changes;
 }
 
 /// In real time all memory is populated before the first cycle. Without a file of changes the records only serve the
@@ -20,8 +20,9 @@ std::size_t capacity(const tables::PlantTables& tables, const RunOptions& option
   const std::size_t least = options.panel ? kRealTimeRecords : 0;  // one step of a panel may have several instants
   if (!real_time) return std::max(least, trace::Recorder::enough_for_a_loop(tables, detail));
   const std::size_t enough = trace::Recorder::enough_for_an_instant(tables, detail);
-  return std::max(kRealTimeRecords,
-                  records_changes(options) || options.panel ? 2 * enough : tables.symbols.size() + tables.units.size());
+  return std::max(kRealTimeRecords, records_changes(options) || counts_utilization(options)
+                                        ? 2 * enough
+                                        : tables.symbols.size() + tables.units.size());
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// Statistics of a run, as JSON.
+// Statistics of a run.
 #include "symplant/host/stats.hpp"
 
 #include <fmt/format.h>
 
 #include "symplant/host/words.hpp"
 #include "symplant/tables/names.hpp"
+#include "symplant/trace/utilization_text.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::host {
@@ -81,7 +82,9 @@ std::string values_text(const plant::Plant& plant, const trace::PlantNames& name
 
 }  // namespace
 
-std::string stats_text(const StatsInput& input) {
+namespace {
+
+std::string stats_json(const StatsInput& input) {
   std::string text =
       fmt::format(R"({{"symplant-stats":1,"plant":{},"model_hash":"{:016x}","seed":{},"plant_time":{},"wall_time":{},)"
                   R"("instants":{},"changes":{})",
@@ -101,6 +104,9 @@ std::string stats_text(const StatsInput& input) {
   const std::size_t violated = input.report.requirements_violated();
   text += fmt::format(R"(,"requirements":{{"held":{},"violated":{}}})", requirements - violated, violated);
   text += parts_text(input.plant) + values_text(input.plant, input.names);
+  if (const trace::Utilization* utilization = input.outputs.utilization()) {
+    text += ",\"utilization\":" + trace::utilization_json(*utilization, input.plant.now());
+  }
   if (input.real_time) text += real_time_text(*input.real_time);
   if (input.real_time && input.clock != nullptr && input.real_time->cycles.plc_clock) {
     text += clock_text(*input.clock, *input.real_time->cycles.plc_clock);
@@ -108,6 +114,14 @@ std::string stats_text(const StatsInput& input) {
   if (!input.links.empty()) text += links_text(input.links);
   if (!input.answers.empty()) text += ",\"why\":" + answers_json(input.answers, input.names);
   return text + "}\n";
+}
+
+}  // namespace
+
+std::string stats_text(const std::string& path, const StatsInput& input) {
+  const trace::Utilization* const utilization = input.outputs.utilization();
+  return path.ends_with(".csv") && utilization != nullptr ? trace::utilization_csv(*utilization, input.plant.now())
+                                                          : stats_json(input);
 }
 
 }  // namespace symplant::host

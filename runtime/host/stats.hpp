@@ -1,4 +1,4 @@
-// Statistics of a run, as JSON.
+// Statistics of a run.
 #pragma once
 
 #include <optional>
@@ -28,6 +28,7 @@ struct StatsInput {
   tables::Time wall = 0;  ///< duration of the run, in ns
 };
 
-std::string stats_text(const StatsInput& input);
+/// The file of `--stats` with this path: if that ends with `.csv`, the utilization of the plant as a table, else JSON.
+std::string stats_text(const std::string& path, const StatsInput& input);
 
 }  // namespace symplant::host

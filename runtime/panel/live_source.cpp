@@ -18,6 +18,8 @@ std::optional<Reply> LiveSource::get(std::string_view path, const std::map<std::
                                      const Sender& sender, const Answered& later) {
   const std::lock_guard guard(mutex_);
   if (path == "chart") return chart(query);
+  if (path == "utilization") return utilization(query, sender.role);
+  if (path == "utilization.csv") return utilization_table(sender.role);
   if (path == "why") {
     const auto name = query.find("name");
     if (name == query.end()) return Reply{Reply::Kind::now, error_answer(400, "`why` needs a `name`")};
@@ -34,6 +36,23 @@ Reply LiveSource::chart(const std::map<std::string, std::string>& query) {
   ChartWish wish;
   if (!read_chart(query, names_, wish)) return {Reply::Kind::now, error_answer(400, kChartForm)};
   return {Reply::Kind::now, {200, desk_.chart(wish)}};
+}
+
+Reply LiveSource::utilization(const std::map<std::string, std::string>& query, Role role) {
+  if (!query.contains("device")) return {Reply::Kind::now, {200, desk_.utilization(role)}};
+  std::uint32_t unit = 0;
+  bool well = true;
+  read_number(query, "device", unit, well);
+  if (!well || unit >= names_.tables().units.size()) {
+    return {Reply::Kind::now, error_answer(400, "`device` is the index of a device")};
+  }
+  return {Reply::Kind::now, {200, desk_.utilization_of(unit, role)}};
+}
+
+Reply LiveSource::utilization_table(Role role) {
+  Reply reply{Reply::Kind::now, {200, desk_.utilization_table(role)}, "text/csv; charset=utf-8"};
+  reply.file_name = "utilization.csv";
+  return reply;
 }
 
 std::optional<Reply> LiveSource::session_file(std::string_view kind) {

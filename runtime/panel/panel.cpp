@@ -19,11 +19,11 @@ struct Panel::Parts {
         plant(std::move(of)),
         access(std::move(granted)),
         guard(plant.log),
-        desk({plant.names,      plant.plant,         plant.recorder,  plant.history,      plant.explainer,
-              plant.behaviours, plant.carried,       plant.exercises, plant.scenario,     plant.player,
-              plant.programs,   plant.scenario_name, options.files,   plant.seed,         plant.cycle,
-              plant.with_plc,   plant.by_plc_clock,  plant.paced,     !options.view_only, plant.resumed,
-              plant.view}),
+        desk({plant.names,     plant.plant,      plant.recorder,      plant.history,   plant.utilization,
+              plant.explainer, plant.behaviours, plant.carried,       plant.exercises, plant.scenario,
+              plant.player,    plant.programs,   plant.scenario_name, options.files,   plant.seed,
+              plant.cycle,     plant.with_plc,   plant.by_plc_clock,  plant.paced,     !options.view_only,
+              plant.resumed,   plant.view}),
         source(desk, mutex, plant.names, [this](Role role) { return description_of(plant, role); }),
         routes(source, access) {}
 

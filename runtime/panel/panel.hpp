@@ -27,6 +27,7 @@
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/recorder.hpp"
+#include "symplant/trace/utilization.hpp"
 #include "symplant/why/explainer.hpp"
 
 namespace symplant::panel {
@@ -37,6 +38,7 @@ struct PanelPlant {
   plant::Plant& plant;
   trace::Recorder& recorder;  ///< with motions
   trace::History& history;
+  trace::Utilization& utilization;
   const why::Explainer& explainer;
   std::span<const engine::Behaviour> behaviours;
   const std::vector<bool>& carried;    ///< as for read_scenario()

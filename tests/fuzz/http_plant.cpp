@@ -76,6 +76,7 @@ struct LivePlant {
       : plant(names.tables()),
         recorder(names.tables(), std::size_t{1} << 12, trace::Recorder::Detail::motions),
         history(names),
+        utilization(names, history),
         explainer(names),
         desk(setup(names, carried, exercises)),
         source(desk, mutex, names, [&names](panel::Role role) { return description_of(names, role); }) {
@@ -91,6 +92,7 @@ struct LivePlant {
             .plant = plant,
             .recorder = recorder,
             .history = history,
+            .utilization = utilization,
             .explainer = explainer,
             .behaviours = {},
             .carried = carried,
@@ -133,12 +135,14 @@ struct LivePlant {
       desk.before(record);
       history.apply(record);
       desk.after(record);
+      utilization.apply(record);
     });
   }
 
   plant::OwnedPlant plant;
   trace::Recorder recorder;
   trace::History history;
+  trace::Utilization utilization;
   why::Explainer explainer;
   std::mutex mutex;
   panel::Desk desk;

@@ -38,6 +38,7 @@ constexpr Command kCommands[] = {
     {"step", "cycle", Kind::step_cycle},
     {"step", "change", Kind::step_change},
     {"end", "exercise", Kind::end_exercise},
+    {"count", "utilization", Kind::count_again},
 };
 /// An act with one key whose value is a name.
 struct NamedCommand {

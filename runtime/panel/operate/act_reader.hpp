@@ -31,6 +31,7 @@ struct Act {
     exercise,
     end_exercise,
     session,
+    count_again,  ///< of utilization
   };
   Kind kind = Kind::step;
   scenario::Step step;

@@ -31,6 +31,7 @@
 #include "symplant/trace/finding_words.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/recorder.hpp"
+#include "symplant/trace/utilization.hpp"
 #include "symplant/why/explainer.hpp"
 
 namespace symplant::panel {
@@ -53,6 +54,7 @@ class Desk {
     plant::Plant& plant;  ///< read before the run only
     trace::Recorder& recorder;
     trace::History& history;
+    trace::Utilization& utilization;
     const why::Explainer& explainer;
     std::span<const engine::Behaviour> behaviours;
     const std::vector<bool>& carried;
@@ -97,6 +99,10 @@ class Desk {
   Answer check(std::string_view body, const Sender& sender);
   void why(std::string_view name, const Sender& sender, Answered answered);
   std::string chart(const ChartWish& wish) const { return chart_.text(wish, operator_.now()); }
+  /// What devices, tracks and places did until now.
+  std::string utilization(Role role) const;
+  std::string utilization_of(std::uint32_t unit, Role role) const;
+  std::string utilization_table(Role role) const;  ///< as comma-separated values
   /// The keys of the description that the desk knows.
   void put_description(std::string& json) const;
   /// The data of the event `picture`, as a role sees it.

@@ -7,6 +7,7 @@
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/scenario/step_text.hpp"
 #include "symplant/trace/junit_xml.hpp"
+#include "symplant/trace/utilization_text.hpp"
 #include "symplant/trace/whole_file.hpp"
 
 namespace symplant::panel {
@@ -67,6 +68,8 @@ std::string members_of(const Act& act) {
       return named("exercise");
     case Kind::end_exercise:
       return "\"end\":\"exercise\"";
+    case Kind::count_again:
+      return "\"count\":\"utilization\"";
     case Kind::session:
       break;
   }
@@ -197,6 +200,7 @@ void Desk::order(const Act& act, const std::shared_ptr<Group>& group) {
     case Kind::speed:
     case Kind::forget:
     case Kind::session:
+    case Kind::count_again:
       return at_once(act, group);
     default:
       break;
@@ -221,7 +225,20 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
     group->error = fmt::format("there is no snapshot `{}` in memory", act.name);
   }
   if (act.kind == Kind::session) group->error = save_session(act.name);
+  if (act.kind == Kind::count_again) setup_.utilization.begin(operator_.now());
   if (group->error.empty()) log(operator_.now(), 0, "hand", members_of(act), false);
+}
+
+std::string Desk::utilization(Role role) const {
+  return trace::utilization_table_json(setup_.utilization, operator_.now(), sees_all(role));
+}
+
+std::string Desk::utilization_of(std::uint32_t unit, Role role) const {
+  return trace::device_use_json(setup_.utilization, unit, operator_.now(), sees_all(role));
+}
+
+std::string Desk::utilization_table(Role role) const {
+  return trace::utilization_csv(setup_.utilization, operator_.now(), sees_all(role));
 }
 
 void Desk::offer(Pending pending) {

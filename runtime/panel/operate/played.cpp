@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "symplant/panel/picture/json_text.hpp"
-#include "symplant/scenario/step_text.hpp"
+#include "symplant/scenario/step_words.hpp"
 #include "symplant/scenario/verdict.hpp"
 #include "symplant/trace/finding_words.hpp"
 
@@ -15,8 +15,9 @@ std::string step_words(const scenario::Scenario& scenario, std::size_t step, con
   if (of.expect) {
     return (of.when == scenario::Step::When::wait ? "wait: " : "expect: ") + scenario::expectation_words(of, names);
   }
-  const std::string actions = scenario::actions_json(of, names);
-  return actions.empty() ? "wait until " + trace::seconds(of.time) : actions;
+  std::string actions = scenario::actions_words(of, names);
+  if (!actions.empty()) return actions;
+  return (of.when == scenario::Step::When::plus ? "wait " : "wait until ") + trace::seconds(of.time);
 }
 
 void Played::begin(const scenario::Scenario* scenario) {

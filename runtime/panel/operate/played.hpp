@@ -11,7 +11,7 @@
 
 namespace symplant::panel {
 
-/// What a step does or expects: "wait: `AGV.P2` within 5 s", or its actions as JSON.
+/// What a step does or expects: "wait: `AGV.P2` within 5 s", or "force L_P_AGV_I_P2 off".
 std::string step_words(const scenario::Scenario& scenario, std::size_t step, const trace::PlantNames& names);
 
 /// The progress of the scenario that plays.

@@ -1,5 +1,6 @@
-// Acts in words: "forced X off", for results and for the list of what was done.
-import {factor, value} from "./words.js";
+// Acts in words: "forced X off", for results and for the list of what was done. Steps of scenarios have the same words in the present
+// tense, from the server (step_words.cpp).
+import {factor, length, value} from "./words.js";
 
 const kPlain = {inverted: false};
 
@@ -13,16 +14,22 @@ const pairs = (of, text) => listed(Object.entries(of), text);
 
 const values = (of, symbolNamed) => pairs(of, ([name, to]) => name + " " + value(to, symbolNamed(name) ?? kPlain));
 
+const quoted = (name) => "`" + name + "`";
+const malfunctions = (of) => ([of].flat().length === 1 ? "malfunction " : "malfunctions ") + listed(of, quoted);
+
+/// A location as scenarios have it, "BELT@300.000 mm": "BELT at 300 mm".
+const location = (of) => of.replace(/@(\d+(?:\.\d+)?) mm$/, (_, mm) => " at " + length(mm * 1e3)).replace("@", " at ");
+
 const kWords = {
   restart: (of) => "restarted the program" + (of === true ? "" : " of " + of),
   set: (of, symbolNamed) => "set " + values(of, symbolNamed),
   state: (of) => "put " + pairs(of, ([name, to]) => name + " into " + to),
-  put: (of) => "put " + listed(of, ({at, kind}) => kind + " at " + at),
-  take: (of) => "took a part from " + listed(of),
+  put: (of) => "put " + listed(of, ({at, kind}) => quoted(kind) + (at.includes("@") ? " on " : " at ") + location(at)),
+  take: (of) => "took a part from " + listed(of, location),
   force: (of, symbolNamed) => "forced " + values(of, symbolNamed),
   release: (of) => "released " + (of === "all" ? "all" : listed(of)),
-  stop: (of) => "stopped " + listed(of),
-  start: (of) => "started " + listed(of),
+  stop: (of) => "stopped " + malfunctions(of),
+  start: (of) => "started " + malfunctions(of),
   run: () => "ran",
   freeze: () => "froze",
   step: (of) => of === "change" ? "ran to the next change" : "ran one cycle",
@@ -34,6 +41,7 @@ const kWords = {
   forget: (of) => "forgot " + of,
   exercise: (of) => "started the exercise " + of,
   end: () => "ended the exercise",
+  count: () => "began to count utilization again",
   session: (of) => "saved the session " + of,
 };
 

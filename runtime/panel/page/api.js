@@ -76,6 +76,14 @@ export class Api {
   why(name, signal) { return this.get("why?name=" + encodeURIComponent(name), signal); }
   at(t) { return this.get("at?t=" + Math.round(t)); }
 
+  /// What all devices, tracks and places did, or one device.
+  utilization(device = null) { return this.get("utilization" + (device === null ? "" : "?device=" + device)); }
+
+  async utilizationTable() {
+    const response = await this.request("/api/v1/utilization.csv");
+    return response.blob();
+  }
+
   async session(kind) {
     const response = await this.request("/api/v1/session/" + kind);
     return response.blob();

@@ -95,7 +95,7 @@ const choose = (app, {kind, name}) => {
 const makeKeys = (app, bar, search, views) => new Shortcuts([
   ["/", "search", () => search.input.focus()],
   ["Escape", "close the details", () => app.router.deselect()],
-  ...views.keys.map((key, i) => [String(i + 1), "view " + views.title(key), () => app.router.view(key)]),
+  ...views.keys.slice(0, 9).map((key, i) => [String(i + 1), "view " + views.title(key), () => app.router.view(key)]),
   ...(app.canAct || app.player ? [["p", app.player ? "play and pause" : "run and freeze", () => bar.toggle()]] : []),
   ...(app.canAct ? [["s", "one cycle", () => perform(app, bar.result, () => ({step: "cycle"}))],
     ["n", "to the next change", () => perform(app, bar.result, () => ({step: "change"}))]] : [])]);

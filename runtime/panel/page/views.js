@@ -9,6 +9,7 @@ import {LineView} from "./line.js";
 import {LinksView} from "./links.js";
 import {MalfunctionsView} from "./malfunctions.js";
 import {SessionView} from "./session.js";
+import {UtilizationView} from "./utilization.js";
 import {ValuesView} from "./values.js";
 
 const kOfTrainer = ["malfunctions", "session"];
@@ -18,7 +19,7 @@ export const makeViews = (app) => {
   const values = app.plant.values.length > 0 ? [["values", "Values", ValuesView]] : [];
   const all = [["line", "Line", LineView], ["io", "I/O", IoView], ...values, ["chart", "Chart", ChartView], ["findings", "Findings", FindingsView],
     ["links", "Links", LinksView], ["malfunctions", "Malfunctions", MalfunctionsView], ["exercises", "Exercises", ExerciseView],
-    ["session", "Session", SessionView]];
+    ["session", "Session", SessionView], ["utilization", "Utilization", UtilizationView]];
   if (app.plant.mode === "recording") return all.slice(0, 4 + values.length);
   return app.plant.role === "trainer" ? all : all.filter(([key]) => !kOfTrainer.includes(key));
 };

@@ -11,10 +11,10 @@
 #include "symplant/panel/picture/describe_values.hpp"
 #include "symplant/panel/picture/drivers.hpp"
 #include "symplant/panel/picture/json_text.hpp"
-#include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/panel/picture/value_states.hpp"
 #include "symplant/tables/lists.hpp"
 #include "symplant/tables/names.hpp"
+#include "symplant/trace/malfunction_marks.hpp"
 #include "symplant/why/driven_things.hpp"
 
 namespace symplant::panel {
@@ -321,7 +321,7 @@ void put_malfunctions(std::string& json, const trace::PlantNames& names) {
   put_key(json, "malfunctions");
   json += '[';
   for (std::uint32_t m = 0; m < tables.malfunctions.size(); ++m) {
-    const ActsOn on = acts_on(tables, m);
+    const trace::ActsOn on = trace::acts_on(tables, m);
     put_comma(json);
     json += '{';
     put_member(json, "name", names.malfunction(m));

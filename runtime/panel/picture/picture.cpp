@@ -5,6 +5,7 @@
 
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/trace/malfunction_text.hpp"
+#include "symplant/trace/unit_activity.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -19,8 +20,7 @@ unsigned flags_of(const plant::UnitView& view) {
          (view.frozen ? kIsFrozen : 0U);
 }
 
-/// Whether the time of a move runs.
-bool runs(const plant::UnitView& view) { return view.moving && !view.stopped_midway && !view.disabled && !view.frozen; }
+using trace::runs;
 
 /// Appends an array of `count` arrays, whose content `put_one` appends by their number.
 template <class PutOne>
@@ -111,7 +111,7 @@ void Picture::set_malfunction(const Record& record) {
   malfunctions_.change(record.of, record.more);
   values_.change(record.of, record.more);
   malfunctions_changed_ = true;
-  const ActsOn on = acts_on(names_.tables(), record.of);
+  const trace::ActsOn on = trace::acts_on(names_.tables(), record.of);
   for (const std::uint32_t unit : on.units) devices_.mark(unit);
   for (const std::uint32_t symbol : on.symbols) symbols_.mark(symbol);
 }
@@ -157,27 +157,14 @@ void Picture::load(const plant::Plant& plant) {
   for (std::uint32_t location = 0; location < locations_.marked.size(); ++location) locations_.mark(location);
 }
 
-/// Whether an operation is on that leads elsewhere, and the unit does not move.
-bool Picture::is_blocked(std::uint32_t unit, const plant::UnitView& view) const {
-  if (runs(view)) return false;
-  const tables::TypeRow& type = names_.tables().types[names_.tables().units[unit].type];
-  std::size_t operation = 0;
-  for (const std::uint32_t symbol : names_.symbols_of(unit)) {
-    if (!names_.is_operation(symbol)) continue;
-    const std::uint8_t target = type.operation_targets[operation++];
-    if (target != view.state && history_.commands(symbol)) return true;
-  }
-  return false;
-}
-
 void Picture::put_device(std::string& json, std::uint32_t unit, tables::Time now, Role role) const {
   const plant::UnitView view = history_.unit(unit);
   const Motion& motion = motions_[unit];
   const tables::Time passed = runs(view) ? std::min(now - motion.at, motion.remaining) : 0;
   put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state,
       flags_of(view) | (sees_all(role) && malfunctions_.unit(unit) ? +kHasMalfunction : 0U),
-      is_blocked(unit, view) ? 1 : 0, history_.unit_since(unit), view.moving ? motion.remaining - passed : 0,
-      view.moving ? motion.whole : 0);
+      trace::is_blocked(names_, history_, unit) ? 1 : 0, history_.unit_since(unit),
+      view.moving ? motion.remaining - passed : 0, view.moving ? motion.whole : 0);
 }
 
 void Picture::put_symbol(std::string& json, std::uint32_t symbol, Role role) const {

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "symplant/panel/picture/malfunction_marks.hpp"
 #include "symplant/panel/picture/track_state.hpp"
 #include "symplant/panel/picture/value_states.hpp"
 #include "symplant/panel/role.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/history.hpp"
+#include "symplant/trace/malfunction_marks.hpp"
 #include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/record.hpp"
 
@@ -87,7 +87,6 @@ class Picture {
   void put_track(std::string& json, std::uint32_t track) const;
   void put_place(std::string& json, std::uint32_t place) const;
   void look_at_tracks(tables::Time now);
-  bool is_blocked(std::uint32_t unit, const plant::UnitView& view) const;
 
   const trace::PlantNames& names_;
   const trace::History& history_;
@@ -96,7 +95,7 @@ class Picture {
   Track* track_ = nullptr;  ///< the track whose parts are being recorded
   TrackStates track_states_;
   ValueStates values_;
-  MalfunctionMarks malfunctions_;
+  trace::MalfunctionMarks malfunctions_;
   bool malfunctions_changed_ = false;
   Marks devices_;
   Marks symbols_;

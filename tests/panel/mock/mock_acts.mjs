@@ -1,7 +1,7 @@
 // The acts, explanations and exercises of the mock plant.
 
 const kKinds = ["set", "state", "put", "take", "force", "release", "start", "stop", "run", "freeze", "step", "speed", "reset", "snapshot", "save", "restore",
-  "forget", "exercise", "end", "session"];
+  "forget", "exercise", "end", "session", "count"];
 
 const indexOf = (list, name, what) => {
   const index = list.findIndex((entry) => entry.name === name);
@@ -178,6 +178,7 @@ const acts = {
     plant.changed.keys.add("exercise");
   },
   session: () => {},
+  count: () => {},
 };
 
 /// Throws what is wrong; then nothing was done.

@@ -79,6 +79,19 @@ const chart = (plant, query) => {
     devices: rows("d", list("devices"), () => [0, 0])};
 };
 
+/// A quarter of the time each device moves, and half of the time each location has parts.
+const utilization = (plant, query) => {
+  const {t, description: {devices, locations}} = plant;
+  const cycle = [2, 4e9, 5e9, 6e9, 4e9];
+  if (query.has("device")) {
+    const [from, to] = devices[Number(query.get("device"))].states;
+    return {times: {moving: t / 4, waiting: t - t / 4}, malfunction: 0, states: {[from]: t - t / 4, [to]: 0},
+      moves: [{from, to, time: t / 4, count: 3, least: 1e9, mean: 1e9, greatest: 1e9, last: 1e9}], cycle: {state: from, count: 2, least: 4e9, mean: 5e9, greatest: 6e9, last: 4e9}};
+  }
+  return {from: 0, to: t, devices: devices.map(() => [[t / 4, 0, t - t / 4, 0, 0, 0, 0, 0], 0, 3, cycle]),
+    locations: locations.map((_, i) => [[t / 2, t / 4, t / 4], i === 0, 4, 3, 3, cycle]), exits: [3, cycle]};
+};
+
 const serverTime = () => Math.round(performance.now());
 
 /// `deny(path)`: the status of a request that is denied, or 0. `delay()`: ms until acts that arrived are looked at.
@@ -98,6 +111,8 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
     picture,
     why: (query) => why(plant, query.get("name")),
     chart: (query) => chart(plant, query),
+    utilization: (query) => utilization(plant, query),
+    "utilization.csv": () => ({}),
     at: (query) => pictures[Math.min(pictures.length - 1, Math.floor(Number(query.get("t")) / 1e8))],
     "session/scenario": () => ({"symplant-scenario": 1, steps: plant.acts.map(({t, act: of}) => ({at: t / 1e9 + "s", ...of}))}),
     "session/session": () => ({acts: plant.acts, findings: plant.findings}),

@@ -118,9 +118,11 @@ test("Times of the plant are rounded in texts, and names keep their ends", () =>
 test("Acts are words", () => {
   assert.deepEqual([{force: {A_I_X: false}}, {release: "all"}, {set: {A: 3, B: true}}, {state: {D: "OPEN"}}, {start: ["a", "b", "c", "d", "e"]}, {step: "cycle"},
     {put: {at: "BELT@300 mm", kind: "raw"}}, {speed: "max"}, {reset: true}, {other: {a: 1}}].map((act) => actText(act)),
-  ["forced A_I_X off", "released all", "set A 3, B on", "put D into OPEN", "started a, b, c and 2 more", "ran one cycle", "put raw at BELT@300 mm",
+  ["forced A_I_X off", "released all", "set A 3, B on", "put D into OPEN", "started malfunctions `a`, `b`, `c` and 2 more", "ran one cycle", "put `raw` on BELT at 300 mm",
     "set the speed to max", "reset the plant", 'other {"a":1}']);
-  assert.equal(actText([{take: "BELT"}, {put: {at: "BELT", kind: "raw"}}]), "took a part from BELT, put raw at BELT");
+  assert.equal(actText([{take: "BELT"}, {put: {at: "BELT", kind: "raw"}}]), "took a part from BELT, put `raw` at BELT");
+  assert.equal(actText([{take: "BELT@1500.000 mm"}, {start: "eye blind"}, {stop: ["eye blind"]}]),
+    "took a part from BELT at 1.5 m, started malfunction `eye blind`, stopped malfunction `eye blind`");
   const symbolNamed = (name) => ({A: {inverted: true}, B: {inverted: false}})[name] ?? null;
   assert.equal(actText([{force: {A: false}}, {set: {B: true, C: true}}], symbolNamed), "forced A on, set B on, C on");
 });

@@ -115,6 +115,31 @@ export const kSteps = [
     const [png] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: "Export PNG"}).click()]);
     assert.equal(readFileSync(await png.path()).subarray(1, 4).toString(), "PNG");
   }],
+  ["utilization counts the moves of the clamp, as a table and as CSV, and begins again", async ({page}) => {
+    await open(page, "Utilization");
+    const main = page.getByRole("main");
+    await main.getByRole("group", {name: "Rows"}).getByRole("button", {name: "Devices"}).click();
+    await main.getByRole("searchbox", {name: "Filter by name"}).fill(kClamp);
+    const row = main.getByRole("row").filter({has: page.getByRole("link", {name: kClamp, exact: true})});
+    const {index, moves, whole} = await page.evaluate(async (name) => {
+      const of = symplant.names.index("device", name);
+      const {devices, from, to} = await symplant.api.utilization();
+      return {index: of, moves: devices[of][2], whole: Math.abs(devices[of][0].reduce((a, b) => a + b) - (to - from))};
+    }, kClamp);
+    assert.ok(whole < 1, "the times of a device do not add up to the whole time");
+    await until(moves + " moves", async () => (await row.getByRole("cell").allInnerTexts())[5] === String(moves) || await row.getByRole("cell").allInnerTexts());
+    await row.getByRole("button", {name: "Times of " + kClamp}).click();
+    const {states} = await page.evaluate((of) => symplant.api.utilization(of), index);
+    const dialog = page.getByRole("dialog");
+    for (const state of Object.keys(states)) await dialog.getByRole("rowheader", {name: state, exact: true}).waitFor();
+    await dialog.getByRole("button", {name: "Close"}).click();
+    await main.getByRole("columnheader", {name: "Moving"}).getByRole("button").click();
+    assert.equal(await main.getByRole("columnheader", {name: "Moving"}).getAttribute("aria-sort"), "descending");
+    const [csv] = await Promise.all([page.waitForEvent("download"), main.getByRole("button", {name: "Download CSV"}).click()]);
+    assert.equal(csv.suggestedFilename(), "utilization.csv");
+    await main.getByRole("button", {name: "Count again"}).click();
+    await until("the result", async () => /began to count utilization again at/.test(await textOf(main)));
+  }],
   ["an exercise is done to its score", async ({page}) => {
     await open(page, "Exercises");
     await page.getByRole("button", {name: "Start Clamps without air"}).click();

@@ -91,6 +91,17 @@ TEST_CASE("A run that fails before it begins leaves its error in the JUnit file,
   fails(host::kBadInput, "NONE");
 }
 
+TEST_CASE("A table of an earlier run does not survive the start of a run") {
+  ResultRun result;
+  result.options.stats = result.folder / "use.csv";
+  REQUIRE(result.run() == host::kGood);
+  CHECK(contains(read_bytes(result.options.stats), "\ndevice,L_P_AGV,activity,waiting,1,100.000,"));
+  CHECK_FALSE(contains(read_bytes(result.options.stats), "symplant-stats"));
+  std::ostringstream out;
+  const host::ResultFiles files(result.options, out);
+  CHECK_FALSE(fs::exists(result.options.stats));
+}
+
 TEST_CASE("A file that an option names by mistake, and that is no result, is left as it is") {
   ResultRun result;
   const std::string list = result.folder.write("list.csv", "name\n");

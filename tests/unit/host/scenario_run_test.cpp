@@ -314,6 +314,12 @@ TEST_CASE("Statistics report the result of the run") {
   CHECK(stats["findings"]["lost command"] == 0);
   CHECK(stats["requirements"]["held"] == 2);
   CHECK_FALSE(stats.contains("cycles"));
+  const nlohmann::json use = stats["utilization"];
+  CHECK(use["from"] == 0);
+  CHECK(use["to"] == stats["plant_time"]);
+  tables::Time whole = 0;
+  for (const nlohmann::json& time : use["devices"]["L_P_AGV"]["times"]) whole += time.get<tables::Time>();
+  CHECK(whole == stats["plant_time"]);
 }
 
 TEST_CASE("In real time a scenario plays in cycles, and its end is that of the run") {

@@ -9,7 +9,7 @@ namespace {
 Json described(const BenchTables& tables, const panel::View& view) {
   const trace::PlantNames names(tables.rows);
   std::string json = "{";
-  panel::put_plant(json, names, view, {});
+  panel::put_plant(json, names, view, {}, panel::Role::trainer);
   return Json::parse(json + "}");
 }
 

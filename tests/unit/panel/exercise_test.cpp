@@ -33,6 +33,7 @@ TEST_CASE("An exercise begins after a reset, counts points, and ends") {
   bench.wait_for([&] { return bench.picture().at("exercise").at("step") == 1; });
   Json exercise = bench.picture().at("exercise");
   CHECK(exercise.at("steps").at(0).at("state") == "done");
+  CHECK(exercise.at("steps").at(0).at("does") == "put L_P_DOOR into OPEN2");
   CHECK(exercise.at("steps").at(1) ==
         Json::parse(
             R"({"text":"Close the door","does":"wait: `L_P_DOOR.SHUT1` within 30 s","state":"active","t":null})"));

@@ -91,7 +91,8 @@ TEST_CASE("No answer to a viewer or a trainee names a malfunction") {
   const std::set<std::string> words{"jam", "eye blind", "asked", "malfunction"};
   for (const char* const target :
        {"/api/v1/plant", "/api/v1/picture", "/api/v1/why?name=L_P_AGV", "/api/v1/why?name=L_P_EYE_I_ON",
-        "/api/v1/why?name=L_P_AGV_O_P2", "/api/v1/why?name=not%20both", "/api/v1/chart?symbols=0"}) {
+        "/api/v1/why?name=L_P_AGV_O_P2", "/api/v1/why?name=not%20both", "/api/v1/chart?symbols=0",
+        "/api/v1/utilization?device=0", "/api/v1/utilization.csv"}) {
     for (const Role role : {Role::viewer, Role::trainee}) {
       const std::string body = of.get(role, target).body;
       REQUIRE_FALSE(body.empty());
@@ -166,6 +167,7 @@ TEST_CASE("Each role may do its acts, and no others") {
                                             R"({"state":{"L_P_AGV":"P2"}})",
                                             R"({"set":{"L_P_AGV_O_P2":true}})",
                                             R"({"exercise":"send"})",
+                                            R"({"count":"utilization"})",
                                             R"({"end":"exercise"})",
                                             R"({"reset":true})"};
   const std::vector<std::string> of_trainee{R"({"set":{"L_P_EYE_I_ON":true}})", R"({"state":{"L_P_DOOR":"OPEN2"}})"};

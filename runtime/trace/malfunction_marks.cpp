@@ -1,11 +1,11 @@
 // The devices and symbols on which malfunctions act.
-#include "symplant/panel/picture/malfunction_marks.hpp"
+#include "symplant/trace/malfunction_marks.hpp"
 
 #include <algorithm>
 
 #include "symplant/tables/malfunction_numbers.hpp"
 
-namespace symplant::panel {
+namespace symplant::trace {
 
 void MalfunctionMarks::change(std::uint32_t malfunction, bool active) {
   const ActsOn on = acts_on(tables_, malfunction);
@@ -36,4 +36,4 @@ ActsOn acts_on(const tables::PlantTables& tables, std::uint32_t malfunction) {
   return on;
 }
 
-}  // namespace symplant::panel
+}  // namespace symplant::trace

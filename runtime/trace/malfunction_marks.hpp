@@ -6,7 +6,7 @@
 
 #include "symplant/tables/tables.hpp"
 
-namespace symplant::panel {
+namespace symplant::trace {
 
 /// Counts the active malfunctions that act on each device and symbol. Used by one thread at a time.
 class MalfunctionMarks {
@@ -38,4 +38,4 @@ struct ActsOn {
 /// O(what it acts on).
 ActsOn acts_on(const tables::PlantTables& tables, std::uint32_t malfunction);
 
-}  // namespace symplant::panel
+}  // namespace symplant::trace
