@@ -1,13 +1,16 @@
 // The layout, comments and alarms of a plant for its panel.
 #include "app/panel_view.hpp"
 
+#include "elements/alarm/resolve.hpp"
 #include "model/layout.hpp"
 
 namespace symplant::app {
 
 PanelView::PanelView(const model::PlantModel& plant) {
   for (const model::Symbol& symbol : plant.symbols) symbols_.push_back({symbol.row->comment, symbol.is_by_operator()});
-  for (const model::Alarm& alarm : plant.alarms) alarms_.push_back({alarm.symbol, alarm.value});
+  for (const model::Alarm& alarm : model::alarms_by_output(plant)) {
+    alarms_.push_back({alarm.symbol, alarm.value, alarm.priority});
+  }
   if (!model::has_layout(plant)) return;
   const model::Layout layout = model::layout_of(plant);
   for (const model::Station& station : layout.stations) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "description/duration.hpp"
+#include "elements/alarm/given.hpp"
 #include "elements/follow/given.hpp"
 #include "elements/link/given.hpp"
 #include "elements/malfunction/given.hpp"
@@ -192,7 +193,7 @@ struct Description {
   std::vector<GivenSignal> signals;
   GivenMaterial material;
   std::vector<GivenMalfunction> malfunctions;
-  std::vector<std::string> alarms;  ///< operations and values, or patterns
+  std::vector<GivenAlarm> alarms;
   std::vector<GivenRequirement> requirements;
   std::vector<LinkDescription> links;
   std::vector<ProgramDescription> programs;

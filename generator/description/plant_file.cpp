@@ -9,6 +9,7 @@
 
 #include "description/json_entry.hpp"
 #include "description/plant_schema.hpp"
+#include "elements/alarm/entry.hpp"
 #include "elements/follow/entry.hpp"
 #include "elements/malfunction/entry.hpp"
 #include "elements/material/entry.hpp"
@@ -197,7 +198,7 @@ class PlantFileReader {
   void read_symbol_patterns() {
     file_.description.inverted = texts_member(root_, "inverted");
     file_.description.plain = texts_member(root_, "plain");
-    file_.description.alarms = texts_member(root_, "alarms");
+    file_.description.alarms = alarms_of(root_);
     if (const Json* io = member(root_, "io")) {
       file_.description.io = {texts_member(*io, "events"), texts_member(*io, "operations")};
     }

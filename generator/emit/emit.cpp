@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "elements/alarm/resolve.hpp"
 #include "elements/link/rows.hpp"
 #include "elements/malfunction/rows.hpp"
 #include "elements/material/rows.hpp"
@@ -119,9 +120,10 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
         {{{"symbol_view_count", std::to_string(plant.symbols.size())}, {"symbol_view_rows", std::move(rows)}}, {}});
   }
   view.lists["alarm_views"];
-  if (!plant.alarms.empty()) {
+  if (const std::vector<model::Alarm> alarms = model::alarms_by_output(plant); !alarms.empty()) {
     view.lists["alarm_views"].push_back(
-        {{{"alarm_view_count", std::to_string(plant.alarms.size())}, {"alarm_view_rows", alarm_view_rows(plant)}}, {}});
+        {{{"alarm_view_count", std::to_string(alarms.size())}, {"alarm_view_rows", alarm_view_rows(alarms, plant)}},
+         {}});
   }
   texts["controller_count"] = std::to_string(plant.links.size());
   texts["place_arrays"] = place_arrays(plant);

@@ -152,16 +152,35 @@ void Outputs::end_instant(tables::Time time) {
 }
 
 void Outputs::set_back(std::string_view what, std::string_view name, tables::Time time) {
+  trace_alarm_acts();  // they were before it
   if (trace_) trace_->set_back(what, name, time, history_);
   if (utilization_) utilization_->begin(time);
   if (vcd_ && vcd_->has_begun() && vcd_end_ < 0) vcd_end_ = last_time_;
   last_time_ = time;
 }
 
+/// What a person did with alarms does not touch the plant, so it has no record.
+void Outputs::trace_alarm_acts() {
+  if (panel_ == nullptr) return;
+  for (const panel::AlarmAct& act : panel_->take_alarm_acts()) {
+    if (trace_) trace_->act(std::max(act.time, last_time_), act.json, "hand");
+  }
+}
+
+void Outputs::hide() {
+  if (panel_ == nullptr) return;
+  {
+    const auto lock = panel_->lock();
+    trace_alarm_acts();
+  }
+  panel_ = nullptr;
+}
+
 void Outputs::drain() {
   const auto lock = panel_ != nullptr ? panel_->lock() : std::unique_lock<std::mutex>();
   report_.report_hidden(false);
   recorder_.drain([this](const trace::Record& record) { take(record); });
+  trace_alarm_acts();
   if (++drains_ % kDrainsToLook == 0) flush_when_due();
 }
 

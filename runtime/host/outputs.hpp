@@ -50,7 +50,7 @@ class Outputs {
   void report_short_events_of(std::vector<bool> symbols) { carried_ = std::move(symbols); }
   /// A panel that gets every record, too. It must outlive the last drain().
   void show_on(panel::Panel& panel) { panel_ = &panel; }
-  void hide() { panel_ = nullptr; }
+  void hide();
   /// Sets the function that gives the text of an act for traces, by its index: that of a step of the scenario.
   void write_acts(std::function<ActText(std::uint64_t)> text_of) { act_text_ = std::move(text_of); }
   /// Opens the files; they also get earlier records. `cycle`: in real time; 0: virtual time. False, with a message on
@@ -81,6 +81,7 @@ class Outputs {
   void take(const trace::Record& record);
   void take_note(const trace::Record& record);
   void trace_note(const trace::Record& record);
+  void trace_alarm_acts();
   void write(const trace::Record& record);
   void end_instant(tables::Time time);
   void flush();

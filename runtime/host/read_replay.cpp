@@ -30,6 +30,8 @@ using Json = nlohmann::json;
 constexpr std::size_t kMostFaults = 20;
 constexpr std::array<std::string_view, 9> kActKeys{"set",     "state", "put",   "take",   "force",
                                                    "release", "stop",  "start", "restart"};
+/// What a person did with alarms does not touch the plant.
+constexpr std::array<std::string_view, 4> kAlarmKeys{"acknowledge", "shelve", "unshelve", "silence"};
 
 /// The act of a line as the line has it.
 std::string act_text(const std::string& line, const Json& act) {
@@ -164,6 +166,8 @@ class ReplayReader {
     const Json by = json.value("by", Json());
     if (!act.is_object()) return "`act` is not an object";
     if (by != "hand" && by != "scenario") return "an act has `by`: `hand` or `scenario`";
+    const auto is_in = [&](std::string_view key) { return act.contains(key); };
+    if (std::any_of(kAlarmKeys.begin(), kAlarmKeys.end(), is_in)) return "";
     for (const auto& [key, value] : act.items()) {
       if (std::find(kActKeys.begin(), kActKeys.end(), key) == kActKeys.end()) {
         return fmt::format("this symplant cannot replay the act `{}`", key);

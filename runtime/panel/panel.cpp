@@ -107,6 +107,8 @@ std::optional<Jump> Panel::note(const trace::Record& record) {
 
 std::vector<std::string> Panel::take_acts() { return parts_->desk.take_acts(); }
 
+std::vector<AlarmAct> Panel::take_alarm_acts() { return parts_->desk.take_alarm_acts(); }
+
 void Panel::finding(const trace::FoundThing& found, const std::string& words) { parts_->desk.finding(found, words); }
 
 void Panel::set_status(std::function<std::string()> status) {

@@ -15,6 +15,7 @@
 #include "symplant/exec/exchange.hpp"
 #include "symplant/exec/stepper.hpp"
 #include "symplant/link/link.hpp"
+#include "symplant/panel/alarm/alarm_act.hpp"
 #include "symplant/panel/operate/exercises.hpp"
 #include "symplant/panel/options.hpp"
 #include "symplant/panel/picture/describe.hpp"
@@ -96,6 +97,8 @@ class Panel {
   std::optional<Jump> note(const trace::Record& record);
   /// The acts on the plant since the last call, as JSON objects, for the trace.
   std::vector<std::string> take_acts();
+  /// The acts on alarms since the last call, which have no record, for the trace.
+  std::vector<AlarmAct> take_alarm_acts();
   void finding(const trace::FoundThing& found, const std::string& words);
 
   /// Sets the function that gives the keys `links` and `cycle` of the stream, as JSON members. The panel's thread calls

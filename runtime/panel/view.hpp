@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "symplant/tables/alarm_priority.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::panel {
@@ -26,6 +27,7 @@ struct SymbolView {
 struct AlarmView {
   std::uint32_t symbol = tables::kNone;  ///< an operation, or kNone
   std::uint32_t value = tables::kNone;   ///< then an output of a value
+  tables::AlarmPriority priority = tables::AlarmPriority::high;
 };
 
 /// What names and the description give. Without a layout, stations follow from the devices' paths.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "symplant/tables/alarm_priority.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::model {
@@ -12,6 +13,7 @@ namespace symplant::model {
 struct Alarm {
   std::uint32_t symbol = tables::kNone;  ///< an operation, or kNone
   std::uint32_t value = tables::kNone;   ///< then a value
+  tables::AlarmPriority priority = tables::AlarmPriority::high;
 
   friend bool operator==(const Alarm&, const Alarm&) = default;
 };

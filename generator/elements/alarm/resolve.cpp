@@ -2,6 +2,7 @@
 #include "elements/alarm/resolve.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,14 +21,15 @@ class AlarmResolver {
   AlarmResolver(PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults) {}
 
   void run() {
-    const std::vector<std::string>& given = plant_.description->alarms;
+    const std::vector<description::GivenAlarm>& given = plant_.description->alarms;
     for (std::size_t i = 0; i < given.size(); ++i) resolve(given[i], Pointer("/alarms") / i);
   }
 
  private:
   bool is_shown(const Value& value) const { return value.row.trace != 0; }
 
-  void resolve(const std::string& text, const Pointer& here) {
+  void resolve(const description::GivenAlarm& given, const Pointer& here) {
+    const std::string& text = given.of;
     const bool is_pattern = text::is_pattern(text);
     const auto fits = [&](std::string_view name) {
       return is_pattern ? text::matches_pattern(name, text) : text::equal_ignoring_case(name, text);
@@ -35,12 +37,12 @@ class AlarmResolver {
     bool any = false;
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       if (plant_.symbols[i].direction != tables::Direction::operation || !fits(plant_.symbols[i].name())) continue;
-      add({.symbol = i});
+      add({.symbol = i}, given.priority);
       any = true;
     }
     for (std::uint32_t i = 0; i < plant_.values.size(); ++i) {
       if (!is_shown(plant_.values[i]) || !fits(plant_.values[i].name)) continue;
-      add({.value = i});
+      add({.value = i}, given.priority);
       any = true;
     }
     if (any) return;
@@ -77,9 +79,12 @@ class AlarmResolver {
     faults_.add(here, description::missing("operation or value " + ticked(text), nearest), FaultKind::unknown_name);
   }
 
-  void add(const Alarm& alarm) {
-    if (std::find(plant_.alarms.begin(), plant_.alarms.end(), alarm) == plant_.alarms.end())
-      plant_.alarms.push_back(alarm);
+  /// Of several entries that name one alarm, the last one with a priority decides.
+  void add(const Alarm& alarm, std::optional<tables::AlarmPriority> priority) {
+    const auto same = [&](const Alarm& other) { return other.symbol == alarm.symbol && other.value == alarm.value; };
+    auto known = std::find_if(plant_.alarms.begin(), plant_.alarms.end(), same);
+    if (known == plant_.alarms.end()) known = plant_.alarms.insert(known, alarm);
+    known->priority = priority.value_or(known->priority);
   }
 
   PlantModel& plant_;
@@ -89,5 +94,18 @@ class AlarmResolver {
 }  // namespace
 
 void resolve_alarms(PlantModel& plant, description::Faults& faults) { AlarmResolver(plant, faults).run(); }
+
+std::vector<Alarm> alarms_by_output(const PlantModel& plant) {
+  std::vector<Alarm> all;
+  for (const Alarm& alarm : plant.alarms) {
+    if (alarm.symbol != tables::kNone) {
+      all.push_back(alarm);
+      continue;
+    }
+    const tables::ValueRow& row = plant.values[alarm.value].row;
+    for (std::uint32_t i = 0; i < row.outputs; ++i) all.push_back({tables::kNone, row.output + i, alarm.priority});
+  }
+  return all;
+}
 
 }  // namespace symplant::model

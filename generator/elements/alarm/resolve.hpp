@@ -10,4 +10,7 @@ namespace symplant::model {
 /// O(alarms * (symbols + values)).
 void resolve_alarms(PlantModel& plant, description::Faults& faults);
 
+/// PlantModel::alarms with each output of a value as one, whose `value` is the number of the output. O(alarms).
+std::vector<Alarm> alarms_by_output(const PlantModel& plant);
+
 }  // namespace symplant::model

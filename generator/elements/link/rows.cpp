@@ -173,17 +173,18 @@ std::string symbol_view_rows(const model::PlantModel& plant) {
   return rows.take();
 }
 
-std::string alarm_view_rows(const model::PlantModel& plant) {
+std::string alarm_view_rows(const std::vector<model::Alarm>& alarms, const model::PlantModel& plant) {
+  constexpr std::array<std::string_view, 3> kPriorities{"low", "medium", "high"};
   RowWriter rows;
-  for (const model::Alarm& alarm : plant.alarms) {
-    if (alarm.symbol != model::kNone) {
-      rows.text("    {.symbol = ").number(alarm.symbol).text("},  // ").comment(plant.symbols[alarm.symbol].name());
-    } else {
-      rows.text("    {.value = ").number(alarm.value).text("},");
-    }
+  for (const model::Alarm& alarm : alarms) {
+    const bool is_symbol = alarm.symbol != model::kNone;
+    rows.text(is_symbol ? "    {.symbol = " : "    {.value = ").number(is_symbol ? alarm.symbol : alarm.value);
+    rows.text(", .priority = symplant::tables::AlarmPriority::");
+    rows.text(kPriorities[static_cast<std::size_t>(alarm.priority)]).text("},  // ");
+    rows.comment(is_symbol ? std::string(plant.symbols[alarm.symbol].name()) : model::output_name(plant, alarm.value));
     rows.text("\n");
   }
-  return rows.take_or("");
+  return rows.take();
 }
 
 std::string place_arrays(const model::PlantModel& plant) {

@@ -25,7 +25,8 @@ std::string device_view_rows(const model::Layout& layout);
 std::string station_rows(const model::Layout& layout);
 /// The comment of each symbol, and whether a person operates it; empty if there are neither.
 std::string symbol_view_rows(const model::PlantModel& plant);
-std::string alarm_view_rows(const model::PlantModel& plant);
+/// `alarms`: at least one, by output.
+std::string alarm_view_rows(const std::vector<model::Alarm>& alarms, const model::PlantModel& plant);
 
 /// The arrays that the settings point to: links::kLinkRows0 and links::kKeep0 for controller 0.
 std::string place_arrays(const model::PlantModel& plant);

@@ -12,6 +12,7 @@
 #include "symplant/scenario/act.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "symplant/scenario/step_reader.hpp"
+#include "symplant/tables/duration.hpp"
 #include "symplant/tables/nearest.hpp"
 
 namespace symplant::panel {
@@ -24,6 +25,7 @@ constexpr std::size_t kMostActs = 100;
 constexpr std::size_t kLongestName = 64;
 constexpr double kLeastSpeed = 0.1;
 constexpr double kMostSpeed = 100;
+constexpr tables::Time kLongestShelving = 24 * 3600 * tables::kSecond;
 
 /// An act with one key whose value is `true` or a word.
 struct Command {
@@ -39,6 +41,7 @@ constexpr Command kCommands[] = {
     {"step", "change", Kind::step_change},
     {"end", "exercise", Kind::end_exercise},
     {"count", "utilization", Kind::count_again},
+    {"silence", "", Kind::silence},
 };
 /// An act with one key whose value is a name.
 struct NamedCommand {
@@ -49,6 +52,11 @@ constexpr NamedCommand kNamed[] = {
     {"snapshot", Kind::snapshot}, {"save", Kind::save},         {"restore", Kind::restore},
     {"forget", Kind::forget},     {"exercise", Kind::exercise}, {"session", Kind::session},
 };
+/// An act whose value is the name of an alarm, or a list of names.
+constexpr NamedCommand kOfAlarms[] = {
+    {"acknowledge", Kind::acknowledge}, {"shelve", Kind::shelve}, {"unshelve", Kind::unshelve}};
+constexpr std::string_view kShelve = "shelve";
+constexpr std::string_view kFor = "for";  ///< the second key of `shelve`
 constexpr std::string_view kSpeed = "speed";
 /// Keys of steps that are acts; one act may have several of them.
 constexpr std::string_view kOfStep[] = {"restart", "set", "state", "put", "take", "force", "release", "start", "stop"};
@@ -69,6 +77,7 @@ const std::vector<std::string_view>& command_keys() {
     std::vector<std::string_view> all{kSpeed};
     for (const Command& each : kCommands) all.push_back(each.key);
     for (const NamedCommand& each : kNamed) all.push_back(each.key);
+    for (const NamedCommand& each : kOfAlarms) all.push_back(each.key);
     return all;
   }();
   return keys;
@@ -86,6 +95,11 @@ std::string unknown_key(const std::string& key, std::string_view of, const Lists
 
 /// What is wrong with the keys of an act; empty if nothing is.
 std::string key_error(const Json& act) {
+  if (act.size() == 2 && act.contains(kShelve) && act.contains(kFor)) return "";
+  if (act.contains(kFor)) {
+    return act.contains(kShelve) ? "`shelve` and `for` are alone in an act; put the other keys into separate acts"
+                                 : "`for` is a key of `shelve` only";
+  }
   for (const auto& [key, value] : act.items()) {
     const bool is_command = is_one_of(command_keys(), key);
     if (is_command && act.size() > 1) return "`" + key + "` is alone in an act; put the other keys into separate acts";
@@ -118,6 +132,40 @@ bool is_file_name(std::string_view name) {
 struct ActReader::Parts {
   Parts(const trace::PlantNames& plant_names, const std::vector<bool>& carried, const trace::History& of)
       : names(plant_names), history(of), steps(plant_names, carried), schema(scenario::scenario_schema()) {}
+
+  /// An act on alarms; nothing if it is another act.
+  static std::optional<Act> of_alarms(const Json& json, std::string& error) {
+    for (const NamedCommand& each : kOfAlarms) {
+      const auto value = json.find(each.key);
+      if (value == json.end()) continue;
+      Act act;
+      act.kind = each.kind;
+      if (each.kind == Kind::acknowledge && *value == "all") return act;
+      if (value->is_string()) act.alarms = {value->get<std::string>()};
+      if (value->is_array() &&
+          std::all_of(value->begin(), value->end(), [](const Json& name) { return name.is_string(); })) {
+        act.alarms = value->get<std::vector<std::string>>();
+      }
+      if (act.alarms.empty()) {
+        error = "`" + std::string(each.key) + "` has the name of an alarm, or a list of names" +
+                (each.kind == Kind::acknowledge ? ", or \"all\"" : "");
+      }
+      if (each.kind == Kind::shelve && error.empty()) act.shelved_for = shelving(json, error);
+      return act;
+    }
+    return std::nullopt;
+  }
+
+  static tables::Time shelving(const Json& json, std::string& error) {
+    const auto given = json.find(kFor);
+    const auto time = given != json.end() && given->is_string()
+                          ? tables::parse_duration(given->get_ref<const std::string&>())
+                          : std::nullopt;
+    if (!time || *time <= 0 || *time > kLongestShelving) {
+      error = "`shelve` needs the key `for`: a duration of plant time up to 24 h, such as \"10min\"";
+    }
+    return time.value_or(0);
+  }
 
   /// The act of a command; nothing if it is not a command.
   std::optional<Act> command(const Json& json, std::string& error) const {
@@ -223,7 +271,8 @@ ReadActs ActReader::read(std::string_view body) {
   for (const Json& json : root["acts"]) {
     if (!json.is_object()) return form_error("an act is an object");
     if (std::string error = key_error(json); !error.empty()) return form_error(std::move(error));
-    std::optional<Act> act = parts_->command(json, read.error);
+    std::optional<Act> act = Parts::of_alarms(json, read.error);
+    if (!act) act = parts_->command(json, read.error);
     if (!act) act = parts_->step(json, read.error);
     if (!read.error.empty()) return {{}, std::move(read.error), false};
     changes += scenario::changes_by_hand(act->step);

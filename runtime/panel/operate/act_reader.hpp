@@ -32,12 +32,18 @@ struct Act {
     end_exercise,
     session,
     count_again,  ///< of utilization
+    acknowledge,
+    shelve,
+    unshelve,
+    silence,
   };
   Kind kind = Kind::step;
   scenario::Step step;
-  bool releases_all = false;  ///< of a step: all forces, of which there may be none
-  std::string name;  ///< of a snapshot, exercise or session
-  double speed = 1;  ///< 0: as fast as possible
+  bool releases_all = false;        ///< of a step: all forces, of which there may be none
+  std::string name;                 ///< of a snapshot, exercise or session
+  double speed = 1;                 ///< 0: as fast as possible
+  std::vector<std::string> alarms;  ///< to acknowledge (empty: all), to shelve or to unshelve
+  tables::Time shelved_for = 0;     ///< plant time
 };
 
 struct ReadActs {

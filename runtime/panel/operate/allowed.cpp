@@ -95,7 +95,18 @@ std::string Allowed::step_refusal(const scenario::Step& step) const {
 }
 
 std::string Allowed::refusal(const Act& act) const {
-  return act.kind == Act::Kind::step && !act.releases_all ? step_refusal(act.step) : kOnlyTrainer;
+  using Kind = Act::Kind;
+  switch (act.kind) {
+    case Kind::step:
+      return act.releases_all ? kOnlyTrainer : step_refusal(act.step);
+    case Kind::acknowledge:
+    case Kind::shelve:
+    case Kind::unshelve:
+    case Kind::silence:
+      return {};
+    default:
+      return kOnlyTrainer;
+  }
 }
 
 void Allowed::put(std::string& json) const {

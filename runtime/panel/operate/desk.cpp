@@ -27,6 +27,7 @@ Desk::Desk(Setup setup)
       operator_(setup_.plant, setup_.recorder, setup_.player, setup_.programs, setup_.seed, setup_.cycle),
       picture_(setup_.names, setup_.history),
       chart_(setup_.names, setup_.history),
+      alarm_sources_(setup_.names, setup_.history, setup_.view, setup_.plant.now(), alarms_),
       reader_(setup_.names, setup_.carried, setup_.history),
       snapshots_(setup_.folder, setup_.plant.save().size()),
       session_(setup_.names, setup_.seed),
@@ -50,6 +51,7 @@ Desk::Desk(Setup setup)
   }
   if (!setup_.resumed.empty()) {
     picture_.load(setup_.plant);
+    alarm_sources_.set_back(setup_.plant.now(), setup_.plant.now());
     session_.begin_again(std::make_shared<KeptState>(KeptState{trace::Snapshot::of(setup_.plant)}));
   }
 }
@@ -59,8 +61,14 @@ plant::OwnedPlant& Desk::shadow() {
   return *shadow_;
 }
 
+void Desk::before(const trace::Record& record) {
+  chart_.apply(record);
+  alarm_sources_.before(record);
+}
+
 void Desk::after(const trace::Record& record) {
   picture_.apply(record);
+  alarm_sources_.after(record);
   last_change_ = record.time;
   ++revision_;
 }
@@ -131,6 +139,7 @@ void Desk::finding(const trace::FoundThing& found, const std::string& words) {
   const std::string shown = setup_.history.malfunctions().empty() && !trace::is_of_malfunctions(found, setup_.names)
                                 ? words
                                 : words_without_malfunctions(found);
+  if (!shown.empty()) alarm_sources_.finding(found, shown);  // alarms are the same for all roles
   add_finding({found.time, "", "", violated ? found.of.front() : tables::kNone, "", words},
               trace::finding_name(found.kind), trace::name_of(found, setup_.names),
               violated              ? "error"
@@ -180,143 +189,10 @@ void Desk::forget_findings(tables::Time after) {
   }
 }
 
-void Desk::put_clock(std::string& json) const {
-  const char* const state = ended_ ? "ended" : operator_.frozen() ? "frozen" : "running";
-  const double speed = this->speed();
-  put(json, R"({{"state":"{}","speed":{},"real_speed":{:.3g}}})", state,
-      speed == 0 ? "\"max\"" : fmt::format("{}", speed), real_speed_);
-}
-
-void Desk::put_findings(std::string& json, std::uint64_t from, Role role) const {
-  json += '[';
-  for (std::uint64_t n = std::max(from, first_finding_); n < first_finding_ + findings_.size(); ++n) {
-    const Found& found = findings_[n - first_finding_];
-    const std::string& members = sees_all(role) ? found.json : found.shown;
-    if (members.empty()) continue;
-    put_comma(json);
-    put(json, "{{\"n\":{},{}}}", n, members);
-  }
-  json += ']';
-}
-
-void Desk::put_requirements(std::string& json, bool all) const {
-  json += '[';
-  for (std::size_t r = 0; r < violations_.size(); ++r) {
-    const Violation& violation = violations_[r];
-    if (!all && !violation.changed) continue;
-    put_comma(json);
-    json += '[';
-    if (!all) put(json, "{},", r);
-    put(json, R"("{}",{},{}])", violation.count == 0 ? "ok" : "violated", violation.since, violation.count);
-  }
-  json += ']';
-}
-
-void Desk::put_description(std::string& json) const {
-  put_member(json, "plant", setup_.names.tables().name);
-  put(json, R"(,"model_hash":"{:016x}","mode":"live","acts":{},"with_plc":{},"speed":{},"files":{})",
-      setup_.plant.model_hash(), setup_.acts, setup_.with_plc, setup_.paced, snapshots_.has_folder());
-  put_exercises(json, setup_.exercises);
-}
-
-/// The copy of the outputs of values, if it is here, and asks for the next one.
-void Desk::take_outputs() {
-  OutputCopy& outputs = operator_.outputs();
-  if (outputs.empty() || !outputs.is_here()) return;
-  picture_.take_outputs(outputs.numbers());
-  outputs.ask();
-}
-
-std::string Desk::picture(Role role) {
-  const tables::Time now = operator_.now();
-  std::string json = beat();
-  put_key(json, "clock");
-  put_clock(json);
-  picture_.put_all(json, now, role);
-  put_key(json, "findings");
-  put_findings(json, 0, role);
-  put_key(json, "requirements");
-  put_requirements(json, true);
-  put_key(json, "acts");
-  session_.put(json, session_.count() > kMostFindings ? session_.count() - kMostFindings : 0, role);
-  put_key(json, "snapshots");
-  sees_all(role) ? snapshots_.put_all(json) : void(json += "[]");
-  put_key(json, "scenario");
-  played_.put(json, role);
-  put_key(json, "exercise");
-  if (exercise_ != nullptr) {
-    exercise_->put(json, role);
-  } else {
-    json += "null";
-  }
-  put_key(json, "allowed");
-  allowed_.put(json);
-  return json + "}";
-}
-
-void Desk::look_at_changes() { take_outputs(); }
-
-std::string Desk::changes(Role role) {
-  std::string json;
-  if (std::string clock; put_clock(clock), clock != sent_clock_) {
-    put_key(json, "clock");
-    json += clock;
-  }
-  if (picture_.has_changes()) picture_.put_changes(json, operator_.now(), role);
-  if (first_finding_ + findings_.size() != sent_findings_) {
-    put_key(json, "findings");
-    put_findings(json, sent_findings_, role);
-  }
-  if (std::any_of(violations_.begin(), violations_.end(), [](const Violation& v) { return v.changed; })) {
-    put_key(json, "requirements");
-    put_requirements(json, false);
-  }
-  if (session_.count() != sent_acts_) {
-    put_key(json, "acts");
-    session_.put(json, sent_acts_, role);
-  }
-  if (snapshots_.version() != sent_snapshots_ && sees_all(role)) {
-    put_key(json, "snapshots");
-    snapshots_.put_all(json);
-  }
-  if (played_.version() != sent_played_) {
-    put_key(json, "scenario");
-    played_.put(json, role);
-  }
-  if (exercise_ != nullptr && (exercise_.get() != sent_of_ || exercise_->version() != sent_exercise_)) {
-    put_key(json, "exercise");
-    exercise_->put(json, role);
-  }
-  if (allowed_.version() != sent_allowed_) {
-    put_key(json, "allowed");
-    allowed_.put(json);
-  }
-  if (json.empty()) return json;
-  return beat() + "," + json + "}";
-}
-
-void Desk::forget_changes() {
-  sent_clock_.clear();
-  put_clock(sent_clock_);
-  picture_.forget_changes();
-  sent_findings_ = first_finding_ + findings_.size();
-  for (Violation& violation : violations_) violation.changed = false;
-  sent_acts_ = session_.count();
-  sent_snapshots_ = snapshots_.version();
-  sent_played_ = played_.version();
-  sent_of_ = exercise_.get();
-  sent_exercise_ = exercise_ != nullptr ? exercise_->version() : 0;
-  sent_allowed_ = allowed_.version();
-}
-
 /// What a trainee may operate in the exercise that is played.
 void Desk::allow() {
   const scenario::Exercise* const rules = is_exercise() ? &*exercise_->scenario().exercise : nullptr;
   rules != nullptr && rules->allow ? allowed_.by_patterns(*rules->allow) : allowed_.by_default();
-}
-
-std::string Desk::beat() const {
-  return fmt::format("{{\"rev\":{},\"t\":{},\"now\":{}", revision_, operator_.now(), act_clock());
 }
 
 void Desk::look_at_time(tables::Time every) {
@@ -392,7 +268,7 @@ void Desk::acted(const Pending& pending, const trace::Record& note) {
   for (std::size_t i = 0; i < pending.steps.size(); ++i) {
     const scenario::Step step = refusals_.done_of(pending.steps[i], i);
     const std::string actions = scenario::actions_json(step, setup_.names);
-    const std::string_view by = sees_all(pending.group->sender.role) ? "hand" : role_name(Role::trainee);
+    const std::string_view by = name_of_hand(pending.group->sender.role);
     if (!actions.empty()) log(note.time, note.value >> scenario::kTurnBits, by, actions, true);
     if (std::string act = scenario::act_json(step, setup_.names); !act.empty()) new_acts_.push_back(std::move(act));
   }
@@ -427,6 +303,7 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   if (OutputCopy& outputs = operator_.outputs(); outputs.is_here()) outputs.ask();  // it may be of the former state
   chart_.set_back(time);
   forget_findings(is_reset ? -1 : time);
+  alarm_sources_.set_back(is_reset ? -1 : time, time);
   begun_again_ = true;
   last_change_ = -1;
   session_.begin_again(pending.state);

@@ -14,6 +14,9 @@
 #include <vector>
 
 #include "symplant/exec/exchange.hpp"
+#include "symplant/panel/alarm/alarm_act.hpp"
+#include "symplant/panel/alarm/alarm_list.hpp"
+#include "symplant/panel/alarm/alarm_sources.hpp"
 #include "symplant/panel/answer.hpp"
 #include "symplant/panel/operate/act_reader.hpp"
 #include "symplant/panel/operate/allowed.hpp"
@@ -71,7 +74,7 @@ class Desk {
     bool paced;           ///< the speed can be changed
     bool acts;            ///< clients may act
     std::string resumed;  ///< the name of the snapshot with which the run began; empty: none
-    View view;
+    View view = {};
   };
 
   explicit Desk(Setup setup);
@@ -85,12 +88,14 @@ class Desk {
   bool acts() const { return setup_.acts; }
 
   // --- for the thread that drains the recorder, for each record in their order
-  void before(const trace::Record& record) { chart_.apply(record); }  ///< before History::apply()
-  void after(const trace::Record& record);                            ///< after it; not for notes
+  void before(const trace::Record& record);  ///< before History::apply()
+  void after(const trace::Record& record);   ///< after it; not for notes
   /// For a note. Returns the change if the plant was set to another state.
   std::optional<SetBack> note(const trace::Record& record);
   /// The acts by hand on the plant since the last call, as JSON objects.
   std::vector<std::string> take_acts() { return std::exchange(new_acts_, {}); }
+  /// The acts on alarms since the last call, which have no record.
+  std::vector<AlarmAct> take_alarm_acts() { return std::exchange(new_alarm_acts_, {}); }
   void finding(const trace::FoundThing& found, const std::string& words);
 
   // --- for the thread of the panel
@@ -170,6 +175,8 @@ class Desk {
   void carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group);
   void order(const Act& act, const std::shared_ptr<Group>& group);
   void at_once(const Act& act, const std::shared_ptr<Group>& group);
+  void on_alarms(const Act& act, const std::string& members);
+  std::string alarm_refusal(const Act& act) const;
   void offer(Pending pending);
   void offer_copy(Purpose purpose, std::string name, const std::shared_ptr<Group>& group);
   void offer_restore(std::shared_ptr<KeptState> state, std::string name, const std::shared_ptr<Group>& group);
@@ -208,6 +215,8 @@ class Desk {
   Operator operator_;
   Picture picture_;
   Chart chart_;
+  AlarmList alarms_;
+  AlarmSources alarm_sources_;
   ActReader reader_;
   Snapshots snapshots_;
   Session session_;
@@ -221,6 +230,7 @@ class Desk {
   std::function<std::vector<exec::LinkState>()> link_states_;
 
   std::vector<std::string> new_acts_;
+  std::vector<AlarmAct> new_alarm_acts_;
   std::deque<Found> findings_;
   std::uint64_t first_finding_ = 0;
   struct Violation {

@@ -6,6 +6,7 @@
 #include "symplant/panel/operate/desk.hpp"
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/scenario/step_text.hpp"
+#include "symplant/tables/duration.hpp"
 #include "symplant/trace/junit_xml.hpp"
 #include "symplant/trace/utilization_text.hpp"
 #include "symplant/trace/whole_file.hpp"
@@ -36,6 +37,14 @@ Order::Kind order_kind(Kind kind) {
     default:
       return Order::Kind::act;
   }
+}
+
+/// One name, or a list of them.
+std::string names_json(const std::vector<std::string>& names) {
+  if (names.size() == 1) return trace::json_string(names.front());
+  std::string json = "[";
+  for (const std::string& name : names) json.append(json.size() > 1 ? "," : "").append(trace::json_string(name));
+  return json + "]";
 }
 
 /// The act as JSON members, for the log.
@@ -71,9 +80,18 @@ std::string members_of(const Act& act) {
     case Kind::count_again:
       return "\"count\":\"utilization\"";
     case Kind::session:
+      return named("session");
+    case Kind::acknowledge:
+      return act.alarms.empty() ? "\"acknowledge\":\"all\"" : "\"acknowledge\":" + names_json(act.alarms);
+    case Kind::shelve:
+      return fmt::format("\"shelve\":{},\"for\":\"{}\"", names_json(act.alarms),
+                         tables::duration_text(act.shelved_for));
+    case Kind::unshelve:
+      return "\"unshelve\":" + names_json(act.alarms);
+    case Kind::silence:
       break;
   }
-  return named("session");
+  return "\"silence\":true";
 }
 
 }  // namespace
@@ -109,9 +127,29 @@ std::string Desk::refusal(const Act& act) {
       snapshots_.find(act.name, setup_.plant.model_hash(), block_, error);
       return error;
     }
+    case Kind::acknowledge:
+    case Kind::shelve:
+    case Kind::unshelve:
+      return alarm_refusal(act);
     default:
       return "";
   }
+}
+
+std::string Desk::alarm_refusal(const Act& act) const {
+  for (const std::string& name : act.alarms) {
+    const AlarmList::Entry* const entry = alarms_.find(name);
+    if (entry == nullptr) {
+      const std::string_view nearest = alarms_.nearest(name);
+      return fmt::format("alarm `{}` is not in the list{}", name,
+                         nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
+    }
+    if (act.kind == Kind::acknowledge && entry->shelved) {
+      return fmt::format("alarm `{}` is shelved; `unshelve` it first", name);
+    }
+    if (act.kind == Kind::unshelve && !entry->shelved) return fmt::format("alarm `{}` is not shelved", name);
+  }
+  return "";
 }
 
 std::string Desk::refusal(const std::vector<Act>& acts) {
@@ -201,6 +239,10 @@ void Desk::order(const Act& act, const std::shared_ptr<Group>& group) {
     case Kind::forget:
     case Kind::session:
     case Kind::count_again:
+    case Kind::acknowledge:
+    case Kind::shelve:
+    case Kind::unshelve:
+    case Kind::silence:
       return at_once(act, group);
     default:
       break;
@@ -226,7 +268,33 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
   }
   if (act.kind == Kind::session) group->error = save_session(act.name);
   if (act.kind == Kind::count_again) setup_.utilization.begin(operator_.now());
-  if (group->error.empty()) log(operator_.now(), 0, "hand", members_of(act), false);
+  if (!group->error.empty()) return;
+  const std::string members = members_of(act);
+  on_alarms(act, members);
+  log(operator_.now(), 0, name_of_hand(group->sender.role), members, false);
+}
+
+/// Does nothing for other acts.
+void Desk::on_alarms(const Act& act, const std::string& members) {
+  const tables::Time now = operator_.now();
+  switch (act.kind) {
+    case Kind::acknowledge:
+      if (act.alarms.empty()) alarms_.acknowledge_all(now);
+      for (const std::string& name : act.alarms) alarms_.acknowledge(name, now);
+      break;
+    case Kind::shelve:
+      for (const std::string& name : act.alarms) alarms_.shelve(name, now + act.shelved_for, now);
+      break;
+    case Kind::unshelve:
+      for (const std::string& name : act.alarms) alarms_.unshelve(name);
+      break;
+    case Kind::silence:
+      alarms_.silence();
+      break;
+    default:
+      return;
+  }
+  new_alarm_acts_.push_back({now, "{" + members + "}"});
 }
 
 std::string Desk::utilization(Role role) const {

@@ -25,6 +25,9 @@ struct Deed {
   std::string actions;     ///< its members if it is a step of a scenario; else empty
 };
 
+/// Deed::by of an act by a client of this role.
+constexpr std::string_view name_of_hand(Role role) { return sees_all(role) ? "hand" : role_name(Role::trainee); }
+
 /// The acts since the start of a run. Used by one thread at a time.
 class Session {
  public:

@@ -43,6 +43,11 @@ const kWords = {
   end: () => "ended the exercise",
   count: () => "began to count utilization again",
   session: (of) => "saved the session " + of,
+  acknowledge: (of) => "acknowledged " + (of === "all" ? "all alarms" : listed(of)),
+  shelve: (of) => "shelved " + listed(of),
+  for: (of) => "for " + of,
+  unshelve: (of) => "unshelved " + listed(of),
+  silence: () => "silenced the horn",
 };
 
 /// What an act, or a list of acts in one instant, did. Keys without words stay JSON. `symbolNamed(name)` gives the symbol of

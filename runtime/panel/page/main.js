@@ -1,5 +1,6 @@
 // Starts the page: reads the description of the plant, makes the views, and keeps them up to date.
 import {perform, refreshActs} from "./acts.js";
+import {AlarmBanner} from "./alarm_banner.js";
 import {Announcer} from "./announce.js";
 import {Api} from "./api.js";
 import {Band} from "./band.js";
@@ -174,11 +175,12 @@ const start = async () => {
   byId("title").append(make("h1", {class: "name", title: plant.plant}, plant.plant), search, make("span", {class: "grow"}), ...[bar.marks].filter(Boolean));
   const scenario = new ScenarioLine(app);
   const strip = new ExerciseStrip(app);
-  byId("bar").append(bar.element, scenario.element, strip.element);
+  const alarms = app.player ? [] : [new AlarmBanner(app)];
+  byId("bar").append(bar.element, scenario.element, strip.element, ...alarms.map(({element}) => element));
   const band = new Band(app, bar.result);
   if (!app.player) byId("band").append(band.element);
   const announcer = new Announcer(app, byId("footer"), byId("live"));
-  app.receive = makeReceiver(app, [bar, band, scenario, strip, views, details, announcer]);
+  app.receive = makeReceiver(app, [bar, band, scenario, strip, ...alarms, views, details, announcer]);
   app.routed = (route) => {
     views.show(route);
     details.show(app.router.selection());

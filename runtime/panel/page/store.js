@@ -1,4 +1,5 @@
 // What the page knows about the plant: its description, and its state as of the last event of the stream.
+import {AlarmState} from "./alarm_state.js";
 
 /// Flags of a device.
 export const DEVICE = {moving: 1, stopped: 2, disabled: 4, frozen: 8, malfunction: 16};
@@ -37,6 +38,7 @@ export class Store {
     this.tracks = [];
     this.places = [];
     this.requirements = [];
+    this.alarms = new AlarmState();
     Object.assign(this, {rev: -1, t: 0, forced: 0, clock: {state: "frozen", speed: 1, real_speed: 0, until: null},
       malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, allowed: null, findings: [], acts: []});
     this.valuesOfDevice = new Map();
@@ -106,6 +108,7 @@ export class Store {
     for (const key of kWhole) this[key] = event[key] ?? (Array.isArray(this[key]) ? [] : null);
     this.findings = event.findings ?? [];
     this.acts = event.acts ?? [];
+    this.alarms.apply(event.alarms ?? {all: true});
     this.publish({...noChange(), all: true, jumped});
   }
 
@@ -136,6 +139,10 @@ export class Store {
       if (!(key in event)) continue;
       this[key] = event[key];
       change.keys.add(key);
+    }
+    if (event.alarms) {
+      this.alarms.apply(event.alarms);
+      change.keys.add("alarms");
     }
     this.append("findings", event.findings, kMostFindings, change);
     this.append("acts", event.acts, kMostActs, change);

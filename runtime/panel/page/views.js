@@ -1,5 +1,6 @@
 // The views of the page and the list of them; only the one that is shown follows the plant.
 import {refreshActs} from "./acts.js";
+import {AlarmsView} from "./alarms.js";
 import {ChartView} from "./chart.js";
 import {make, setAttribute} from "./dom.js";
 import {ExerciseView} from "./exercise.js";
@@ -17,7 +18,7 @@ const kOfTrainer = ["malfunctions", "session"];
 /// [key, title, class] in order.
 export const makeViews = (app) => {
   const values = app.plant.values.length > 0 ? [["values", "Values", ValuesView]] : [];
-  const all = [["line", "Line", LineView], ["io", "I/O", IoView], ...values, ["chart", "Chart", ChartView], ["findings", "Findings", FindingsView],
+  const all = [["line", "Line", LineView], ["io", "I/O", IoView], ...values, ["chart", "Chart", ChartView], ["alarms", "Alarms", AlarmsView], ["findings", "Findings", FindingsView],
     ["links", "Links", LinksView], ["malfunctions", "Malfunctions", MalfunctionsView], ["exercises", "Exercises", ExerciseView],
     ["session", "Session", SessionView], ["utilization", "Utilization", UtilizationView]];
   if (app.plant.mode === "recording") return all.slice(0, 4 + values.length);

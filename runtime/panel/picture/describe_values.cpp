@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cmath>
-#include <map>
 #include <string_view>
 #include <vector>
 
@@ -14,25 +13,6 @@
 namespace symplant::panel {
 namespace {
 
-/// The units by their names; a device with several units by its own name, too, as its first unit.
-std::map<std::string_view, std::uint32_t> units_by_name(const trace::PlantNames& names) {
-  std::map<std::string_view, std::uint32_t> units;
-  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) units.emplace(names.unit(unit), unit);
-  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) {
-    const std::string_view name = names.unit(unit);
-    if (const std::size_t dot = name.find('.'); dot != name.npos) units.emplace(name.substr(0, dot), unit);
-  }
-  return units;
-}
-
-/// The unit with the longest name with which a value's name begins, before a dot; otherwise kNone.
-std::uint32_t unit_of(std::string_view value, const std::map<std::string_view, std::uint32_t>& units) {
-  for (std::size_t dot = value.rfind('.'); dot != value.npos && dot != 0; dot = value.rfind('.', dot - 1)) {
-    if (const auto found = units.find(value.substr(0, dot)); found != units.end()) return found->second;
-  }
-  return tables::kNone;
-}
-
 std::string number_or_null(double number) {
   return std::isfinite(number) ? trace::json_value(tables::DataType::lreal, std::bit_cast<std::uint64_t>(number))
                                : "null";
@@ -40,9 +20,24 @@ std::string number_or_null(double number) {
 
 }  // namespace
 
+UnitNames::UnitNames(const trace::PlantNames& names) {
+  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) units_.emplace(names.unit(unit), unit);
+  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) {
+    const std::string_view name = names.unit(unit);
+    if (const std::size_t dot = name.find('.'); dot != name.npos) units_.emplace(name.substr(0, dot), unit);
+  }
+}
+
+std::uint32_t UnitNames::of_value(std::string_view value) const {
+  for (std::size_t dot = value.rfind('.'); dot != value.npos && dot != 0; dot = value.rfind('.', dot - 1)) {
+    if (const auto found = units_.find(value.substr(0, dot)); found != units_.end()) return found->second;
+  }
+  return tables::kNone;
+}
+
 void put_values(std::string& json, const trace::PlantNames& names) {
   const tables::ValueTables& values = names.tables().values;
-  const auto units = values.rows.empty() ? std::map<std::string_view, std::uint32_t>() : units_by_name(names);
+  const UnitNames units(names);
   const std::vector<std::string_view> texts = tables::split_names(values.formula_texts);
   const std::vector<tables::Time> traces = trace::traces_of(values);
   put_key(json, "values");
@@ -61,7 +56,7 @@ void put_values(std::string& json, const trace::PlantNames& names) {
         put_comma(json);
         put_text(json, texts[formula]);
       }
-      put(json, R"(],"device":{},"trace":{}}})", index_or_null(unit_of(names.value(value), units), tables::kNone),
+      put(json, R"(],"device":{},"trace":{}}})", index_or_null(units.of_value(names.value(value)), tables::kNone),
           traces[output] == 0 ? "null" : std::to_string(traces[output]));
     }
   }

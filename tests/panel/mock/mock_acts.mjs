@@ -1,7 +1,7 @@
 // The acts, explanations and exercises of the mock plant.
 
 const kKinds = ["set", "state", "put", "take", "force", "release", "start", "stop", "run", "freeze", "step", "speed", "reset", "snapshot", "save", "restore",
-  "forget", "exercise", "end", "session", "count"];
+  "forget", "exercise", "end", "session", "count", "acknowledge", "shelve", "unshelve", "silence"];
 
 const indexOf = (list, name, what) => {
   const index = list.findIndex((entry) => entry.name === name);
@@ -81,6 +81,13 @@ const take = (plant, where) => {
   if (parts.length === 0) throw new Error("`" + location.name + "` has no part");
   parts.shift();
   plant.changed[location.kind + "s"].add(rank);
+};
+
+const changeAlarms = (plant, names, change) => {
+  const list = [names].flat();
+  for (const name of list) if (!plant.alarms.some((alarm) => alarm.name === name)) throw new Error("alarm `" + name + "` is not in the list");
+  plant.alarms = plant.alarms.map((alarm) => list.includes(alarm.name) ? change(alarm) : alarm);
+  plant.changed.keys.add("alarms");
 };
 
 const setClock = (plant, change) => {
@@ -179,6 +186,13 @@ const acts = {
   },
   session: () => {},
   count: () => {},
+  acknowledge: (plant, names) => {
+    changeAlarms(plant, names === "all" ? plant.alarms.map(({name}) => name) : names, (alarm) => ({...alarm, state: "acknowledged"}));
+    plant.alarms = plant.alarms.filter(({state, on}) => state !== "acknowledged" || on);
+  },
+  shelve: (plant, names) => changeAlarms(plant, names, (alarm) => ({...alarm, state: "shelved", until: plant.t + 6e11})),
+  unshelve: (plant, names) => changeAlarms(plant, names, (alarm) => ({...alarm, state: "active", until: null})),
+  silence: () => {},
 };
 
 /// Throws what is wrong; then nothing was done.

@@ -26,6 +26,7 @@ export class MockPlant {
     });
     this.symbols = symbols.map(({type, initial}) => ({plain: type === "BOOL" ? initial === "TRUE" : Number(initial), forced: undefined, broken: undefined, since: 0}));
     this.malfunctions = [];
+    this.alarms = [];
     this.requirements = requirements.map(() => ["ok", 0, 0]);
     this.tracks = locations.filter(({kind}) => kind === "track").map((track, rank) => ({t: 0, stops: [false], drives: [0.5e6, 0.5e6],
       parts: Array.from({length: this.partsPerTrack}, (_, i) => [rank * 100 + i + 1, (rank + i) % this.description.part_kinds.length, Math.round(track.length * (.95 - i / this.partsPerTrack * .9)), 0.5e6])}));
@@ -221,8 +222,13 @@ export class MockPlant {
       histogram: [[1000, 0], [2000, cycles / 9 | 0], [5000, cycles / 2 | 0], [10000, cycles / 4 | 0], [50000, cycles / 12 | 0], [100000, 0], [500000, 2], [1000000, 0]]};
   }
 
+  /// The key `alarms`, whole. The horn of the mock is on while an alarm of high priority waits.
+  alarmList() {
+    return {all: true, horn: this.alarms.some(({priority, state}) => priority === "high" && ["active", "gone"].includes(state)), dropped: 0, list: this.alarms, left: []};
+  }
+
   picture() {
-    return {rev: this.rev, t: this.t, clock: this.clock, devices: this.devices.map((_, index) => this.entry(index)), symbols: this.symbols.map((_, index) => this.symbolEntry(index)),
+    return {alarms: this.alarmList(), rev: this.rev, t: this.t, clock: this.clock, devices: this.devices.map((_, index) => this.entry(index)), symbols: this.symbols.map((_, index) => this.symbolEntry(index)),
       tracks: this.tracks.map((_, rank) => this.trackEntry(rank)), places: this.places, malfunctions: this.malfunctions, findings: this.findings,
       requirements: this.requirements, links: this.linkStates(), cycle: this.cycle(), acts: this.acts.slice(-200),
       snapshots: this.snapshots.map(({name, t, kind, file}) => ({name, t, kind, file})), exercise: this.exercise?.view(this) ?? null};
@@ -239,7 +245,7 @@ export class MockPlant {
     if (requirements.size > 0) event.requirements = [...requirements].map((index) => [index, ...this.requirements[index]]);
     if (findings.length > 0) event.findings = findings;
     if (acts.length > 0) event.acts = acts;
-    const all = {clock: this.clock, malfunctions: this.malfunctions, exercise: this.exercise?.view(this) ?? null,
+    const all = {alarms: this.alarmList(), clock: this.clock, malfunctions: this.malfunctions, exercise: this.exercise?.view(this) ?? null,
       snapshots: this.snapshots.map(({name, t, kind, file}) => ({name, t, kind, file}))};
     for (const key of keys) if (key in all) event[key] = all[key];
     if (second) Object.assign(event, {links: this.linkStates(), cycle: this.cycle()});

@@ -11,6 +11,10 @@ const open = async (page, view) => page.getByRole("navigation", {name: "Views"})
 const details = (page) => page.getByRole("complementary", {name: "Details"});
 const textOf = (locator) => locator.innerText();
 
+const kConflict = "finding: conflicting operations of " + kClamp;
+const alarmRow = (page, name) => page.locator(".alarm-row[data-alarm='" + name + "']:visible");
+const isAlarm = async (page, name, state) => await alarmRow(page, name).count() === 1 && (await textOf(alarmRow(page, name))).includes("\n" + state + "\n");
+
 /// Selects a device or symbol by the search field.
 const find = async (page, text, name) => {
   await page.getByRole("combobox", {name: "Search"}).fill(text);
@@ -150,6 +154,51 @@ export const kSteps = [
     await setSymbol(page, kClamp + "_O_CLOSE", "Set on");
     await page.getByText("The exercise is over.").waitFor();
     assert.match(await textOf(page.getByRole("region", {name: "Exercise", exact: true})), /20 of 20 points/);
+  }],
+  ["an alarm comes, is acknowledged, goes, and leaves the list", async ({page, plant}) => {
+    if (!plant.real) return;
+    await open(page, "Alarms");
+    assert.equal(await alarmRow(page, kConflict).count(), 0);
+    await page.evaluate((name) => symplant.api.acts({set: {[name + "_O_OPEN"]: true}}), kClamp);  // next to CLOSE
+    await until("active", () => isAlarm(page, kConflict, "active"));
+    assert.match(await textOf(page.getByRole("group", {name: "Alarms that are not acknowledged"})), /[1-9]\d* medium/);
+    const acknowledge = alarmRow(page, kConflict).getByRole("button", {name: "Acknowledge " + kConflict});
+    await acknowledge.focus();
+    await page.keyboard.press("Enter");
+    await until("acknowledged", () => isAlarm(page, kConflict, "acknowledged"));
+    await page.evaluate((name) => symplant.api.acts({set: {[name + "_O_OPEN"]: false}}), kClamp);
+    await until("no alarm", async () => await alarmRow(page, kConflict).count() === 0);
+  }],
+  ["an alarm is shelved, comes back after its plant time, and all that is shown is acknowledged", async ({page, plant}) => {
+    if (!plant.real) return;
+    await page.evaluate((name) => symplant.api.acts({set: {[name + "_O_OPEN"]: true}}), kClamp);
+    await until("active", () => isAlarm(page, kConflict, "active"));
+    await page.getByRole("combobox", {name: "Shelve for"}).selectOption("1 min");
+    await alarmRow(page, kConflict).getByRole("button", {name: "Shelve " + kConflict + " for 1 min"}).click();
+    const shelved = page.getByRole("region", {name: "Shelved alarms"}).getByRole("row").filter({hasText: kClamp});
+    await shelved.waitFor();
+    await until("gone from the list", async () => await alarmRow(page, kConflict).count() === 0);
+    await page.getByRole("combobox", {name: "Speed"}).selectOption("100 x");
+    await until("active again", () => isAlarm(page, kConflict, "active"), 30000);
+    assert.equal(await shelved.count(), 0);
+    await page.getByRole("combobox", {name: "Speed"}).selectOption("1 x");
+    await page.getByRole("combobox", {name: "Priority"}).selectOption("Medium");
+    await page.getByRole("button", {name: "Acknowledge all shown"}).click();
+    await until("acknowledged", () => isAlarm(page, kConflict, "acknowledged"));
+    await page.getByRole("combobox", {name: "Priority"}).selectOption("All priorities");
+  }],
+  ["the horn sounds for an urgent alarm in a browser that switched it on, until it is silenced", async ({page, plant}) => {
+    if (!plant.real) return;
+    await page.evaluate((name) => symplant.api.acts({state: {[name]: "CLOSE", BODY_UNDER10_PIN1: "DOWN"}}), kClamp);
+    await until("a violated requirement", () => isAlarm(page, "requirement: UNDER10: clamps close on raised pins only", "active"));
+    assert.equal(await page.evaluate(() => symplant.store.alarms.horn), true);
+    const horn = page.getByRole("button", {name: "Horn"});
+    assert.equal(await horn.getAttribute("aria-pressed"), "false");
+    await horn.click();
+    assert.equal(await horn.getAttribute("aria-pressed"), "true");
+    await page.getByRole("button", {name: "Silence"}).click();
+    await until("silence", async () => !await page.evaluate(() => symplant.store.alarms.horn));
+    await horn.click();
   }],
   ["an act that is not possible shows the server's text", async ({page}) => {
     await open(page, "Session");

@@ -121,7 +121,7 @@ const kTests = [
       await page.setViewportSize({width: 1024, height: 700});
       await page.goto(server.link);
       await ready(page);
-      for (const hash of ["view=line", "view=io", "view=findings", "view=malfunctions", "view=exercises", "view=session"]) {
+      for (const hash of ["view=line", "view=io", "view=alarms", "view=findings", "view=malfunctions", "view=exercises", "view=session"]) {
         await view(page, hash);
         await noFaults(page, hash);
       }

@@ -81,6 +81,14 @@ await withPlant(["run", "examples/body-shop/plant.json", "--exercise", kExercise
   await page.waitForTimeout(500);
   await picture("io");
   await page.setViewportSize({width: 1120, height: 700});
+  const name = "BODY_UNDER10_CLAMP";
+  await act({state: {BODY_UNDER10_AIR: "GOOD"}}, {set: {[name + "1_O_OPEN"]: true, [name + "2_O_OPEN"]: true, [name + "2_O_CLOSE"]: true, [name + "3_O_OPEN"]: true, [name + "3_O_CLOSE"]: true}});
+  await act({set: {[name + "3_O_OPEN"]: false}});
+  await act({acknowledge: "finding: conflicting operations of " + name + "2"}, {shelve: "finding: conflicting operations of " + name + "1", for: "10min"});
+  await page.setViewportSize({width: 1120, height: 640});
+  await view("view=alarms");
+  await picture("alarms");
+  await page.setViewportSize({width: 1120, height: 700});
   await act({exercise: "no-air"});
   await act({state: {BODY_UNDER10_AIR: "GOOD"}});
   await view("view=exercises");

@@ -35,6 +35,8 @@ struct PanelPlan {
   std::vector<std::string> names = {"AGV_I_P1",     "AGV_I_P2",     "AGV_O_P2", "AGV_O_P1",
                                     "DOOR_I_SHUT1", "DOOR_I_OPEN2", "EYE_I_ON"};
   Reported reported = {};
+  std::vector<Row> rows = {};  ///< if there are any: the list, instead of `names`
+  panel::View view = {};       ///< must outlive the bench
   panel::PanelOptions options = {.address = "127.0.0.1:0"};
   std::string scenario = {};                     ///< its steps; empty: none
   std::vector<std::string> exercise_files = {};  ///< paths
@@ -42,6 +44,12 @@ struct PanelPlan {
   std::optional<exec::LinkState> link = {};  ///< of a link that carries all symbols; nothing: there is no link
   bool freezes = false;                      ///< the plant, while the link is not live
 };
+
+/// BOOL symbols; the names omit `L_P_`.
+inline std::vector<Row> rows_of(std::vector<std::string> names) {
+  for (std::string& name : names) name.insert(0, "L_P_");
+  return bits(names);
+}
 
 /// A plant with a place for one part.
 inline PanelPlan with_fixture() {
@@ -60,10 +68,11 @@ inline PanelPlan with_fixture() {
 class PanelBench {
  public:
   explicit PanelBench(const PanelPlan& plan = {})
-      : tables(plan.names, plan.reported),
+      : tables(plan.reported, plan.rows.empty() ? rows_of(plan.names) : plan.rows),
         names(tables.rows),
         console_(out_, err_),
-        streams_{out_, err_, out_, console_} {
+        streams_{out_, err_, out_, console_},
+        program_{.tables = tables.rows, .view = plan.view} {
     options_.panel = plan.options;
     options_.exercises = plan.exercise_files;
     options_.trace = folder / "trace.jsonl";
@@ -209,7 +218,7 @@ class PanelBench {
   host::Console console_;
   host::RunStreams streams_;
   host::RunOptions options_;
-  host::PlantProgram program_{.tables = tables.rows};
+  host::PlantProgram program_;
   std::vector<bool> carried_;
   std::optional<scenario::Scenario> scenario_;
   host::Links links_;
