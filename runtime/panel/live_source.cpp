@@ -7,6 +7,15 @@
 #include "symplant/panel/web/query.hpp"
 
 namespace symplant::panel {
+namespace {
+
+Reply csv_file(std::string text, std::string name) {
+  Reply reply{Reply::Kind::now, {200, std::move(text)}, "text/csv; charset=utf-8"};
+  reply.file_name = std::move(name);
+  return reply;
+}
+
+}  // namespace
 
 void LiveSource::put_description(std::string& json, Role role) {
   const std::lock_guard guard(mutex_);
@@ -25,6 +34,11 @@ std::optional<Reply> LiveSource::get(std::string_view path, const std::map<std::
     if (name == query.end()) return Reply{Reply::Kind::now, error_answer(400, "`why` needs a `name`")};
     desk_.why(name->second, sender, later);
     return Reply{Reply::Kind::later, {}};
+  }
+  if (path == "training.csv" || path == "reactions.csv") {
+    if (!sees_all(sender.role)) return Reply{Reply::Kind::now, error_answer(403, "the table is for the trainer")};
+    const Training& training = desk_.training();
+    return csv_file(path == "training.csv" ? training.trainees_csv() : training.reactions_csv(), std::string(path));
   }
   constexpr std::string_view kSession = "session/";
   if (!path.starts_with(kSession)) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace symplant::panel {
@@ -24,6 +25,7 @@ constexpr std::string_view role_name(Role role) {
 /// The sender of a request.
 struct Sender {
   Role role = Role::viewer;
+  std::string name = {};  ///< UTF-8, as the client gives it; empty: it gave none
 };
 
 /// Whether a role sees malfunctions, and what is for the trainer.

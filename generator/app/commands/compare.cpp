@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/commands/compare_sessions.hpp"
 #include "app/options.hpp"
 #include "app/recording_options.hpp"
 #include "compare/difference.hpp"
@@ -41,6 +42,7 @@ struct CompareOptions {
   compare::Options how;
   std::string format = "text";
   std::string output;
+  std::string html;  ///< a file; empty: `format` and `output` count
 };
 
 /// What is compared, kept until the program ends.
@@ -136,6 +138,19 @@ std::optional<study::Study> study_of(const CompareOptions& options, recording::R
   return study;
 }
 
+/// Sessions at the panel have no symbols, and two formats.
+void compare_sessions(const CompareOptions& options, Context& context) {
+  const bool as_page = options.format == "html";
+  if (options.actual.empty() || (!as_page && options.format != "text")) {
+    context.err << (options.actual.empty()
+                        ? "error: give the session of the expert, then that of the trainee\n"
+                        : "error: the comparison of two sessions is a text, or with `--html FILE` a page\n");
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  compare_session_files(options.expected, options.actual, as_page, options.output, context);
+}
+
 void compare_traces(const CompareOptions& options, Context& context) {
   if (options.actual.empty() == options.plant.empty()) {
     context.err << (options.plant.empty() ? "error: give the second trace, or a plant to run with `--plant`\n"
@@ -189,9 +204,14 @@ void read_align(const std::string& text, CompareOptions& options) {
 
 void add_compare(CLI::App& app, Context& context) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "Compare two traces, or a recording with the run of a plant");
-  command->add_option("EXPECTED", options->expected, "the trace of a run that is right, or a recording")->required();
-  command->add_option("ACTUAL", options->actual, "the trace of another run, or a recording");
+  CLI::App* command = app.add_subcommand(
+      "compare", "Compare two traces, a recording with the run of a plant, or two sessions at the panel");
+  command
+      ->add_option("EXPECTED", options->expected,
+                   "the trace of a run that is right, or a recording; or the session of an expert")
+      ->required();
+  command->add_option("ACTUAL", options->actual,
+                      "the trace of another run, or a recording; or the session of a trainee");
   CLI::Option* const plant =
       command
           ->add_option(
@@ -233,18 +253,30 @@ void add_compare(CLI::App& app, Context& context) {
           "html: both as one chart")
       ->check(CLI::IsMember(names));
   command->add_option("-o,--output", options->output, "write the result to this file")->type_name("FILE");
+  command->add_option("--html", options->html, "the same as `--format html --output FILE`")
+      ->type_name("FILE")
+      ->excludes("--format")
+      ->excludes("--output");
   const std::vector<CLI::Option*> own = command->get_options();
   add_plant_options(*command, options->plant_options);
   for (CLI::Option* const option : command->get_options()) {
     if (std::find(own.begin(), own.end(), option) == own.end()) option->needs(plant);
   }
   command->footer(
-      "Exit codes: 0 no difference; 1 differences; 2 bad input or usage.\n"
+      "Exit codes: 0 no difference; 1 differences; 2 bad input or usage. Of two sessions: 0 or 2.\n"
       "Examples:\n  symplant compare good.jsonl run.jsonl --only '*_O_*'\n"
       "  symplant compare good.jsonl beside-the-plc.jsonl --align follow --window 30ms --format html -o run.html\n"
       "  symplant compare recording.jsonl --plant plant.json --only '*_I_*'\n"
-      "  symplant compare good.jsonl scope.csv --rename names.csv --time-unit ms");
-  command->callback([options, &context] { compare_traces(*options, context); });
+      "  symplant compare good.jsonl scope.csv --rename names.csv --time-unit ms\n"
+      "  symplant compare expert.session.json anna.session.json --html anna.html");
+  command->callback([options, &context] {
+    if (!options->html.empty()) {
+      options->format = "html";
+      options->output = options->html;
+    }
+    const bool has_session = is_session_file(options->expected) || is_session_file(options->actual);
+    has_session ? compare_sessions(*options, context) : compare_traces(*options, context);
+  });
 }
 
 }  // namespace symplant::app

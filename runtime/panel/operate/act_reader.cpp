@@ -9,6 +9,7 @@
 
 #include "symplant/json/document.hpp"
 #include "symplant/json/schema.hpp"
+#include "symplant/panel/training/messages.hpp"
 #include "symplant/scenario/act.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "symplant/scenario/step_reader.hpp"
@@ -40,6 +41,7 @@ constexpr Command kCommands[] = {
     {"step", "cycle", Kind::step_cycle},
     {"step", "change", Kind::step_change},
     {"end", "exercise", Kind::end_exercise},
+    {"join", "", Kind::join},
     {"count", "utilization", Kind::count_again},
     {"silence", "", Kind::silence},
 };
@@ -49,8 +51,8 @@ struct NamedCommand {
   Kind kind;
 };
 constexpr NamedCommand kNamed[] = {
-    {"snapshot", Kind::snapshot}, {"save", Kind::save},         {"restore", Kind::restore},
-    {"forget", Kind::forget},     {"exercise", Kind::exercise}, {"session", Kind::session},
+    {"snapshot", Kind::snapshot}, {"save", Kind::save},       {"restore", Kind::restore}, {"forget", Kind::forget},
+    {"exercise", Kind::exercise}, {"session", Kind::session}, {"message", Kind::message},
 };
 /// An act whose value is the name of an alarm, or a list of names.
 constexpr NamedCommand kOfAlarms[] = {
@@ -189,6 +191,10 @@ struct ActReader::Parts {
       if (key != each.key) continue;
       act.kind = each.kind;
       if (value.is_string()) act.name = value.get<std::string>();
+      if (each.kind == Kind::message) {
+        if (!is_message(act.name)) error = kMessageForm;
+        return act;
+      }
       if (!is_file_name(act.name) && each.kind != Kind::exercise) {
         error = "the name of `" + key +
                 "` is 1 to 64 letters, digits, blanks, `_`, `-` or `.`, and does not begin with a `.` or a blank";

@@ -32,6 +32,8 @@ struct Act {
     end_exercise,
     session,
     count_again,  ///< of utilization
+    join,
+    message,
     acknowledge,
     shelve,
     unshelve,
@@ -40,7 +42,7 @@ struct Act {
   Kind kind = Kind::step;
   scenario::Step step;
   bool releases_all = false;        ///< of a step: all forces, of which there may be none
-  std::string name;                 ///< of a snapshot, exercise or session
+  std::string name;                 ///< of a snapshot, exercise or session; the text of a message
   double speed = 1;                 ///< 0: as fast as possible
   std::vector<std::string> alarms;  ///< to acknowledge (empty: all), to shelve or to unshelve
   tables::Time shelved_for = 0;     ///< plant time

@@ -99,6 +99,7 @@ std::string Allowed::refusal(const Act& act) const {
   switch (act.kind) {
     case Kind::step:
       return act.releases_all ? kOnlyTrainer : step_refusal(act.step);
+    case Kind::join:
     case Kind::acknowledge:
     case Kind::shelve:
     case Kind::unshelve:

@@ -31,6 +31,7 @@ Desk::Desk(Setup setup)
       reader_(setup_.names, setup_.carried, setup_.history),
       snapshots_(setup_.folder, setup_.plant.save().size()),
       session_(setup_.names, setup_.seed),
+      training_(setup_.names, setup_.history),
       allowed_(setup_.names, setup_.view),
       block_(setup_.plant.save().size()),
       violations_(setup_.names.tables().requirements.size()),
@@ -69,6 +70,7 @@ void Desk::before(const trace::Record& record) {
 void Desk::after(const trace::Record& record) {
   picture_.apply(record);
   alarm_sources_.after(record);
+  training_.apply(record);
   last_change_ = record.time;
   ++revision_;
 }
@@ -122,9 +124,10 @@ void Desk::step_failed(std::size_t step, tables::Time time) {
               shown);
 }
 
-void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step) {
-  session_.add(
-      {time, turn, last_change_ == time, std::string(by), "{" + members + "}", is_step ? members : std::string()});
+void Desk::log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step,
+               const std::string& name) {
+  session_.add({time, turn, last_change_ == time, std::string(by), "{" + members + "}",
+                is_step ? members : std::string(), name});
 }
 
 void Desk::finding(const trace::FoundThing& found, const std::string& words) {
@@ -234,7 +237,7 @@ std::optional<SetBack> Desk::done(Pending& pending, const trace::Record& note) {
 
 std::optional<SetBack> Desk::carried_out(Pending& pending, const trace::Record& note) {
   const auto log_control = [&](const std::string& members) {
-    log(note.time, note.value >> scenario::kTurnBits, "hand", members, false);
+    log(note.time, note.value >> scenario::kTurnBits, "hand", members, false, pending.group->sender.name);
   };
   std::optional<SetBack> back;
   switch (pending.purpose) {
@@ -269,7 +272,10 @@ void Desk::acted(const Pending& pending, const trace::Record& note) {
     const scenario::Step step = refusals_.done_of(pending.steps[i], i);
     const std::string actions = scenario::actions_json(step, setup_.names);
     const std::string_view by = name_of_hand(pending.group->sender.role);
-    if (!actions.empty()) log(note.time, note.value >> scenario::kTurnBits, by, actions, true);
+    if (!actions.empty()) {
+      log(note.time, note.value >> scenario::kTurnBits, by, actions, true, pending.group->sender.name);
+      training_.acted(pending.group->sender, note.time);
+    }
     if (std::string act = scenario::act_json(step, setup_.names); !act.empty()) new_acts_.push_back(std::move(act));
   }
   if (!refusals_.empty()) pending.group->error = std::string(refusals_.words()) + "; the other acts were done";
@@ -300,6 +306,7 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   }
   setup_.history.load(shadow());
   picture_.load(shadow());
+  training_.set_back(is_reset ? -1 : time);
   if (OutputCopy& outputs = operator_.outputs(); outputs.is_here()) outputs.ask();  // it may be of the former state
   chart_.set_back(time);
   forget_findings(is_reset ? -1 : time);
@@ -344,7 +351,8 @@ void Desk::copied(Pending& pending, tables::Time time) {
     group.error = snapshots_.keep(pending.name, std::move(pending.state));
   }
   const char* const key = pending.purpose == Purpose::save ? "save" : "snapshot";
-  if (group.error.empty()) log(time, 0, "hand", fmt::format("\"{}\":{}", key, trace::json_string(pending.name)), false);
+  if (!group.error.empty()) return;
+  log(time, 0, "hand", fmt::format("\"{}\":{}", key, trace::json_string(pending.name)), false, group.sender.name);
 }
 
 /// The answer to `why`: the shadow has the state.

@@ -29,6 +29,8 @@
 #include "symplant/panel/picture/chart.hpp"
 #include "symplant/panel/picture/picture.hpp"
 #include "symplant/panel/role.hpp"
+#include "symplant/panel/training/messages.hpp"
+#include "symplant/panel/training/training.hpp"
 #include "symplant/panel/view.hpp"
 #include "symplant/plant/owned_plant.hpp"
 #include "symplant/trace/finding_words.hpp"
@@ -126,6 +128,8 @@ class Desk {
   void look_at_time(tables::Time every);
   /// The session as a file of this kind: `scenario`, `start` (the snapshot with which it begins), `session` or `junit`.
   Answer session_file(std::string_view kind);
+  /// What the trainees did: the table of GET /api/v1/training.csv, or of reactions.csv.
+  const Training& training() const { return training_; }
   /// Sets what gives the states of the run's links, for explanations. Null: all are live.
   void set_links(std::function<std::vector<exec::LinkState>()> states) { link_states_ = std::move(states); }
   /// The scenario that the plant plays; null: none. It lives as long as the desk, or until another one is played.
@@ -175,6 +179,7 @@ class Desk {
   void carry_out(std::vector<Act> acts, const std::shared_ptr<Group>& group);
   void order(const Act& act, const std::shared_ptr<Group>& group);
   void at_once(const Act& act, const std::shared_ptr<Group>& group);
+  Answered counted(const Sender& sender, Answered answered);
   void on_alarms(const Act& act, const std::string& members);
   std::string alarm_refusal(const Act& act) const;
   void offer(Pending pending);
@@ -192,7 +197,8 @@ class Desk {
   std::string explain(const std::string& name, tables::Time time, Role role);
   std::string words_without_malfunctions(const trace::FoundThing& found);
   void allow();
-  void log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step);
+  void log(tables::Time time, std::uint64_t turn, std::string_view by, const std::string& members, bool is_step,
+           const std::string& name = {});
   void step_noted(const trace::Record& record);
   void step_failed(std::size_t step, tables::Time time);
   /// `shown`: the text for roles that do not see malfunctions; empty: they do not see the finding.
@@ -220,6 +226,8 @@ class Desk {
   ActReader reader_;
   Snapshots snapshots_;
   Session session_;
+  Training training_;
+  Messages messages_;
   Allowed allowed_;
   std::optional<plant::OwnedPlant> shadow_;  ///< a plant into which copies of the state are restored
   std::size_t block_ = 0;                    ///< the size of a state
@@ -263,6 +271,8 @@ class Desk {
   std::uint64_t sent_exercise_ = 0;
   std::uint64_t sent_allowed_ = 0;
   std::uint64_t sent_played_ = 0;
+  std::uint64_t sent_training_ = 0;
+  std::uint64_t sent_messages_ = 0;
   const Exercise* sent_of_ = nullptr;
   std::string sent_clock_;
   tables::Time last_backtrack_ = 0;

@@ -20,6 +20,11 @@ constexpr const char* kNoFolder = "this run has no folder for files; start it wi
 
 constexpr const char* kTooMany = "too many acts wait for the plant; try again";
 
+constexpr const char* kNoName = "only a trainee joins, with a name in the header `X-Symplant-Name`";
+
+constexpr const char* kTooManyTrainees =
+    "100 trainees have joined already; use one of their names, or start the program again";
+
 bool is_step(const Act& act) { return act.kind == Kind::step; }
 
 Order::Kind order_kind(Kind kind) {
@@ -79,6 +84,10 @@ std::string members_of(const Act& act) {
       return "\"end\":\"exercise\"";
     case Kind::count_again:
       return "\"count\":\"utilization\"";
+    case Kind::join:
+      return "\"join\":true";
+    case Kind::message:
+      return named("message");
     case Kind::session:
       return named("session");
     case Kind::acknowledge:
@@ -170,11 +179,22 @@ std::optional<Answer> Desk::refused(const ReadActs& read, const Sender& sender) 
   return why.empty() ? std::nullopt : std::optional(error_answer(422, why));
 }
 
+/// Counts the answer if it refuses what a trainee asks for.
+Answered Desk::counted(const Sender& sender, Answered answered) {
+  if (!Training::is_listed(sender)) return answered;
+  return [this, sender, answered = std::move(answered)](Answer answer) {
+    training_.answered(sender, answer.status, operator_.now());
+    answered(std::move(answer));
+  };
+}
+
 Answer Desk::check(std::string_view body, const Sender& sender) {
   return refused(reader_.read(body), sender).value_or(Answer{200, "{}"});
 }
 
 void Desk::request(std::string_view body, const Sender& sender, Answered answered) {
+  if (!training_.seen(sender, operator_.now())) return answered(error_answer(422, kTooManyTrainees));
+  answered = counted(sender, std::move(answered));
   ReadActs read = reader_.read(body);
   if (auto refusal = refused(read, sender)) return answered(std::move(*refusal));
   if (ended_) return answered(error_answer(503, "the run has ended"));
@@ -239,6 +259,8 @@ void Desk::order(const Act& act, const std::shared_ptr<Group>& group) {
     case Kind::forget:
     case Kind::session:
     case Kind::count_again:
+    case Kind::join:
+    case Kind::message:
     case Kind::acknowledge:
     case Kind::shelve:
     case Kind::unshelve:
@@ -268,10 +290,13 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
   }
   if (act.kind == Kind::session) group->error = save_session(act.name);
   if (act.kind == Kind::count_again) setup_.utilization.begin(operator_.now());
+  if (act.kind == Kind::join && !Training::is_listed(group->sender)) group->error = kNoName;
+  if (act.kind == Kind::message) messages_.add(operator_.now(), act.name);
   if (!group->error.empty()) return;
   const std::string members = members_of(act);
   on_alarms(act, members);
-  log(operator_.now(), 0, name_of_hand(group->sender.role), members, false);
+  if (act.kind == Kind::acknowledge) training_.acted(group->sender, operator_.now());
+  log(operator_.now(), 0, name_of_hand(group->sender.role), members, false, group->sender.name);
 }
 
 /// Does nothing for other acts.
@@ -423,6 +448,8 @@ std::string Desk::session_json() const {
   } else {
     json += "null";
   }
+  put_key(json, "training");
+  training_.put(json, MalfunctionRuns::kMostRuns);
   return json + "}\n";
 }
 

@@ -75,6 +75,12 @@ std::string Desk::picture(Role role) {
   session_.put(json, session_.count() > kMostShownActs ? session_.count() - kMostShownActs : 0, role);
   put_key(json, "snapshots");
   sees_all(role) ? snapshots_.put_all(json) : void(json += "[]");
+  put_key(json, "messages");
+  messages_.put(json, 0);
+  if (sees_all(role)) {
+    put_key(json, "training");
+    training_.put(json, Training::kMostShown);
+  }
   put_key(json, "scenario");
   played_.put(json, role);
   put_key(json, "exercise");
@@ -120,6 +126,14 @@ std::string Desk::changes(Role role) {
     put_key(json, "snapshots");
     snapshots_.put_all(json);
   }
+  if (messages_.count() != sent_messages_) {
+    put_key(json, "messages");
+    messages_.put(json, sent_messages_);
+  }
+  if (training_.version() != sent_training_ && sees_all(role)) {
+    put_key(json, "training");
+    training_.put(json, Training::kMostShown);
+  }
   if (played_.version() != sent_played_) {
     put_key(json, "scenario");
     played_.put(json, role);
@@ -149,6 +163,8 @@ void Desk::forget_changes() {
   sent_of_ = exercise_.get();
   sent_exercise_ = exercise_ != nullptr ? exercise_->version() : 0;
   sent_allowed_ = allowed_.version();
+  sent_messages_ = messages_.count();
+  sent_training_ = training_.version();
 }
 
 std::string Desk::beat() const {

@@ -14,7 +14,9 @@ namespace {
 constexpr std::size_t kMostDeeds = 10'000;
 constexpr std::size_t kMostDeedBytes = std::size_t{16} << 20;
 
-std::size_t bytes_of(const Deed& deed) { return deed.by.size() + deed.json.size() + deed.actions.size(); }
+std::size_t bytes_of(const Deed& deed) {
+  return deed.by.size() + deed.json.size() + deed.actions.size() + deed.name.size();
+}
 
 }  // namespace
 
@@ -67,7 +69,9 @@ void Session::put(std::string& json, std::uint64_t from, Role role) const {
     const Deed& deed = deeds_[n - first_];
     if (!sees_all(role) && deed.by != role_name(Role::trainee)) continue;
     put_comma(json);
-    panel::put(json, R"({{"n":{},"t":{},"by":"{}","act":{}}})", n, deed.time, deed.by, deed.json);
+    panel::put(json, R"({{"n":{},"t":{},"by":"{}")", n, deed.time, deed.by);
+    if (!deed.name.empty() && sees_all(role)) put_member(json, "name", deed.name);
+    panel::put(json, ",\"act\":{}}}", deed.json);
   }
   json += ']';
 }

@@ -23,6 +23,7 @@ struct Deed {
   std::string by;          ///< `hand`, `trainee` or `scenario`
   std::string json;        ///< an object: the act
   std::string actions;     ///< its members if it is a step of a scenario; else empty
+  std::string name = {};   ///< of the trainee; empty: it gave none
 };
 
 /// Deed::by of an act by a client of this role.

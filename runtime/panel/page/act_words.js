@@ -48,6 +48,8 @@ const kWords = {
   for: (of) => "for " + of,
   unshelve: (of) => "unshelved " + listed(of),
   silence: () => "silenced the horn",
+  join: () => "joined",
+  message: (of) => "sent: " + of,
 };
 
 /// What an act, or a list of acts in one instant, did. Keys without words stay JSON. `symbolNamed(name)` gives the symbol of

@@ -16,6 +16,7 @@ export class Api {
   constructor(token) {
     this.token = token;
     this.run = null;  // the `run` of the description, once it is known
+    this.name = "";  // of a trainee
     this.clock = new ActClock();
     this.stale = () => {};  // called when the answer is that the program was restarted
   }
@@ -45,8 +46,13 @@ export class Api {
 
   async post(path, body) {
     const response = await this.request("/api/v1/" + path, {method: "POST", body: JSON.stringify(body), signal: AbortSignal.timeout(kActTime),
-      headers: {"Content-Type": "application/json", "X-Symplant-Run": this.run ?? ""}});
+      headers: this.actHeaders()});
     return response.json();
+  }
+
+  actHeaders() {
+    return {"Content-Type": "application/json", "X-Symplant-Run": this.run ?? "",
+      ...(this.name === "" ? {} : {"X-Symplant-Name": encodeURIComponent(this.name)})};
   }
 
   /// Acts that take effect in one instant; the answer is { t }. Without an answer in kActTime they are given up: the browser
@@ -63,7 +69,7 @@ export class Api {
   /// Acts that are sent although the page is closed: the browser sends them afterward, and no answer is read.
   leave(...acts) {
     fetch("/api/v1/acts", {method: "POST", keepalive: true, body: JSON.stringify({acts}),
-      headers: this.headers({"Content-Type": "application/json", "X-Symplant-Run": this.run ?? ""})}).catch(() => {});
+      headers: this.headers(this.actHeaders())}).catch(() => {});
   }
 
   /// Whether the token may act: rejected with the status 401 if not.
@@ -76,18 +82,12 @@ export class Api {
   why(name, signal) { return this.get("why?name=" + encodeURIComponent(name), signal); }
   at(t) { return this.get("at?t=" + Math.round(t)); }
 
+  async file(path) { return (await this.request("/api/v1/" + path)).blob(); }
+  session(kind) { return this.file("session/" + kind); }
+
   /// What all devices, tracks and places did, or one device.
   utilization(device = null) { return this.get("utilization" + (device === null ? "" : "?device=" + device)); }
-
-  async utilizationTable() {
-    const response = await this.request("/api/v1/utilization.csv");
-    return response.blob();
-  }
-
-  async session(kind) {
-    const response = await this.request("/api/v1/session/" + kind);
-    return response.blob();
-  }
+  utilizationTable() { return this.file("utilization.csv"); }
 
   /// The body of the stream.
   async stream(signal) {

@@ -1,6 +1,8 @@
 // The exercise view: for the trainee the present step, for the trainer all steps, points and times.
 import {actButton, resultOutput} from "./acts.js";
 import {button, make, setAttribute, setText} from "./dom.js";
+import {TraineeName} from "./trainee_name.js";
+import {Trainer} from "./trainer.js";
 import {count, duration, instant} from "./words.js";
 
 const kLetters = {pending: "○", active: "▶", done: "✓", failed: "✗"};
@@ -11,10 +13,13 @@ export class ExerciseView {
     this.result = resultOutput();
     this.running = make("div", {});
     this.time = make("span", {class: "big"});
+    this.name = app.rights === "allowed" ? new TraineeName(app, this.result) : null;
+    this.training = this.trainer ? new Trainer(app, this.result) : null;
     const choose = (trainer, text) => button(text, () => this.choose(trainer), {class: "toggle"});
     this.roles = this.trainer ? [choose(false, "Trainee"), choose(true, "Trainer")] : [];
     this.element = make("div", {class: "view columns"},
-      make("section", {"aria-label": "Exercise"}, this.trainer ? make("div", {class: "row", role: "group", "aria-label": "View of the"}, this.roles) : null, this.running, this.result),
+      make("section", {"aria-label": "Exercise"}, this.trainer ? make("div", {class: "row", role: "group", "aria-label": "View of the"}, this.roles) : null,
+        this.name?.element ?? null, this.running, this.result, this.training?.element ?? null),
       make("section", {"aria-label": "Exercises of this plant"}, make("h2", {}, "Exercises of this plant"), this.offers()));
   }
 
@@ -33,8 +38,10 @@ export class ExerciseView {
 
   show() {
     this.roles.forEach((element, i) => setAttribute(element, "aria-pressed", String(Boolean(i) === this.trainer)));
+    if (this.training) setAttribute(this.training.element, "hidden", this.trainer ? null : "");
     this.shown = "";
     this.update();
+    this.training?.update();
   }
 
   update() {
@@ -75,6 +82,7 @@ export class ExerciseView {
 
   change(change) {
     if (change.all || change.keys.has("exercise")) this.update();
+    if (this.trainer) this.training.change(change);
   }
 
   tick() {

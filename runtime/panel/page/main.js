@@ -14,6 +14,7 @@ import {followPlant} from "./follow_plant.js";
 import {Frames} from "./frames.js";
 import {refreshHolds} from "./hold_button.js";
 import {Holds} from "./holds.js";
+import {MessageBand} from "./message_band.js";
 import {Names} from "./names.js";
 import {Notice} from "./notice.js";
 import {Player, RecordingBar} from "./recording.js";
@@ -26,6 +27,7 @@ import {Statuses} from "./status.js";
 import {Store} from "./store.js";
 import {PlantClock} from "./time.js";
 import {followLinks, keepToken, takeToken} from "./token.js";
+import {joinAgain, keptName} from "./trainee_name.js";
 import {makeViews, Views} from "./views.js";
 
 const kTick = 200;  // ms between two updates of texts that depend on plant time
@@ -162,7 +164,7 @@ const start = async () => {
   followLinks();
   const api = new Api(takeToken());
   const plant = await loadPlant(api);
-  api.run = plant.run;
+  Object.assign(api, {run: plant.run, name: keptName()});
   document.title = plant.plant + " - symplant";
   const rights = await rightsOf(api, plant);
   const app = makeApp(api, plant, rights);
@@ -180,7 +182,9 @@ const start = async () => {
   const band = new Band(app, bar.result);
   if (!app.player) byId("band").append(band.element);
   const announcer = new Announcer(app, byId("footer"), byId("live"));
-  app.receive = makeReceiver(app, [bar, band, scenario, strip, ...alarms, views, details, announcer]);
+  const messages = new MessageBand(app);
+  byId("notice").after(messages.element);
+  app.receive = makeReceiver(app, [bar, band, scenario, strip, ...alarms, views, details, announcer, messages]);
   app.routed = (route) => {
     views.show(route);
     details.show(app.router.selection());
@@ -191,6 +195,7 @@ const start = async () => {
   app.router.read();
   animate(app, bar, [details, strip, views], views);
   connect(app, plant, bar, band);
+  joinAgain(app);
   if (operates(app)) app.holds.recover();
   globalThis.symplant = app;  // for tests and the console
 };

@@ -71,8 +71,8 @@ export class SessionView {
 
   showActs() {
     const {acts} = this.app.store;
-    const rows = acts.slice(-kMostActs).reverse().map(({t, by, act}) =>
-      [timeOf(t), by, make("span", {class: "name", title: JSON.stringify(act)}, actText(act, (name) => this.app.names.symbol(name)))]);
+    const rows = acts.slice(-kMostActs).reverse().map(({t, by, name, act}) =>
+      [timeOf(t), name ?? by, make("span", {class: "name", title: JSON.stringify(act)}, actText(act, (name) => this.app.names.symbol(name)))]);
     this.acts.replaceChildren(rows.length > 0 ? table("Acts, the newest first", ["Plant time", "By", "What"], rows)
       : make("p", {class: "soft"}, "nothing yet"));
   }

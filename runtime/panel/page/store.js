@@ -10,7 +10,8 @@ export const VALUE = {held: 1};
 
 const kMostFindings = 1000;
 const kMostActs = 1000;
-const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "scenario", "exercise", "allowed"];  // replaced if they change
+const kMostMessages = 50;
+const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "scenario", "exercise", "allowed", "training"];  // replaced if they change
 
 const kJumps = ["reset", "restore", "exercise"];  // acts after which plant time may be any
 
@@ -40,7 +41,8 @@ export class Store {
     this.requirements = [];
     this.alarms = new AlarmState();
     Object.assign(this, {rev: -1, t: 0, forced: 0, clock: {state: "frozen", speed: 1, real_speed: 0, until: null},
-      malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, allowed: null, findings: [], acts: []});
+      malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, allowed: null, training: null, findings: [], acts: [],
+      messages: []});
     this.valuesOfDevice = new Map();
     (plant.values ?? []).forEach(({device}, index) => {
       if (device !== null) this.valuesOfDevice.set(device, [...this.valuesOf(device), index]);
@@ -108,6 +110,7 @@ export class Store {
     for (const key of kWhole) this[key] = event[key] ?? (Array.isArray(this[key]) ? [] : null);
     this.findings = event.findings ?? [];
     this.acts = event.acts ?? [];
+    this.messages = event.messages ?? [];
     this.alarms.apply(event.alarms ?? {all: true});
     this.publish({...noChange(), all: true, jumped});
   }
@@ -146,6 +149,7 @@ export class Store {
     }
     this.append("findings", event.findings, kMostFindings, change);
     this.append("acts", event.acts, kMostActs, change);
+    this.append("messages", event.messages, kMostMessages, change);
     this.publish(change);
   }
 

@@ -13,8 +13,8 @@ namespace symplant::panel::web {
 namespace {
 
 /// Headers of which a request has one at most: another program between the client and this one might use the other.
-constexpr const char* kSingle[] = {"Host",           "Origin",       "Authorization",    "X-Symplant-Run",
-                                   "Content-Length", "Content-Type", "Transfer-Encoding"};
+constexpr const char* kSingle[] = {"Host",           "Origin",       "Authorization",     "X-Symplant-Run",
+                                   "Content-Length", "Content-Type", "Transfer-Encoding", "X-Symplant-Name"};
 
 std::string_view text_of(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -47,7 +47,8 @@ std::variant<Request, Answer> read_request(const Message& message) {
                  text_of(message["X-Symplant-Run"]),
                  text_of(message["Content-Type"]),
                  message.body(),
-                 accepts_gzip(list_of(message, "Accept-Encoding"))};
+                 accepts_gzip(list_of(message, "Accept-Encoding")),
+                 text_of(message["X-Symplant-Name"])};
 }
 
 }  // namespace symplant::panel::web

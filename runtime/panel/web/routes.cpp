@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "symplant/panel/picture/json_text.hpp"
+#include "symplant/panel/training/sender_name.hpp"
 #include "symplant/panel/web/page_files.hpp"
+#include "symplant/panel/web/percent.hpp"
 #include "symplant/tables/version.hpp"
 
 namespace symplant::panel {
@@ -23,30 +25,6 @@ Reply content_reply(std::shared_ptr<Content> content) {
   return {.kind = Reply::Kind::now, .content = std::move(content)};
 }
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-/// A part of a target without its escapes; false if one is not valid.
-bool decode(std::string_view text, bool plus_is_blank, std::string& decoded) {
-  decoded.clear();
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      decoded += plus_is_blank && text[i] == '+' ? ' ' : text[i];
-      continue;
-    }
-    if (i + 2 >= text.size()) return false;
-    const int high = hex_digit(text[i + 1]);
-    const int low = hex_digit(text[i + 2]);
-    if (high < 0 || low < 0) return false;
-    decoded += static_cast<char>(high * 16 + low);
-    i += 2;
-  }
-  return true;
-}
-
 std::string_view content_type_of(std::string_view name) {
   if (name.ends_with(".html")) return "text/html; charset=utf-8";
   if (name.ends_with(".css")) return "text/css; charset=utf-8";
@@ -58,7 +36,7 @@ std::string_view content_type_of(std::string_view name) {
 
 bool split_target(std::string_view target, std::string& path, std::map<std::string, std::string>& query) {
   const std::size_t mark = target.find('?');
-  if (!decode(target.substr(0, mark), false, path) || !path.starts_with('/')) return false;
+  if (!decode_percent(target.substr(0, mark), false, path) || !path.starts_with('/')) return false;
   std::string_view rest = mark == target.npos ? std::string_view() : target.substr(mark + 1);
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('&'), rest.size());
@@ -66,8 +44,8 @@ bool split_target(std::string_view target, std::string& path, std::map<std::stri
     const std::size_t equals = std::min(pair.find('='), pair.size());
     std::string key;
     std::string value;
-    if (!decode(pair.substr(0, equals), true, key)) return false;
-    if (!decode(equals < pair.size() ? pair.substr(equals + 1) : std::string_view(), true, value)) return false;
+    if (!decode_percent(pair.substr(0, equals), true, key)) return false;
+    if (!decode_percent(equals < pair.size() ? pair.substr(equals + 1) : std::string_view(), true, value)) return false;
     query[key] = value;
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
@@ -152,7 +130,9 @@ Reply Routes::post(const Request& request, const Answered& later) {
   if (second != second_) acts_ = 0;
   second_ = second;
   if (++acts_ > kMostPosts) return error_reply(429, "more than 100 acts in a second; try again");
-  source_.post(path.substr(kApi.size()), request.body, {*role}, later);
+  Sender sender{*role, {}};
+  if (!read_sender_name(request.name, sender.name)) return error_reply(400, kNameForm);
+  source_.post(path.substr(kApi.size()), request.body, sender, later);
   return {Reply::Kind::later, {}};
 }
 

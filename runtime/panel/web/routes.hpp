@@ -24,6 +24,7 @@ struct Request {
   std::string_view content_type;
   std::string_view body;
   bool accepts_gzip = false;
+  std::string_view name = {};  ///< X-Symplant-Name
 };
 
 /// What a request gets.

@@ -17,6 +17,11 @@ test("The page has no inline script, style or handler, and nothing from elsewher
   assert.doesNotMatch(text("panel.css"), /@import|https?:|expression\(/);
 });
 
+test("Each block of the style ends", () => {
+  const style = text("panel.css");
+  assert.equal(style.split("{").length, style.split("}").length);
+});
+
 test("No module makes elements from strings, evaluates text, or fetches from elsewhere", () => {
   const banned = /innerHTML|outerHTML|insertAdjacentHTML|document\.write|eval\(|new Function|DOMParser|https?:\/\/(?!www\.w3\.org)|setAttribute\("style"|style: "/;
   for (const name of modules) assert.doesNotMatch(text(name), banned, name);

@@ -146,13 +146,14 @@ export const kSteps = [
   }],
   ["an exercise is done to its score", async ({page}) => {
     await open(page, "Exercises");
+    await page.getByRole("button", {name: "Trainee", exact: true}).click();
     await page.getByRole("button", {name: "Start Clamps without air"}).click();
     await page.getByRole("status").filter({hasText: "Bring the air back"}).waitFor();
     await setState(page, "BODY_UNDER10_AIR", "GOOD");
     await page.getByRole("status").filter({hasText: "Close clamp 1"}).waitFor();
     await find(page, kClamp, kClamp);
     await setSymbol(page, kClamp + "_O_CLOSE", "Set on");
-    await page.getByText("The exercise is over.").waitFor();
+    await page.getByRole("main").getByText("The exercise is over.").waitFor();
     assert.match(await textOf(page.getByRole("region", {name: "Exercise", exact: true})), /20 of 20 points/);
   }],
   ["an alarm comes, is acknowledged, goes, and leaves the list", async ({page, plant}) => {
