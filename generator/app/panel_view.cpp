@@ -7,7 +7,16 @@
 namespace symplant::app {
 
 PanelView::PanelView(const model::PlantModel& plant) {
-  for (const model::Symbol& symbol : plant.symbols) symbols_.push_back({symbol.row->comment, symbol.is_by_operator()});
+  std::size_t length = 0;
+  for (const model::Symbol& symbol : plant.symbols) length += symbol.row->comment.size();
+  comments_.reserve(length);  // so that no text moves
+  symbols_.reserve(plant.symbols.size());
+  for (const model::Symbol& symbol : plant.symbols) {
+    const std::string_view comment = symbol.row->comment;
+    comments_.append(comment);
+    symbols_.push_back(
+        {std::string_view(comments_).substr(comments_.size() - comment.size()), symbol.is_by_operator()});
+  }
   for (const model::Alarm& alarm : model::alarms_by_output(plant)) {
     alarms_.push_back({alarm.symbol, alarm.value, alarm.priority});
   }

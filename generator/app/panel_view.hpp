@@ -12,14 +12,17 @@ namespace symplant::app {
 /// Owns the rows of a panel::View.
 class PanelView {
  public:
-  /// The result refers to texts of the plant. O(units * log(stations) + symbols + alarms).
+  /// O(units * log(stations) + symbols + alarms).
   explicit PanelView(const model::PlantModel& plant);
+  PanelView(const PanelView&) = delete;
+  PanelView& operator=(const PanelView&) = delete;
 
-  /// The result refers to this object and to the plant.
+  /// The result refers to this object.
   panel::View view() const { return {devices_, stations_, symbols_, alarms_}; }
 
  private:
   std::string stations_;
+  std::string comments_;  ///< one after the other
   std::vector<panel::DeviceView> devices_;
   std::vector<panel::SymbolView> symbols_;
   std::vector<panel::AlarmView> alarms_;
