@@ -95,15 +95,14 @@ std::string Allowed::step_refusal(const scenario::Step& step) const {
 }
 
 std::string Allowed::refusal(const Act& act) const {
-  using Kind = Act::Kind;
   switch (act.kind) {
-    case Kind::step:
+    case Act::Kind::step:
       return act.releases_all ? kOnlyTrainer : step_refusal(act.step);
-    case Kind::join:
-    case Kind::acknowledge:
-    case Kind::shelve:
-    case Kind::unshelve:
-    case Kind::silence:
+    case Act::Kind::join:
+    case Act::Kind::acknowledge:
+    case Act::Kind::shelve:
+    case Act::Kind::unshelve:
+    case Act::Kind::silence:
       return {};
     default:
       return kOnlyTrainer;
