@@ -6,7 +6,7 @@ import {Browser} from "./browser.mjs";
 import {startProgram} from "./plants.mjs";
 
 const kSize = {width: 390, height: 844};
-const kPlants = [["body-shop", "--exercise", "examples/body-shop/no-air.json"], ["training-line"], ["cell"], ["oven"]];
+const kPlants = [["body-shop", "--exercise", "examples/body-shop/no-air.json"], ["oven"]];
 
 const [playwright, axe, symplant] = process.argv.slice(2);
 const browser = await Browser.open({playwright, axe});
