@@ -23,8 +23,9 @@ constexpr Time kLatest = Time{1} << 60;  ///< 36 years; sums of two times fit
 
 /// A time of a file. Throws if it is not one.
 Time time_of(const Json& json) {
+  if (!json.is_number_integer()) throw std::out_of_range("a time is not valid");
   const auto time = json.get<Time>();
-  if (!json.is_number_integer() || time < 0 || time > kLatest) throw std::out_of_range("a time is not valid");
+  if (time < 0 || time > kLatest) throw std::out_of_range("a time is not valid");
   return time;
 }
 

@@ -19,7 +19,7 @@ Reply csv_file(std::string text, std::string name) {
 
 void LiveSource::put_description(std::string& json, Role role) {
   const std::lock_guard guard(mutex_);
-  desk_.put_description(json);
+  desk_.put_description(json, role);
   json += "," + describe_(role);
 }
 

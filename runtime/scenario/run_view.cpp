@@ -25,8 +25,14 @@ std::set<std::uint32_t> symbols_set(const Scenario& scenario) {
 
 RunView::RunView(const trace::PlantNames& names, const trace::History& history, tables::Time now,
                  const plant::Plant* plant, RunFacts facts)
-    : RecordedView(history, now, plant), names_(names), facts_(std::move(facts)) {
+    : RecordedView(history, now, plant), names_(names), history_(history), facts_(std::move(facts)) {
   if (facts_.scenario != nullptr) set_ = symbols_set(*facts_.scenario);
+}
+
+plant::UnitView RunView::unit(std::uint32_t unit) const {
+  plant::UnitView view = RecordedView::unit(unit);
+  if (!shows_malfunctions() && !trace::is_disabled_by_device(unit, names_, history_)) view.disabled = false;
+  return view;
 }
 
 bool RunView::is_live(std::size_t link) const {

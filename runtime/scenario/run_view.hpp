@@ -39,6 +39,7 @@ class RunView final : public why::RecordedView {
           RunFacts facts);
 
   bool shows_malfunctions() const override { return facts_.shows_malfunctions; }
+  plant::UnitView unit(std::uint32_t unit) const override;
   std::string unwritten(std::uint32_t operation) const override;
   std::string violated(std::uint32_t requirement) const override;
   std::string standstill() const override;
@@ -48,6 +49,7 @@ class RunView final : public why::RecordedView {
   std::string silence_of(std::uint32_t link) const;
 
   const trace::PlantNames& names_;
+  const trace::History& history_;
   const RunFacts facts_;
   std::set<std::uint32_t> set_;  ///< the symbols that the scenario sets or forces
 };

@@ -141,4 +141,13 @@ std::string Influences::advice(std::string_view usual) const {
   return empty() ? fmt::format("check {}", usual) : words() + ": check how the program reacts";
 }
 
+bool is_disabled_by_device(std::uint32_t unit, const PlantNames& names, const History& history) {
+  const auto rows = names.tables().disables;
+  return std::any_of(rows.begin(), rows.end(), [&](const tables::DisableRow& row) {
+    if (row.unit != unit) return false;
+    const plant::UnitView by = history.unit(row.by);
+    return !by.moving && by.state == row.state;
+  });
+}
+
 }  // namespace symplant::trace

@@ -21,6 +21,9 @@ std::string malfunction_words(std::uint32_t malfunction, const PlantNames& names
 /// next are O(active malfunctions * log of the units of one).
 std::string disabling_malfunctions(std::uint32_t unit, const PlantNames& names, ActiveMalfunctions active);
 
+/// Whether another device is in a state that disables the unit. O(disables).
+bool is_disabled_by_device(std::uint32_t unit, const PlantNames& names, const History& history);
+
 /// As disabling_malfunctions(), those that slow a unit.
 std::string slowing_malfunctions(std::uint32_t unit, const PlantNames& names, ActiveMalfunctions active);
 

@@ -18,15 +18,15 @@ namespace symplant::trace {
 
 /// Moves of a device from one state to another.
 struct MoveUse {
-  std::uint8_t from;
-  std::uint8_t to;
+  std::uint8_t from = 0;
+  std::uint8_t to = 0;
   tables::Time time = 0;  ///< spent between the two states, ns
   Durations whole;        ///< of those that began at rest and arrived; a change at once takes 0
 };
 
 /// The times from one entry into a state to the next entry.
 struct CycleUse {
-  std::uint8_t state;
+  std::uint8_t state = 0;
   Durations times;
 };
 
@@ -55,6 +55,8 @@ class Utilization {
 
   /// Counts again from `time`, with what the history has; records of earlier times add nothing. O(plant).
   void begin(tables::Time time);
+  /// Before begin(), if the plant was set to another state. O(plant).
+  void load(const plant::Plant& plant) { parts_.load(plant); }
   /// To be called after History::apply(), for all records but notes. O(symbols of the device).
   void apply(const Record& record);
 

@@ -74,8 +74,8 @@ void put_device(Lines& lines, const PlantNames& names, std::uint32_t unit, const
   lines.of("device", names.unit(unit));
   for (std::size_t i = 0; i < kActivities; ++i) lines.time("activity", kActivityNames[i], use.times[i]);
   if (with_malfunctions) lines.time("malfunction", "", use.malfunction);
-  for (std::uint8_t state = 0; state < use.states.size(); ++state) {
-    lines.time("state", names.state(unit, state), use.states[state]);
+  for (std::size_t state = 0; state < use.states.size(); ++state) {
+    lines.time("state", names.state(unit, static_cast<std::uint8_t>(state)), use.states[state]);
   }
   for (const MoveUse& move : use.moves) {
     lines.time("move", fmt::format("{} to {}", names.state(unit, move.from), names.state(unit, move.to)), move.time,

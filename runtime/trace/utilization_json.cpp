@@ -63,8 +63,8 @@ void put_device(std::string& json, const PlantNames& names, std::uint32_t unit, 
   put_times(json, kActivityNames, use.times);
   if (with_malfunctions) put(json, ",\"malfunction\":{}", use.malfunction);
   json += ",\"states\":{";
-  for (std::uint8_t state = 0; state < use.states.size(); ++state) {
-    put_name(json, names.state(unit, state));
+  for (std::size_t state = 0; state < use.states.size(); ++state) {
+    put_name(json, names.state(unit, static_cast<std::uint8_t>(state)));
     put(json, "{}", use.states[state]);
   }
   json += "},\"moves\":[";

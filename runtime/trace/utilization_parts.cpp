@@ -40,6 +40,14 @@ void PartUtilization::begin(tables::Time time) {
   }
 }
 
+void PartUtilization::load(const plant::Plant& plant) {
+  for (std::uint32_t track = 0; track < material_.tracks.size(); ++track) {
+    const bool any = plant.parts(track) != 0;
+    const plant::PartMotion front = any ? plant.motion(track, 0) : plant::PartMotion{};
+    locations_[track].at_end = any && front.x >= material_.tracks[track].length && front.v == 0;
+  }
+}
+
 /// Its time until now is of what it was until now.
 void PartUtilization::count(Location& location, tables::Time time) const {
   location.use.times[static_cast<std::size_t>(location.now)] += std::max<tables::Time>(time - location.at, 0);

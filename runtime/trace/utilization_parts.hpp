@@ -39,6 +39,8 @@ class PartUtilization {
 
   /// Counts from `time`, with the parts that the history has. O(plant).
   void begin(tables::Time time);
+  /// Takes from the plant what the history does not have: which tracks have a part at rest at their end. O(plant).
+  void load(const plant::Plant& plant);
   /// To be called after History::apply(). O(1).
   void apply(const Record& record);
   /// Until `now`. O(1).

@@ -183,18 +183,23 @@ void AlarmList::advance_to(tables::Time now) {
   }
 }
 
-void AlarmList::forget_after(tables::Time time, const std::function<bool(const Alarm&)>& stays) {
+void AlarmList::forget_after(tables::Time time, const std::function<bool(const Alarm&)>& stays,
+                             const std::function<bool(const Alarm&)>& lasts) {
   for (auto each = entries_.begin(); each != entries_.end();) {
     Entry& entry = each->second;
     const bool kept = entry.on && stays(entry.alarm);
     if (kept) entry.came = std::min(entry.came, std::max<tables::Time>(time, 0));
     if (entry.came > time && !kept) {
-      each = remove(each);
-      continue;
+      if (!lasts(entry.alarm)) {
+        each = remove(each);
+        continue;
+      }
+      entry.came = std::max<tables::Time>(time, 0);  // it came before, too
+      if (!entry.on) set_on(entry, true);
     }
     if (entry.shelved && entry.shelved_at > time) entry.shelved = false;
     if (entry.acknowledged && entry.acknowledged_at > time) entry.acknowledged = kept;
-    if (!entry.on && entry.went > time) set_on(entry, true);
+    if (!entry.on && entry.went > time && !stays(entry.alarm)) set_on(entry, true);
     ++each;
   }
   dropped_ = 0;

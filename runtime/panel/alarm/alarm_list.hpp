@@ -56,9 +56,10 @@ class AlarmList {
   /// Ends the shelving of those whose time is over. O(1) if there are none.
   void advance_to(tables::Time now);
 
-  /// The plant was set back to `time`: what came or was done later is forgotten. What `stays()` is kept as it is. An
-  /// alarm that went later counts as on.
-  void forget_after(tables::Time time, const std::function<bool(const Alarm&)>& stays);
+  /// The plant was set back to `time`: what came or was done later is forgotten. What `stays()` is kept as it is. What
+  /// came later and `lasts()` at that time, too, came before: it is on. An alarm that went later counts as on.
+  void forget_after(tables::Time time, const std::function<bool(const Alarm&)>& stays,
+                    const std::function<bool(const Alarm&)>& lasts);
 
   /// Null: not in the list.
   const Entry* find(std::string_view name) const;

@@ -8,6 +8,7 @@
 
 #include "symplant/panel/picture/describe_values.hpp"
 #include "symplant/panel/picture/stations.hpp"
+#include "symplant/trace/value_text.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -158,7 +159,9 @@ void AlarmSources::settle(tables::Time now) {
 }
 
 void AlarmSources::set_back(tables::Time until, tables::Time now) {
-  list_.forget_after(until, is_of_link);
+  list_.forget_after(until, is_of_link, [&](const Alarm& alarm) {
+    return until >= 0 && alarm.source != Alarm::Source::alarm && lasting_.lasts(alarm.kind, alarm.about, now);
+  });
   time_ = now;
   is_settled_ = false;
   settle();

@@ -62,6 +62,8 @@ constexpr std::string_view kFor = "for";  ///< the second key of `shelve`
 constexpr std::string_view kSpeed = "speed";
 /// Keys of steps that are acts; one act may have several of them.
 constexpr std::string_view kOfStep[] = {"restart", "set", "state", "put", "take", "force", "release", "start", "stop"};
+/// Those of them that only a trainer may do.
+constexpr std::string_view kOfTrainer[] = {"restart", "force", "release", "start", "stop"};
 /// Keys of steps that are not acts.
 constexpr std::string_view kNotActs[] = {"at",      "plus",  "wait",    "within", "expect",
                                          "include", "steps", "instant", "text",   "repeat"};
@@ -110,6 +112,12 @@ std::string key_error(const Json& act) {
     }
   }
   return "";
+}
+
+template <class Keys>
+bool has_key_of(const Json& act, const Keys& keys) {
+  return std::any_of(act.items().begin(), act.items().end(),
+                     [&](const auto& item) { return is_one_of(keys, item.key()); });
 }
 
 /// The first key of an act that has no effect, since its value is an empty array or object; empty if each key has one.
@@ -253,7 +261,7 @@ ActReader::ActReader(const trace::PlantNames& names, const std::vector<bool>& ca
 
 ActReader::~ActReader() = default;
 
-ReadActs ActReader::read(std::string_view body) {
+ReadActs ActReader::read(std::string_view body, Role role) {
   const json::Document document = json::parse(body);
   if (document.root == nullptr || !document.faults.empty()) {
     return form_error(document.faults.empty() ? "the body is not JSON" : document.faults.front().message);
@@ -277,6 +285,7 @@ ReadActs ActReader::read(std::string_view body) {
   for (const Json& json : root["acts"]) {
     if (!json.is_object()) return form_error("an act is an object");
     if (std::string error = key_error(json); !error.empty()) return form_error(std::move(error));
+    if (!sees_all(role) && has_key_of(json, kOfTrainer)) return {{}, kOnlyTrainer, false, true};
     std::optional<Act> act = Parts::of_alarms(json, read.error);
     if (!act) act = parts_->command(json, read.error);
     if (!act) act = parts_->step(json, read.error);

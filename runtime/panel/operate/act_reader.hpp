@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "symplant/panel/operate/order.hpp"
+#include "symplant/panel/role.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -48,10 +49,14 @@ struct Act {
   tables::Time shelved_for = 0;     ///< plant time
 };
 
+/// The answer to an act that is the trainer's.
+inline constexpr const char* kOnlyTrainer = "only the trainer can do this";
+
 struct ReadActs {
   std::vector<Act> acts;
   std::string error;              ///< empty: all of them can be read
   bool is_form = false;           ///< the error is one of the form (400), not of the content (422)
+  bool is_of_trainer = false;     ///< the error is that the role may not do it (403)
   std::int64_t until = kNoLimit;  ///< by act_clock(): the acts must not be done after this time
 };
 
@@ -62,7 +67,8 @@ class ActReader {
   ActReader(const trace::PlantNames& names, const std::vector<bool>& carried, const trace::History& history);
   ~ActReader();
 
-  ReadActs read(std::string_view body);
+  /// Acts on malfunctions and forces are read for a trainer only: errors about them name what there is.
+  ReadActs read(std::string_view body, Role role);
 
  private:
   struct Parts;

@@ -12,8 +12,6 @@
 namespace symplant::panel {
 namespace {
 
-constexpr const char* kOnlyTrainer = "only the trainer can do this";
-
 void put_marked(std::string& json, std::string_view key, const std::vector<bool>& marked) {
   std::vector<std::uint32_t> indexes;
   for (std::uint32_t i = 0; i < marked.size(); ++i) {
@@ -28,10 +26,16 @@ Allowed::Allowed(const trace::PlantNames& names, const View& view)
     : names_(names),
       view_(view),
       symbols_(names.tables().symbols.size()),
+      switched_on_(symbols_.size()),
       units_(names.tables().units.size()),
       outputs_(names.tables().values.outputs),
       locations_(names.tables().material.locations()) {
   by_default();
+}
+
+bool Allowed::has_operations(std::uint32_t unit) const {
+  const auto symbols = names_.symbols_of(unit);
+  return std::any_of(symbols.begin(), symbols.end(), [&](std::uint32_t symbol) { return names_.is_operation(symbol); });
 }
 
 void Allowed::by_patterns(std::span<const std::string> patterns) {
@@ -43,8 +47,16 @@ void Allowed::by_patterns(std::span<const std::string> patterns) {
   };
   mark(symbols_, [&](std::uint32_t symbol) { return names_.symbol(symbol); });
   mark(units_, [&](std::uint32_t unit) { return names_.unit(unit); });
+  for (std::uint32_t unit = 0; unit < units_.size(); ++unit) {
+    if (!units_[unit] || !has_operations(unit)) continue;
+    units_[unit] = false;
+    for (const std::uint32_t symbol : names_.symbols_of(unit)) {
+      if (names_.is_operation(symbol)) symbols_[symbol] = true;
+    }
+  }
   mark(outputs_, [&](std::uint32_t output) { return names_.output(output); });
   mark(locations_, [&](std::uint32_t location) { return names_.location(location); });
+  is_by_patterns_ = true;
   ++version_;
 }
 
@@ -62,11 +74,24 @@ void Allowed::by_default() {
   }
   outputs_.assign(outputs_.size(), false);
   locations_.assign(locations_.size(), false);
+  is_by_patterns_ = false;
   ++version_;
 }
 
 std::string Allowed::not_allowed(std::string_view name) const {
-  return fmt::format("a trainee may not operate `{}`; the exercise allows what `allow` names", name);
+  return fmt::format("a trainee may not operate `{}`; {}", name,
+                     is_by_patterns_
+                         ? "the exercise allows what `allow` names"
+                         : "without `allow` of an exercise, a trainee operates buttons, doors and selectors");
+}
+
+bool Allowed::switches_off(const scenario::SymbolValue& set) const {
+  const tables::SymbolRow& row = names_.tables().symbols[set.symbol];
+  return row.type() == tables::DataType::boolean && (set.value != 0) == row.inverted();
+}
+
+void Allowed::note(const scenario::Step& step) {
+  for (const scenario::SymbolValue& set : step.set) switched_on_[set.symbol] = !switches_off(set);
 }
 
 std::string Allowed::step_refusal(const scenario::Step& step) const {
@@ -75,7 +100,8 @@ std::string Allowed::step_refusal(const scenario::Step& step) const {
     return kOnlyTrainer;
   }
   for (const scenario::SymbolValue& set : step.set) {
-    if (!symbols_[set.symbol]) return not_allowed(names_.symbol(set.symbol));
+    const bool is_end_of_press = switched_on_[set.symbol] && switches_off(set);
+    if (!symbols_[set.symbol] && !is_end_of_press) return not_allowed(names_.symbol(set.symbol));
   }
   for (const scenario::ValueSetting& set : step.set_values) {
     if (!outputs_[names_.tables().values.rows[set.value].output]) {

@@ -9,6 +9,7 @@
 #include "symplant/scenario/step_text.hpp"
 #include "symplant/scenario/verdict.hpp"
 #include "symplant/trace/hidden_malfunctions.hpp"
+#include "symplant/trace/influences.hpp"
 #include "symplant/why/recorded_view.hpp"
 
 namespace symplant::panel {
@@ -53,6 +54,7 @@ Desk::Desk(Setup setup)
   if (!setup_.resumed.empty()) {
     picture_.load(setup_.plant);
     alarm_sources_.set_back(setup_.plant.now(), setup_.plant.now());
+    training_.set_back(setup_.plant.now());
     session_.begin_again(std::make_shared<KeptState>(KeptState{trace::Snapshot::of(setup_.plant)}));
   }
 }
@@ -120,7 +122,7 @@ void Desk::step_failed(std::size_t step, tables::Time time) {
   const trace::HiddenMalfunctions hidden(setup_.history);
   const bool is_of_plant = playing_->steps[step].expect && refusals_.empty();
   const std::string shown = is_of_plant ? failure_words() : std::string();
-  add_finding({time, "", "", tables::kNone, is_exercise() ? "" : name, words}, "expectation failed", name, "error",
+  add_finding({time, "", "", 0, tables::kNone, is_exercise() ? "" : name, words}, "expectation failed", name, "error",
               shown);
 }
 
@@ -143,7 +145,7 @@ void Desk::finding(const trace::FoundThing& found, const std::string& words) {
                                 ? words
                                 : words_without_malfunctions(found);
   if (!shown.empty()) alarm_sources_.finding(found, shown);  // alarms are the same for all roles
-  add_finding({found.time, "", "", violated ? found.of.front() : tables::kNone, "", words},
+  add_finding({found.time, "", "", 0, violated ? found.of.front() : tables::kNone, "", words},
               trace::finding_name(found.kind), trace::name_of(found, setup_.names),
               violated              ? "error"
               : is_note(found.kind) ? "note"
@@ -154,6 +156,10 @@ void Desk::finding(const trace::FoundThing& found, const std::string& words) {
 /// The words of a finding, for roles that do not see malfunctions; empty for a loop of malfunctions.
 std::string Desk::words_without_malfunctions(const trace::FoundThing& found) {
   if (trace::is_of_malfunctions(found, setup_.names)) return {};
+  if (found.kind == tables::FindingKind::command_to_a_disabled_unit) {
+    const std::uint32_t unit = setup_.names.tables().symbols[found.of.front()].unit;
+    if (!trace::is_disabled_by_device(unit, setup_.names, setup_.history)) return {};
+  }
   const trace::HiddenMalfunctions hidden(setup_.history);
   if (found.kind != tables::FindingKind::requirement_violated) {
     return trace::finding_words(found, setup_.names, setup_.history);
@@ -174,7 +180,10 @@ void Desk::add_finding(Found found, std::string_view kind, std::string_view of, 
     return json;
   };
   found.json = members(found.text);
-  if (!shown.empty()) found.shown = shown == found.text ? found.json : members(shown);
+  if (!shown.empty()) {
+    found.shown = shown == found.text ? found.json : members(shown);
+    found.shown_number = shown_findings_++;
+  }
   findings_.push_back(std::move(found));
   if (findings_.size() <= kMostFindings) return;
   findings_.pop_front();
@@ -182,8 +191,11 @@ void Desk::add_finding(Found found, std::string_view kind, std::string_view of, 
 }
 
 void Desk::forget_findings(tables::Time after) {
-  while (!findings_.empty() && findings_.back().time > after) findings_.pop_back();
-  if (findings_.empty()) first_finding_ = 0;
+  while (!findings_.empty() && findings_.back().time > after) {
+    if (!findings_.back().shown.empty()) --shown_findings_;
+    findings_.pop_back();
+  }
+  if (findings_.empty()) first_finding_ = shown_findings_ = 0;
   sent_findings_ = first_finding_ + findings_.size();
   std::fill(violations_.begin(), violations_.end(), Violation{});
   for (const Found& found : findings_) {
@@ -306,6 +318,7 @@ std::optional<SetBack> Desk::set_back(const Pending& pending, tables::Time time)
   }
   setup_.history.load(shadow());
   picture_.load(shadow());
+  setup_.utilization.load(shadow());
   training_.set_back(is_reset ? -1 : time);
   if (OutputCopy& outputs = operator_.outputs(); outputs.is_here()) outputs.ask();  // it may be of the former state
   chart_.set_back(time);

@@ -111,7 +111,7 @@ class Desk {
   std::string utilization_of(std::uint32_t unit, Role role) const;
   std::string utilization_table(Role role) const;  ///< as comma-separated values
   /// The keys of the description that the desk knows.
-  void put_description(std::string& json) const;
+  void put_description(std::string& json, Role role) const;
   /// The data of the event `picture`, as a role sees it.
   std::string picture(Role role);
   /// Before changes(): takes what has come since.
@@ -165,10 +165,11 @@ class Desk {
   };
   struct Found {
     tables::Time time;
-    std::string json;           ///< its members without `n`
-    std::string shown;          ///< the same for roles that do not see malfunctions; empty: these do not see it
-    std::uint32_t requirement;  ///< that is violated, or kNone
-    std::string step;           ///< the step of a scenario that failed, and why; empty: none
+    std::string json;                ///< its members without `n`
+    std::string shown;               ///< the same for roles that do not see malfunctions; empty: these do not see it
+    std::uint64_t shown_number = 0;  ///< among those that they see, from 0
+    std::uint32_t requirement;       ///< that is violated, or kNone
+    std::string step;                ///< the step of a scenario that failed, and why; empty: none
     std::string text;
   };
 
@@ -241,6 +242,7 @@ class Desk {
   std::vector<AlarmAct> new_alarm_acts_;
   std::deque<Found> findings_;
   std::uint64_t first_finding_ = 0;
+  std::uint64_t shown_findings_ = 0;  ///< how many the other roles have seen
   struct Violation {
     std::uint64_t count = 0;
     tables::Time first = 0;

@@ -1,4 +1,4 @@
-// The state of a panel: what its clients ask for, and the session as files.
+// The state of a panel: what its clients ask for.
 #include <algorithm>
 #include <fstream>
 #include <utility>
@@ -7,9 +7,7 @@
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/scenario/step_text.hpp"
 #include "symplant/tables/duration.hpp"
-#include "symplant/trace/junit_xml.hpp"
 #include "symplant/trace/utilization_text.hpp"
-#include "symplant/trace/whole_file.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -169,7 +167,7 @@ std::string Desk::refusal(const std::vector<Act>& acts) {
 }
 
 std::optional<Answer> Desk::refused(const ReadActs& read, const Sender& sender) {
-  if (!read.error.empty()) return error_answer(read.is_form ? 400 : 422, read.error);
+  if (!read.error.empty()) return error_answer(read.is_of_trainer ? 403 : read.is_form ? 400 : 422, read.error);
   if (!sees_all(sender.role)) {
     for (const Act& act : read.acts) {
       if (const std::string why = allowed_.refusal(act); !why.empty()) return error_answer(403, why);
@@ -189,13 +187,12 @@ Answered Desk::counted(const Sender& sender, Answered answered) {
 }
 
 Answer Desk::check(std::string_view body, const Sender& sender) {
-  return refused(reader_.read(body), sender).value_or(Answer{200, "{}"});
+  return refused(reader_.read(body, sender.role), sender).value_or(Answer{200, "{}"});
 }
 
 void Desk::request(std::string_view body, const Sender& sender, Answered answered) {
-  if (!training_.seen(sender, operator_.now())) return answered(error_answer(422, kTooManyTrainees));
   answered = counted(sender, std::move(answered));
-  ReadActs read = reader_.read(body);
+  ReadActs read = reader_.read(body, sender.role);
   if (auto refusal = refused(read, sender)) return answered(std::move(*refusal));
   if (ended_) return answered(error_answer(503, "the run has ended"));
   if (read.until < act_clock()) return answered(error_answer(422, kTooLateText));
@@ -290,7 +287,11 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
   }
   if (act.kind == Kind::session) group->error = save_session(act.name);
   if (act.kind == Kind::count_again) setup_.utilization.begin(operator_.now());
-  if (act.kind == Kind::join && !Training::is_listed(group->sender)) group->error = kNoName;
+  if (act.kind == Kind::join && !Training::is_listed(group->sender)) {
+    group->error = kNoName;
+  } else if (act.kind == Kind::join && !training_.seen(group->sender, operator_.now())) {
+    group->error = kTooManyTrainees;
+  }
   if (act.kind == Kind::message) messages_.add(operator_.now(), act.name);
   if (!group->error.empty()) return;
   const std::string members = members_of(act);
@@ -422,79 +423,6 @@ void Desk::why(std::string_view name, const Sender& sender, Answered answered) {
   group->answered = std::move(answered);
   group->sender = sender;
   offer_copy(Purpose::why, std::string(name), group);
-}
-
-namespace {
-
-/// Returns why a file cannot be written, or an empty text.
-std::string write_file(const std::string& path, std::string_view text) {
-  const std::string failure = trace::write_whole_file(path, text);
-  return failure.empty() ? "" : fmt::format("cannot write `{}`: {}", path, failure);
-}
-
-}  // namespace
-
-std::string Desk::session_json() const {
-  std::string json = "{\"symplant-session\":1";
-  put_member(json, "plant", setup_.names.tables().name);
-  put(json, R"(,"model_hash":"{:016x}","seed":{},"t":{})", setup_.plant.model_hash(), setup_.seed, operator_.now());
-  put_key(json, "acts");
-  session_.put(json, 0, Role::trainer);
-  put_key(json, "findings");
-  put_findings(json, 0, Role::trainer);
-  put_key(json, "exercise");
-  if (exercise_ != nullptr) {
-    exercise_->put(json, Role::trainer);
-  } else {
-    json += "null";
-  }
-  put_key(json, "training");
-  training_.put(json, MalfunctionRuns::kMostRuns);
-  return json + "}\n";
-}
-
-std::string Desk::session_junit() const {
-  std::vector<trace::TestCase> cases;
-  if (exercise_ != nullptr) exercise_->add_cases(cases);
-  for (const Found& found : findings_) {
-    if (!found.step.empty()) cases.push_back({"scenario: " + found.step, found.time, found.text});
-  }
-  for (std::uint32_t r = 0; r < violations_.size(); ++r) {
-    const Violation& violation = violations_[r];
-    cases.push_back({fmt::format("requirement: {}", setup_.names.requirement(r)), violation.since,
-                     violation.count == 0 ? "" : fmt::format("violated, {} in all", violation.count)});
-  }
-  return trace::junit_xml(setup_.names.tables().name, cases, operator_.now());
-}
-
-Answer Desk::session_file(std::string_view kind) {
-  if (kind == "start") {
-    if (session_.from() == nullptr) return error_answer(404, "the session does not begin with a snapshot");
-    return {200, trace::snapshot_bytes(setup_.names.tables().name, session_.from()->snapshot)};
-  }
-  if (kind == "session") return {200, session_json()};
-  if (kind == "junit") return {200, session_junit()};
-  if (setup_.with_plc) {
-    return error_answer(422, "with a PLC the session cannot be played again: only the acts at the panel are known");
-  }
-  if (!session_.is_complete()) {
-    return error_answer(422, "the session has more than 100000 acts on the plant, or more than 32 MiB of them");
-  }
-  return {200, session_.scenario("session.start.snapshot", operator_.now())};
-}
-
-/// Writes the files of a session: next to a PLC without the scenario. Returns why not, or an empty text.
-std::string Desk::save_session(const std::string& name) {
-  std::string error = write_file(snapshots_.path(name, ".session.json"), session_json());
-  if (error.empty()) error = write_file(snapshots_.path(name, ".junit.xml"), session_junit());
-  if (!error.empty() || setup_.with_plc || !session_.is_complete()) return error;
-  const std::string start = name + ".start";
-  if (session_.from() != nullptr) {
-    error = trace::write_snapshot(snapshots_.path(start, ".snapshot"), setup_.names.tables().name,
-                                  session_.from()->snapshot);
-  }
-  if (!error.empty()) return error;
-  return write_file(snapshots_.path(name, ".scenario.json"), session_.scenario(start + ".snapshot", operator_.now()));
 }
 
 }  // namespace symplant::panel

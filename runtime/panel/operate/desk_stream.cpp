@@ -25,7 +25,7 @@ void Desk::put_findings(std::string& json, std::uint64_t from, Role role) const 
     const std::string& members = sees_all(role) ? found.json : found.shown;
     if (members.empty()) continue;
     put_comma(json);
-    put(json, "{{\"n\":{},{}}}", n, members);
+    put(json, "{{\"n\":{},{}}}", sees_all(role) ? n : found.shown_number, members);
   }
   json += ']';
 }
@@ -43,11 +43,11 @@ void Desk::put_requirements(std::string& json, bool all) const {
   json += ']';
 }
 
-void Desk::put_description(std::string& json) const {
+void Desk::put_description(std::string& json, Role role) const {
   put_member(json, "plant", setup_.names.tables().name);
   put(json, R"(,"model_hash":"{:016x}","mode":"live","acts":{},"with_plc":{},"speed":{},"files":{})",
       setup_.plant.model_hash(), setup_.acts, setup_.with_plc, setup_.paced, snapshots_.has_folder());
-  put_exercises(json, setup_.exercises);
+  put_exercises(json, sees_all(role) ? setup_.exercises : std::vector<ExerciseFile>());
 }
 
 /// The copy of the outputs of values, if it is here, and asks for the next one.
@@ -106,10 +106,15 @@ std::string Desk::changes(Role role) {
     json += clock;
   }
   if (picture_.has_changes()) picture_.put_changes(json, operator_.now(), role);
-  if (first_finding_ + findings_.size() != sent_findings_) {
-    put_key(json, "findings");
-    put_findings(json, sent_findings_, role);
-  }
+  // A list without a new item that the role sees is not sent: it would say that there is one that it does not see.
+  const auto put_new = [&](std::string_view key, const std::string& items) {
+    if (items == "[]") return;
+    put_key(json, key);
+    json += items;
+  };
+  std::string items;
+  if (first_finding_ + findings_.size() != sent_findings_) put_findings(items, sent_findings_, role);
+  if (!items.empty()) put_new("findings", items);
   if (std::any_of(violations_.begin(), violations_.end(), [](const Violation& v) { return v.changed; })) {
     put_key(json, "requirements");
     put_requirements(json, false);
@@ -118,10 +123,9 @@ std::string Desk::changes(Role role) {
     put_key(json, "alarms");
     alarms_.put_changes(json);
   }
-  if (session_.count() != sent_acts_) {
-    put_key(json, "acts");
-    session_.put(json, sent_acts_, role);
-  }
+  items.clear();
+  if (session_.count() != sent_acts_) session_.put(items, sent_acts_, role);
+  if (!items.empty()) put_new("acts", items);
   if (snapshots_.version() != sent_snapshots_ && sees_all(role)) {
     put_key(json, "snapshots");
     snapshots_.put_all(json);

@@ -88,7 +88,8 @@ void Exercise::put_step(std::string& json, std::size_t step, Role role) const {
                                                    : "failed";
   put_comma(json);
   json += '{';
-  put_member(json, "text", scenario().steps[step].text);
+  const bool is_shown = sees_all(role) || step <= progress_.next;
+  put_member(json, "text", is_shown ? scenario().steps[step].text : std::string());
   if (sees_all(role)) put_member(json, "does", step_words(scenario(), step, names_));
   panel::put(json, R"(,"state":"{}","t":{}}})", state,
              of == State::pending ? "null" : std::to_string(progress_.times[step]));

@@ -21,6 +21,7 @@ std::size_t bytes_of(const Deed& deed) {
 }  // namespace
 
 void Session::add(Deed deed) {
+  if (deed.by == role_name(Role::trainee)) deed.shown = shown_++;
   const std::size_t bytes = bytes_of(deed);
   if (!deed.actions.empty()) {
     is_complete_ = is_complete_ && steps_.size() < kMostSteps && step_bytes_ + bytes <= kMostStepBytes;
@@ -69,7 +70,7 @@ void Session::put(std::string& json, std::uint64_t from, Role role) const {
     const Deed& deed = deeds_[n - first_];
     if (!sees_all(role) && deed.by != role_name(Role::trainee)) continue;
     put_comma(json);
-    panel::put(json, R"({{"n":{},"t":{},"by":"{}")", n, deed.time, deed.by);
+    panel::put(json, R"({{"n":{},"t":{},"by":"{}")", sees_all(role) ? n : deed.shown, deed.time, deed.by);
     if (!deed.name.empty() && sees_all(role)) put_member(json, "name", deed.name);
     panel::put(json, ",\"act\":{}}}", deed.json);
   }

@@ -18,12 +18,13 @@ namespace symplant::panel {
 /// Something that was done, by hand or by a scenario.
 struct Deed {
   tables::Time time = 0;
-  std::uint64_t turn = 0;  ///< equal for what took effect in one instant
-  bool further = false;    ///< earlier deeds at this time took effect in an earlier instant
-  std::string by;          ///< `hand`, `trainee` or `scenario`
-  std::string json;        ///< an object: the act
-  std::string actions;     ///< its members if it is a step of a scenario; else empty
-  std::string name = {};   ///< of the trainee; empty: it gave none
+  std::uint64_t turn = 0;   ///< equal for what took effect in one instant
+  bool further = false;     ///< earlier deeds at this time took effect in an earlier instant
+  std::string by;           ///< `hand`, `trainee` or `scenario`
+  std::string json;         ///< an object: the act
+  std::string actions;      ///< its members if it is a step of a scenario; else empty
+  std::string name = {};    ///< of the trainee; empty: it gave none
+  std::uint64_t shown = 0;  ///< of a trainee: the number among those of trainees, from 0
 };
 
 /// Deed::by of an act by a client of this role.
@@ -48,7 +49,8 @@ class Session {
   /// False if there were more than kMostSteps steps or kMostStepBytes, so that scenario() is not complete.
   bool is_complete() const { return is_complete_; }
 
-  /// Appends the acts from number `from` on, for the stream. Only a trainer sees those that no trainee did.
+  /// Appends the acts from number `from` on, for the stream. Only a trainer sees those that no trainee did;
+  /// the others are numbered among themselves.
   void put(std::string& json, std::uint64_t from, Role role) const;
   /// The number of acts so far.
   std::uint64_t count() const { return first_ + deeds_.size(); }
@@ -58,6 +60,7 @@ class Session {
   std::uint64_t seed_;
   std::deque<Deed> deeds_;   ///< the latest, of any kind
   std::uint64_t first_ = 0;  ///< the number of the first of them
+  std::uint64_t shown_ = 0;  ///< how many trainees did
   std::size_t deed_bytes_ = 0;
   std::vector<Deed> steps_;  ///< since the plant began again
   std::size_t step_bytes_ = 0;

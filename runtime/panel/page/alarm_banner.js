@@ -4,6 +4,7 @@ import {alarmText, priorityText} from "./alarm_words.js";
 import {PRIORITIES} from "./alarm_state.js";
 import {button, make, setAttribute, setText} from "./dom.js";
 import {Horn} from "./horn.js";
+import {operates} from "./rights.js";
 
 const kPause = 4000;  // ms between two announcements
 
@@ -17,9 +18,9 @@ export class AlarmBanner {
     this.live = make("div", {class: "hidden-text", role: "status", "aria-live": "polite"});
     this.hornButton = button("Horn", () => this.switchHorn(), {class: "small toggle", "aria-pressed": "false",
       title: "This browser sounds while an alarm of high priority waits"});
-    this.silence = app.canAct ? actButton(app, this.result, "Silence", () => ({silence: true}), {class: "small", title: "Ends the horn in all browsers, until the next alarm"},
+    this.silence = operates(app) ? actButton(app, this.result, "Silence", () => ({silence: true}), {class: "small", title: "Ends the horn in all browsers, until the next alarm"},
       () => app.store.alarms.horn) : null;
-    this.acknowledge = app.canAct ? actButton(app, this.result, "Acknowledge", () => ({acknowledge: this.first.name}), {class: "small"}, () => this.first !== null) : null;
+    this.acknowledge = operates(app) ? actButton(app, this.result, "Acknowledge", () => ({acknowledge: this.first.name}), {class: "small"}, () => this.first !== null) : null;
     this.element = make("div", {class: "row alarm-line", role: "group", "aria-label": "Alarms that are not acknowledged"}, this.link, this.text, this.result,
       this.acknowledge, this.silence, this.hornButton, this.live);
     this.update();

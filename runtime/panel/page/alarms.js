@@ -5,6 +5,7 @@ import {alarmText, priorityChoices, priorityText, stateChoices, stateMark, stati
 import {tell} from "./dialog.js";
 import {button, make, select, setAttribute, setText, table} from "./dom.js";
 import {nameLink} from "./links_to.js";
+import {operates} from "./rights.js";
 import {selecting} from "./router.js";
 import {VirtualList} from "./virtual_list.js";
 import {clockText, count, exactInstant} from "./words.js";
@@ -28,23 +29,23 @@ export class AlarmsView {
     this.time.value = "10min";
     this.found = make("span", {class: "soft", role: "status"});
     this.result = resultOutput();
-    this.all = app.canAct ? actingButton(app, "Acknowledge all shown", () => this.acknowledgeShown(), {}, () => this.shown.some(isUnacknowledged)) : null;
+    this.all = operates(app) ? actingButton(app, "Acknowledge all shown", () => this.acknowledgeShown(), {}, () => this.shown.some(isUnacknowledged)) : null;
     this.list = this.makeList();
     this.shelved = make("div", {});
     this.shelvedCount = make("span", {class: "soft"});
     this.element = make("div", {class: "view alarms-view fills"},
       make("div", {class: "row tools"}, this.state, this.priority, this.station, this.all,
-        app.canAct ? make("label", {class: "check"}, "Shelve for", this.time) : null),
+        operates(app) ? make("label", {class: "check"}, "Shelve for", this.time) : null),
       make("div", {class: "row result-line"}, this.found, this.result), this.list.element,
       make("section", {"aria-label": "Shelved alarms", class: "alarms-shelved"}, make("h2", {}, "Shelved ", this.shelvedCount), this.shelved));
   }
 
   makeList() {
-    const heads = this.app.canAct ? [...kColumns, "Acts"] : kColumns;
+    const heads = operates(this.app) ? [...kColumns, "Acts"] : kColumns;
     const list = new VirtualList({height: kHeight, label: "Alarms, the most urgent first",
       head: make("div", {class: "alarm-row io-head", role: "row"}, heads.map((head) => make("span", {role: "columnheader", class: "alarm-" + head.toLowerCase()}, head))),
       makeRow: () => this.makeRow(), fillRow: (row, at) => this.fillRow(row, at)});
-    list.element.classList.toggle("alarm-acts-on", this.app.canAct);
+    list.element.classList.toggle("alarm-acts-on", operates(this.app));
     new ResizeObserver(() => this.fit()).observe(list.element);
     return list;
   }
@@ -66,12 +67,12 @@ export class AlarmsView {
     const row = {state: stateMark(), priority: make("span", {class: "alarm-priority", role: "cell"}), since: make("span", {class: "alarm-since number", role: "cell"}),
       station: make("span", {class: "alarm-station", role: "cell"}), text: make("span", {class: "alarm-words"}), first: make("a", {class: "name"}),
       count: make("span", {class: "alarm-count-cell number", role: "cell"})};
-    row.acknowledge = app.canAct ? actButton(app, result, "Acknowledge", () => ({acknowledge: row.alarm.name}), {class: "small"}, () => Boolean(row.alarm && isUnacknowledged(row.alarm))) : null;
-    row.shelve = app.canAct ? actButton(app, result, "Shelve", () => ({shelve: row.alarm.name, for: this.time.value}), {class: "small"}) : null;
+    row.acknowledge = operates(app) ? actButton(app, result, "Acknowledge", () => ({acknowledge: row.alarm.name}), {class: "small"}, () => Boolean(row.alarm && isUnacknowledged(row.alarm))) : null;
+    row.shelve = operates(app) ? actButton(app, result, "Shelve", () => ({shelve: row.alarm.name, for: this.time.value}), {class: "small"}) : null;
     row.more = button("More", () => tell("Alarm of " + row.alarm.of, [make("p", {}, alarmText(row.alarm))]), {class: "tiny", hidden: true});
     row.element = make("div", {class: "alarm-row", role: "row"}, make("span", {class: "alarm-state-cell", role: "cell"}, row.state.element), row.priority, row.since, row.station,
       make("span", {class: "alarm-alarm", role: "cell"}, row.text, make("span", {class: "row alarm-subject"}, row.first, row.more)), row.count,
-      app.canAct ? make("span", {class: "row alarm-acts", role: "cell"}, row.acknowledge, row.shelve) : null);
+      operates(app) ? make("span", {class: "row alarm-acts", role: "cell"}, row.acknowledge, row.shelve) : null);
     return row;
   }
 
@@ -95,7 +96,7 @@ export class AlarmsView {
     setText(row.count, alarm.count + " x");
     setAttribute(row.more, "aria-label", "More of the alarm of " + alarm.of);
     this.offerMore(row);
-    if (!app.canAct) return;
+    if (!operates(app)) return;
     setAttribute(row.acknowledge, "aria-label", "Acknowledge " + alarm.name);
     row.acknowledge.refresh();
     setAttribute(row.shelve, "aria-label", "Shelve " + alarm.name + " for " + kTimes.find(([value]) => value === this.time.value)[1]);
@@ -125,8 +126,8 @@ export class AlarmsView {
     setText(this.shelvedCount, shelved.length > kMostShelved ? shelved.length + ", the first " + kMostShelved : shelved.length > 0 ? String(shelved.length) : "none");
     const rows = shelved.slice(0, kMostShelved).map((alarm) => [nameLink(app, alarm.of), priorityText(alarm.priority), alarm.on ? "on" : "off",
       make("span", {title: exactInstant(alarm.until)}, clockText(alarm.until)),
-      ...(app.canAct ? [actButton(app, result, "Unshelve", () => ({unshelve: alarm.name}), {class: "small", "aria-label": "Unshelve " + alarm.name})] : [])]);
-    this.shelved.replaceChildren(...(rows.length > 0 ? [table("Shelved alarms", ["Alarm", "Priority", "Is", "Until", ...(app.canAct ? ["Act"] : [])], rows)] : []));
+      ...(operates(app) ? [actButton(app, result, "Unshelve", () => ({unshelve: alarm.name}), {class: "small", "aria-label": "Unshelve " + alarm.name})] : [])]);
+    this.shelved.replaceChildren(...(rows.length > 0 ? [table("Shelved alarms", ["Alarm", "Priority", "Is", "Until", ...(operates(app) ? ["Act"] : [])], rows)] : []));
   }
 
   /// Those that are shown now, not what comes meanwhile.

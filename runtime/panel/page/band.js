@@ -14,7 +14,7 @@ export class Band {
   constructor(app, result) {
     this.app = app;
     this.text = make("strong", {role: "status"});
-    const mayRun = app.canAct && app.plant.role !== "trainee";
+    const mayRun = app.canAct;
     this.run = mayRun ? actButton(app, result, "Run", () => ({run: true}), {class: "small", "aria-label": "Run the plant"}) : null;
     this.element = make("section", {class: "band", "aria-label": "State of the plant", hidden: true}, this.text, this.run);
   }

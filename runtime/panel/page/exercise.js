@@ -20,7 +20,7 @@ export class ExerciseView {
     this.element = make("div", {class: "view columns"},
       make("section", {"aria-label": "Exercise"}, this.trainer ? make("div", {class: "row", role: "group", "aria-label": "View of the"}, this.roles) : null,
         this.name?.element ?? null, this.running, this.result, this.training?.element ?? null),
-      make("section", {"aria-label": "Exercises of this plant"}, make("h2", {}, "Exercises of this plant"), this.offers()));
+      this.trainer ? make("section", {"aria-label": "Exercises of this plant"}, make("h2", {}, "Exercises of this plant"), this.offers()) : null);
   }
 
   offers() {

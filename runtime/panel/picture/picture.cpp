@@ -2,8 +2,10 @@
 #include "symplant/panel/picture/picture.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "symplant/panel/picture/json_text.hpp"
+#include "symplant/trace/influences.hpp"
 #include "symplant/trace/malfunction_text.hpp"
 #include "symplant/trace/unit_activity.hpp"
 
@@ -60,6 +62,14 @@ Picture::Picture(const trace::PlantNames& names, const trace::History& history)
       symbols_(names.tables().symbols.size()),
       locations_(names.tables().material.locations()) {}
 
+std::vector<std::uint32_t> Picture::Marks::of(Role role) const {
+  std::vector<std::uint32_t> seen;
+  seen.reserve(list.size());
+  std::copy_if(list.begin(), list.end(), std::back_inserter(seen),
+               [&](std::uint32_t index) { return sees_all(role) || shown[index]; });
+  return seen;
+}
+
 void Picture::apply(const Record& record) {
   switch (record.kind) {
     case Record::Kind::change:
@@ -112,8 +122,8 @@ void Picture::set_malfunction(const Record& record) {
   values_.change(record.of, record.more);
   malfunctions_changed_ = true;
   const trace::ActsOn on = trace::acts_on(names_.tables(), record.of);
-  for (const std::uint32_t unit : on.units) devices_.mark(unit);
-  for (const std::uint32_t symbol : on.symbols) symbols_.mark(symbol);
+  for (const std::uint32_t unit : on.units) devices_.mark(unit, false);
+  for (const std::uint32_t symbol : on.symbols) symbols_.mark(symbol, false);
 }
 
 /// A record has what is left of a move. Its whole time is the same at its start; a move that stopped and goes on keeps
@@ -161,8 +171,11 @@ void Picture::put_device(std::string& json, std::uint32_t unit, tables::Time now
   const plant::UnitView view = history_.unit(unit);
   const Motion& motion = motions_[unit];
   const tables::Time passed = runs(view) ? std::min(now - motion.at, motion.remaining) : 0;
-  put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state,
-      flags_of(view) | (sees_all(role) && malfunctions_.unit(unit) ? +kHasMalfunction : 0U),
+  unsigned flags = flags_of(view) | (sees_all(role) && malfunctions_.unit(unit) ? +kHasMalfunction : 0U);
+  if (!sees_all(role) && malfunctions_.unit(unit) && !trace::is_disabled_by_device(unit, names_, history_)) {
+    flags &= ~unsigned{kIsDisabled};  // a malfunction alone disables it
+  }
+  put(json, "{},{},{},{},{},{},{}", view.state, view.moving ? view.target : view.state, flags,
       trace::is_blocked(names_, history_, unit) ? 1 : 0, history_.unit_since(unit),
       view.moving ? motion.remaining - passed : 0, view.moving ? motion.whole : 0);
 }
@@ -228,8 +241,8 @@ void Picture::put_changes(std::string& json, tables::Time now, Role role) {
       places.push_back(location - first_place);
     }
   }
-  put_some(json, "devices", devices_.list, [&](std::uint32_t unit) { put_device(json, unit, now, role); });
-  put_some(json, "symbols", symbols_.list, [&](std::uint32_t symbol) { put_symbol(json, symbol, role); });
+  put_some(json, "devices", devices_.of(role), [&](std::uint32_t unit) { put_device(json, unit, now, role); });
+  put_some(json, "symbols", symbols_.of(role), [&](std::uint32_t symbol) { put_symbol(json, symbol, role); });
   put_some(json, "tracks", tracks, [&](std::uint32_t track) { put_track(json, track); });
   put_some(json, "places", places, [&](std::uint32_t place) {
     json += '[';

@@ -47,17 +47,22 @@ class Picture {
   void forget_changes();
 
  private:
+  /// What changed, each once. A change that only a malfunction's mark shows is a trainer's.
   struct Marks {
-    explicit Marks(std::size_t count) : marked(count) {}
-    void mark(std::uint32_t index) {
+    explicit Marks(std::size_t count) : marked(count), shown(count) {}
+    void mark(std::uint32_t index, bool for_all = true) {
       if (!marked[index]) list.push_back(index);
       marked[index] = true;
+      if (for_all) shown[index] = true;
     }
+    /// What a role sees of it.
+    std::vector<std::uint32_t> of(Role role) const;
     void clear() {
-      for (const std::uint32_t index : list) marked[index] = false;
+      for (const std::uint32_t index : list) marked[index] = shown[index] = false;
       list.clear();
     }
     std::vector<bool> marked;
+    std::vector<bool> shown;
     std::vector<std::uint32_t> list;
   };
   struct Motion {

@@ -15,15 +15,16 @@ enum : unsigned { kIsHeld = 1 };
 }  // namespace
 
 ValueStates::ValueStates(const tables::PlantTables& tables)
-    : tables_(tables), holds_(tables.values.outputs), marked_(tables.values.outputs) {
+    : tables_(tables), holds_(tables.values.outputs), marked_(tables.values.outputs), shown_(tables.values.outputs) {
   for (const tables::ValueRow& row : tables.values.rows) {
     numbers_.insert(numbers_.end(), row.outputs, row.start_output());
   }
 }
 
-void ValueStates::mark(std::uint32_t output) {
+void ValueStates::mark(std::uint32_t output, bool for_all) {
   if (!marked_[output]) changed_.push_back(output);
   marked_[output] = true;
+  if (for_all) shown_[output] = true;
 }
 
 void ValueStates::set(std::uint32_t output, double number) {
@@ -44,7 +45,7 @@ void ValueStates::take(std::span<const double> numbers) {
 void ValueStates::change(std::uint32_t malfunction, bool active) {
   for (const std::uint32_t output : held_outputs(tables_, malfunction)) {
     active ? ++holds_[output] : --holds_[output];
-    mark(output);
+    mark(output, false);
   }
 }
 
@@ -75,19 +76,20 @@ void ValueStates::put_all(std::string& json, Role role) const {
 }
 
 void ValueStates::put_changes(std::string& json, Role role) const {
-  if (changed_.empty()) return;
-  put_key(json, "values");
-  json += '[';
-  for (std::size_t i = 0; i < changed_.size(); ++i) {
-    put(json, "{}{},", i == 0 ? "[" : ",[", changed_[i]);
-    put_one(json, changed_[i], role);
-    json += ']';
+  std::string rows;
+  for (const std::uint32_t output : changed_) {
+    if (!sees_all(role) && !shown_[output]) continue;
+    put(rows, "{}{},", rows.empty() ? "[" : ",[", output);
+    put_one(rows, output, role);
+    rows += ']';
   }
-  json += ']';
+  if (rows.empty()) return;
+  put_key(json, "values");
+  json += "[" + rows + "]";
 }
 
 void ValueStates::forget_changes() {
-  for (const std::uint32_t output : changed_) marked_[output] = false;
+  for (const std::uint32_t output : changed_) marked_[output] = shown_[output] = false;
   changed_.clear();
 }
 

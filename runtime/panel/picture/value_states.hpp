@@ -40,7 +40,7 @@ class ValueStates {
 
  private:
   void set(std::uint32_t output, double number);
-  void mark(std::uint32_t output);
+  void mark(std::uint32_t output, bool for_all = true);
   void put_one(std::string& json, std::uint32_t output, Role role) const;
 
   const tables::PlantTables& tables_;
@@ -48,6 +48,7 @@ class ValueStates {
   std::vector<std::uint32_t> holds_;  ///< by output: how many active malfunctions hold it
   bool by_copies_ = false;
   std::vector<bool> marked_;
+  std::vector<bool> shown_;  ///< a change that not only the mark of a malfunction shows
   std::vector<std::uint32_t> changed_;
 };
 

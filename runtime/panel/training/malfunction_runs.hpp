@@ -19,7 +19,7 @@ inline constexpr tables::Time kNotYet = -1;
 /// A malfunction, from a start to its end. Times are plant times in ns.
 struct MalfunctionRun {
   struct Reaction {
-    std::uint32_t trainee;
+    std::uint32_t trainee = 0;
     tables::Time at;  ///< of the first act after the first effect
   };
 
@@ -68,7 +68,7 @@ class MalfunctionRuns {
  private:
   /// A run that is active and had no effect so far.
   struct Waiting {
-    std::uint64_t n;
+    std::uint64_t n = 0;
     std::vector<std::uint32_t> symbols;  ///< ascending, as the following
     std::vector<std::uint32_t> driven;   ///< devices that drive one of `symbols`
     std::vector<std::uint32_t> units;

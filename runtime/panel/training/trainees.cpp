@@ -18,9 +18,13 @@ void Times::forget_after(tables::Time time) {
 
 std::optional<tables::Time> Times::last() const { return times_.empty() ? std::nullopt : std::optional(times_.back()); }
 
-std::optional<std::uint32_t> Trainees::find_or_add(std::string_view name, tables::Time now) {
+std::optional<std::uint32_t> Trainees::find(std::string_view name) const {
   const auto found = std::find_if(all_.begin(), all_.end(), [&](const Trainee& each) { return each.name == name; });
-  if (found != all_.end()) return static_cast<std::uint32_t>(found - all_.begin());
+  return found == all_.end() ? std::nullopt : std::optional(static_cast<std::uint32_t>(found - all_.begin()));
+}
+
+std::optional<std::uint32_t> Trainees::find_or_add(std::string_view name, tables::Time now) {
+  if (const std::optional<std::uint32_t> found = find(name)) return found;
   if (all_.size() == kMost) return std::nullopt;
   ++version_;
   all_.push_back({std::string(name), now, {}, {}});

@@ -42,6 +42,8 @@ class Trainees {
  public:
   static constexpr std::size_t kMost = 100;
 
+  /// The index of a trainee; nothing if there is no such name. O(trainees).
+  std::optional<std::uint32_t> find(std::string_view name) const;
   /// The index of a trainee, which is new if the name is; nothing if there are kMost others. O(trainees).
   std::optional<std::uint32_t> find_or_add(std::string_view name, tables::Time now);
   void acted(std::uint32_t trainee, tables::Time time);

@@ -44,8 +44,7 @@ void Training::acted(const Sender& sender, tables::Time time) {
 
 void Training::answered(const Sender& sender, int status, tables::Time now) {
   if (!is_listed(sender) || (status != 403 && status != 422)) return;
-  const std::optional<std::uint32_t> trainee = trainees_.find_or_add(sender.name, now);
-  if (trainee) trainees_.refused(*trainee, now);
+  if (const std::optional<std::uint32_t> trainee = trainees_.find(sender.name)) trainees_.refused(*trainee, now);
 }
 
 Training::Summary Training::summary_of(std::uint32_t trainee) const {

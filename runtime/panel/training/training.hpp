@@ -32,7 +32,7 @@ class Training {
 
   /// Whether a sender is in the table: a trainee with a name.
   static bool is_listed(const Sender& sender) { return sender.role == Role::trainee && !sender.name.empty(); }
-  /// A request came at plant time `now`. False if it is of one more trainee than Trainees::kMost.
+  /// A trainee joins at plant time `now`. False if it is one more than Trainees::kMost.
   bool seen(const Sender& sender, tables::Time now);
   /// The sender acted on the plant.
   void acted(const Sender& sender, tables::Time time);

@@ -208,7 +208,7 @@ void Connection::begin_stream(const Reply& found) {
   if (shared_.places.is_full(kind)) {
     shared_.probe(now);
     return reply(
-        {Reply::Kind::now, error_answer(503, found.has_token ? "8 clients look already; close one of them"
+        {Reply::Kind::now, error_answer(503, found.has_token ? "all places are taken; close another page of this panel"
                                                              : "4 clients without a token look already; close one of "
                                                                "them, or use the link with the token")});
   }

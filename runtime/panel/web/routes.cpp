@@ -14,7 +14,7 @@
 namespace symplant::panel {
 namespace {
 
-constexpr int kMostPosts = 100;  ///< in a second
+constexpr int kMostPosts = 100;  ///< in a second, for each role
 constexpr std::string_view kApi = "/api/v1/";
 
 Reply error_reply(int status, std::string_view what) { return {Reply::Kind::now, error_answer(status, what)}; }
@@ -127,9 +127,10 @@ Reply Routes::post(const Request& request, const Answered& later) {
   }
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   const std::int64_t second = std::chrono::duration_cast<std::chrono::seconds>(now).count();
-  if (second != second_) acts_ = 0;
+  if (second != second_) acts_ = {};
   second_ = second;
-  if (++acts_ > kMostPosts) return error_reply(429, "more than 100 acts in a second; try again");
+  if (++acts_[static_cast<std::size_t>(*role)] > kMostPosts)
+    return error_reply(429, "more than 100 acts in a second; try again");
   Sender sender{*role, {}};
   if (!read_sender_name(request.name, sender.name)) return error_reply(400, kNameForm);
   source_.post(path.substr(kApi.size()), request.body, sender, later);

@@ -90,7 +90,7 @@ class Routes {
   std::array<std::shared_ptr<Content>, kRoles> descriptions_;  ///< by role; null until it is asked for
   std::map<std::string_view, std::shared_ptr<Content>> page_;  ///< the files that were asked for, by their names
   std::int64_t second_ = 0;                                    ///< the second of the clock in which `acts_` are counted
-  int acts_ = 0;
+  std::array<int, kRoles> acts_{};
 };
 
 /// Divides a target into its path, which begins with `/`, and its query, both decoded; false if it is not of this form.

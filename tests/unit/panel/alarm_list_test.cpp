@@ -216,20 +216,39 @@ TEST_CASE("Set back, the list forgets what came and what was done later") {
   list.go("went", 30);
   list.acknowledge("acknowledged", 30);
   list.shelve("shelved", 90, 30);
-  list.forget_after(20, none);
+  list.forget_after(20, none, none);
   CHECK(state(list, "came") == "");
   for (const char* const name : {"went", "acknowledged", "shelved"}) CHECK(state(list, name) == "active");
   CHECK(state(list, "before") == "acknowledged");
   CHECK(changes(list).at("all") == true);
-  list.forget_after(-1, none);
+  list.forget_after(-1, none, none);
   CHECK(list.size() == 0);
+}
+
+TEST_CASE("Set back, the list keeps what lasts at that time, and what came twice") {
+  AlarmList list;
+  const auto all = [](const Alarm&) { return true; };
+  const auto none = [](const Alarm&) { return false; };
+  list.come(alarm_named("twice"), 10, true);
+  list.go("twice", 20);
+  list.come(alarm_named("twice"), 30, true);
+  list.acknowledge("twice", 31);
+  list.forget_after(15, none, all);
+  CHECK(state(list, "twice") == "active");
+  CHECK(whole(list).at("list").at(0).at("came") == 15);
+  // A link that is back stays so: no record says it again.
+  list.come(alarm_named("link"), 10, true);
+  list.go("link", 20);
+  list.forget_after(15, all, none);
+  CHECK(state(list, "link") == "gone");
 }
 
 TEST_CASE("Set back, the list keeps what does not depend on the time of the plant") {
   AlarmList list;
   list.come(alarm_named("link"), 50, true);
   list.acknowledge("link", 60);
-  list.forget_after(-1, [](const Alarm&) { return true; });
+  list.forget_after(
+      -1, [](const Alarm&) { return true; }, [](const Alarm&) { return false; });
   CHECK(state(list, "link") == "acknowledged");
   CHECK(whole(list).at("list").at(0).at("came") == 0);
 }

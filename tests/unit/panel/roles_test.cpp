@@ -117,7 +117,9 @@ TEST_CASE("The flags of malfunctions are the trainer's") {
   const auto eye = of.bench.tables.symbol("EYE_I_ON");
   CHECK(of.seen(Role::trainer).at("devices").at(agv).at(2) == 4 + 16);
   CHECK(of.seen(Role::trainer).at("symbols").at(eye).at(1) == 2);
-  CHECK(of.seen(Role::trainee).at("devices").at(agv).at(2) == 4);
+  CHECK(of.seen(Role::trainee).at("devices").at(agv).at(2) == 0);  // only the malfunction disables it
+  CHECK(contains(of.get(Role::trainer, "/api/v1/why?name=L_P_AGV").body, "disabled"));
+  CHECK_FALSE(contains(of.get(Role::trainee, "/api/v1/why?name=L_P_AGV").body, "disabled"));
   CHECK(of.seen(Role::trainee).at("symbols").at(eye).at(1) == 0);
   CHECK(of.seen(Role::trainee).at("symbols").at(eye).at(0) == true);
 }
@@ -226,6 +228,59 @@ TEST_CASE("A trainee sees the steps of an exercise, and neither what they do nor
   CHECK(keys_of(seen.at("steps").at(1)) == std::set<std::string>{"text", "state", "t"});
   CHECK(of.seen(Role::trainer).at("exercise").at("steps").at(0).contains("does"));
   CHECK(of.seen(Role::trainee).at("snapshots").empty());
+}
+
+TEST_CASE("A trainee reads no step that is still to come, and no list of exercises") {
+  const Class of;
+  REQUIRE(of.act(Role::trainer, R"({"exercise":"send"})").status == 200);
+  of.bench.wait_for([&] { return of.bench.picture().at("exercise").at("step") == 1; });
+  const Json steps = of.seen(Role::trainee).at("exercise").at("steps");
+  CHECK(steps.at(0).at("text") == "Look at the vehicle");
+  CHECK(steps.at(1).at("text") == "Cover the eye");
+  CHECK(steps.at(2).at("text") == "");
+  CHECK(of.seen(Role::trainer).at("exercise").at("steps").at(2).at("text") == "Bring it to P2");
+  CHECK(of.seen(Role::trainee, "/api/v1/plant").at("exercises").empty());
+}
+
+TEST_CASE("A stream does not show a trainee that a malfunction starts, nor that the trainer acts") {
+  const Class of;
+  HttpClient trainee(of.bench.port);
+  trainee.send(of.as(Role::trainee, of.bench.request("GET", "/api/v1/stream")));
+  trainee.read_until("event: picture");
+  trainee.read_until("\n\n");
+  REQUIRE(of.act(Role::trainee, R"({"set":{"L_P_EYE_I_ON":true}})").status == 200);
+  trainee.read_until("EYE_I_ON");  // what changed at the start has been sent
+  trainee.read_until("\n\n");
+  // The vehicle is at rest: nothing but the mark of the malfunction changes.
+  REQUIRE(of.act(Role::trainer, R"({"start":"L_P_AGV slow"})").status == 200);
+  REQUIRE(of.act(Role::trainer, R"({"snapshot":"mark"})").status == 200);
+  REQUIRE(of.act(Role::trainee, R"({"state":{"L_P_DOOR":"OPEN2"}})").status == 200);
+  const std::string seen = trainee.read_until("OPEN2");
+  CHECK_FALSE(contains(seen, "\"acts\":[]"));
+  CHECK_FALSE(contains(seen, "\"findings\":[]"));
+  CHECK_FALSE(contains(seen, "\"devices\":[[" + std::to_string(of.bench.tables.unit_index("AGV")) + ","));
+  CHECK(contains(seen, "\"acts\":[{\"n\":1,"));  // the second one that the trainee sees
+}
+
+TEST_CASE("An error does not name malfunctions to a trainee") {
+  const Class of;
+  for (const char* const act : {R"({"start":"jamm"})", R"({"stop":"eye"})", R"({"force":{"NO":true}})"}) {
+    INFO(act);
+    CHECK(of.act(Role::trainee, act).status == 403);
+    CHECK_FALSE(contains(of.act(Role::trainee, act).body, "did you mean"));
+    CHECK(of.act(Role::trainer, act).status == 422);
+  }
+}
+
+TEST_CASE("A button that a trainee holds as the exercise ends can be released") {
+  const Class of;
+  REQUIRE(of.act(Role::trainer, R"({"exercise":"send"})").status == 200);
+  of.bench.wait_for([&] { return of.bench.picture().at("exercise").at("step") == 1; });
+  REQUIRE(of.act(Role::trainee, R"({"set":{"L_P_EYE_I_ON":true}})").status == 200);
+  CHECK(of.act(Role::trainee, R"({"set":{"L_P_DOOR_I_SHUT1":false}})").status == 403);
+  REQUIRE(of.act(Role::trainer, R"({"end":"exercise"})").status == 200);
+  REQUIRE(of.act(Role::trainee, R"({"set":{"L_P_EYE_I_ON":false}})").status == 200);
+  CHECK(of.bench.value("EYE_I_ON") == false);
 }
 
 TEST_CASE("An exercise can show its score to the trainee") {
