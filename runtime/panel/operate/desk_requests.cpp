@@ -1,6 +1,5 @@
 // The state of a panel: what its clients ask for.
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include "symplant/panel/operate/desk.hpp"
