@@ -1,7 +1,7 @@
 // Descriptions of plants for the mock server, in the form of GET /api/v1/plant: from a symbol list, and invented large ones.
 import {readFileSync} from "node:fs";
 
-const emptyPlant = (name) => ({"symplant-panel": 1, version: "mock", run: "", plant: name, model_hash: "0123456789abcdef", mode: "live", acts: true,
+const emptyPlant = (name) => ({"symplant-panel": 1, version: "mock", role: "trainer", run: "", plant: name, model_hash: "0123456789abcdef", mode: "live", acts: true,
   with_plc: false, end: 0, files: true, stations: [], devices: [], symbols: [], locations: [], transfers: [], part_kinds: [], requirements: [],
   malfunctions: [], ordinary: {device: ["stuck", "slow"], event: ["stuck on", "stuck off"]}, exercises: [], programs: [], links: []});
 

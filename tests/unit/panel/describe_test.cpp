@@ -28,7 +28,9 @@ TEST_CASE("A symbol of the description has its comment, and whether a person ope
 
 TEST_CASE("Without a view no symbol of the description has a comment") {
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2"});
-  for (const Json& symbol : described(tables, {}).at("symbols")) {
+  const Json plant = described(tables, {});
+  REQUIRE(plant.at("symbols").size() == 2);
+  for (const Json& symbol : plant.at("symbols")) {
     CHECK_FALSE(symbol.contains("comment"));
     CHECK_FALSE(symbol.contains("operator"));
   }
