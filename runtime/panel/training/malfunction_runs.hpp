@@ -20,12 +20,12 @@ inline constexpr tables::Time kNotYet = -1;
 struct MalfunctionRun {
   struct Reaction {
     std::uint32_t trainee = 0;
-    tables::Time at;  ///< of the first act after the first effect
+    tables::Time at = 0;  ///< of the first act after the first effect
   };
 
-  std::uint64_t n;            ///< counts the runs from 0
-  std::uint32_t malfunction;  ///< as tables::MalfunctionNumbers numbers them
-  tables::Time start;
+  std::uint64_t n = 0;            ///< counts the runs from 0
+  std::uint32_t malfunction = 0;  ///< as tables::MalfunctionNumbers numbers them
+  tables::Time start = 0;
   tables::Time effect = kNotYet;  ///< the first effect
   tables::Time end = kNotYet;
   std::vector<Reaction> reactions;  ///< at most one of each trainee, in their order
