@@ -30,6 +30,6 @@ export class ExerciseStrip {
     const {exercise} = this.app.store;
     if (exercise === null) return;
     const took = exercise.took ?? Math.max(0, this.app.clock.now() - exercise.since);
-    setText(this.time, duration(Math.floor(took / 1e9) * 1e9));
+    setText(this.time, took < 1e9 ? "0 s" : duration(Math.floor(took / 1e9) * 1e9));
   }
 }

@@ -92,7 +92,6 @@ await withPlant(["run", "examples/body-shop/plant.json", "--exercise", kExercise
   await act({exercise: "no-air"});
   await act({state: {BODY_UNDER10_AIR: "GOOD"}});
   await view("view=exercises");
-  await page.getByRole("button", {name: "Trainer", exact: true}).click();
   await picture("exercise");
 });
 await withPlant(["run", "examples/gallery/machining/plant.json", "--scenario", "examples/gallery/machining/scenario.json"], async () => {
