@@ -38,7 +38,7 @@ struct Session {
   std::string plant;
   std::string model_hash;
   std::vector<std::string> names;  ///< of the trainees that acted
-  std::string exercise;            ///< its title; empty: there is none
+  std::string exercise;            ///< its title; empty: the session has no exercise
   std::string exercise_name;
   bool is_over = false;
   tables::Time end = 0;
@@ -70,9 +70,9 @@ std::string act_words(const nlohmann::json& act);
 /// A line of the comparison: a number or a time of each side.
 struct SessionRow {
   std::string what;
-  std::string expert;  ///< `-`: there is none
+  std::string expert;  ///< `-`: unknown
   std::string trainee;
-  std::string difference;  ///< of the trainee to the expert; empty: there is none
+  std::string difference;  ///< of the trainee to the expert; empty: one of them is unknown
   std::string ratio;
 };
 

@@ -80,10 +80,6 @@ std::string values_text(const plant::Plant& plant, const trace::PlantNames& name
   return text.empty() ? "" : ",\"values\":{" + text + "}";
 }
 
-}  // namespace
-
-namespace {
-
 std::string stats_json(const StatsInput& input) {
   std::string text =
       fmt::format(R"({{"symplant-stats":1,"plant":{},"model_hash":"{:016x}","seed":{},"plant_time":{},"wall_time":{},)"

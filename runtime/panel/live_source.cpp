@@ -28,7 +28,9 @@ std::optional<Reply> LiveSource::get(std::string_view path, const std::map<std::
   const std::lock_guard guard(mutex_);
   if (path == "chart") return chart(query);
   if (path == "utilization") return utilization(query, sender.role);
-  if (path == "utilization.csv") return utilization_table(sender.role);
+  if (path == "utilization.csv") {
+    return csv_file(desk_.utilization_table(sender.role), std::string(path));
+  }
   if (path == "why") {
     const auto name = query.find("name");
     if (name == query.end()) return Reply{Reply::Kind::now, error_answer(400, "`why` needs a `name`")};
@@ -61,12 +63,6 @@ Reply LiveSource::utilization(const std::map<std::string, std::string>& query, R
     return {Reply::Kind::now, error_answer(400, "`device` is the index of a device")};
   }
   return {Reply::Kind::now, {200, desk_.utilization_of(unit, role)}};
-}
-
-Reply LiveSource::utilization_table(Role role) {
-  Reply reply{Reply::Kind::now, {200, desk_.utilization_table(role)}, "text/csv; charset=utf-8"};
-  reply.file_name = "utilization.csv";
-  return reply;
 }
 
 std::optional<Reply> LiveSource::session_file(std::string_view kind) {

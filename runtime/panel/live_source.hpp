@@ -39,7 +39,6 @@ class LiveSource final : public Source {
   void put_status(std::string& json) const;
   Reply chart(const std::map<std::string, std::string>& query);
   Reply utilization(const std::map<std::string, std::string>& query, Role role);
-  Reply utilization_table(Role role);
   std::optional<Reply> session_file(std::string_view kind);
 
   Desk& desk_;

@@ -4,20 +4,11 @@
 #include <algorithm>
 #include <string_view>
 
+#include "symplant/trace/csv_text.hpp"
 #include "symplant/trace/utilization_text.hpp"
 
 namespace symplant::trace {
 namespace {
-
-/// A text of a table, safe in spreadsheets.
-std::string cell(std::string_view text) {
-  std::string safe(text);
-  if (!safe.empty() && std::string_view("=+-@\t\r").find(safe.front()) != std::string_view::npos) safe.insert(0, "'");
-  if (safe.find_first_of(",\"\n\r") == std::string::npos) return safe;
-  std::string quoted = "\"";
-  for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 double seconds_of(tables::Time time) { return static_cast<double>(time) / 1e9; }
 
@@ -26,7 +17,7 @@ class Lines {
  public:
   Lines(std::string& csv, tables::Time whole) : csv_(csv), whole_(whole) {}
 
-  void of(std::string_view kind, std::string_view name) { begin_ = cell(kind) + "," + cell(name); }
+  void of(std::string_view kind, std::string_view name) { begin_ = csv_cell(kind) + "," + csv_cell(name); }
   /// A part of the time.
   void time(std::string_view measure, std::string_view of, tables::Time time) {
     put(measure, of);
@@ -50,7 +41,9 @@ class Lines {
   }
 
  private:
-  void put(std::string_view measure, std::string_view of) { csv_ += begin_ + "," + cell(measure) + "," + cell(of); }
+  void put(std::string_view measure, std::string_view of) {
+    csv_ += begin_ + "," + csv_cell(measure) + "," + csv_cell(of);
+  }
   void put_time(tables::Time time) {
     const double share = whole_ == 0 ? 0 : 100 * static_cast<double>(time) / static_cast<double>(whole_);
     csv_ += fmt::format(",{},{:.3f}", seconds_of(time), share);

@@ -2,23 +2,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <iterator>
 #include <string_view>
 
+#include "symplant/trace/json_text.hpp"
 #include "symplant/trace/utilization_text.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
 namespace {
-
-template <class... Values>
-void put(std::string& json, fmt::format_string<Values...> form, Values&&... values) {
-  fmt::format_to(std::back_inserter(json), form, std::forward<Values>(values)...);
-}
-
-void put_comma(std::string& json) {
-  if (json.back() != '{' && json.back() != '[') json += ',';
-}
 
 void put_name(std::string& json, std::string_view name) {
   put_comma(json);

@@ -53,7 +53,7 @@ class AlarmList {
     silenced_ = order_;
     head_changed_ = true;
   }
-  /// Ends the shelving of those whose time is over. O(1) if there are none.
+  /// Ends the shelving of those whose time is over. O(1) if no time is over.
   void advance_to(tables::Time now);
 
   /// The plant was set back to `time`: what came or was done later is forgotten. What `stays()` is kept as it is. What

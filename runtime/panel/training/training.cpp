@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "symplant/panel/picture/json_text.hpp"
-#include "symplant/panel/training/csv_text.hpp"
+#include "symplant/trace/csv_text.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -109,9 +109,9 @@ std::string Training::trainees_csv() const {
   for (std::uint32_t i = 0; i < trainees_.all().size(); ++i) {
     const Trainee& of = trainees_.all()[i];
     const Summary times = summary_of(i);
-    const auto seconds = [&](tables::Time time) { return csv_seconds(times.count != 0 ? time : kNotYet); };
-    panel::put(csv, "{},{},{},{},{},{},{},{},{}\r\n", csv_cell(of.name), csv_seconds(of.since),
-               csv_seconds(of.acts.last().value_or(kNotYet)), of.acts.count(), of.refusals.count(), times.count,
+    const auto seconds = [&](tables::Time time) { return trace::csv_seconds(times.count != 0 ? time : kNotYet); };
+    panel::put(csv, "{},{},{},{},{},{},{},{},{}\r\n", trace::csv_cell(of.name), trace::csv_seconds(of.since),
+               trace::csv_seconds(of.acts.last().value_or(kNotYet)), of.acts.count(), of.refusals.count(), times.count,
                seconds(times.least), seconds(times.count != 0 ? times.mean() : kNotYet), seconds(times.greatest));
   }
   return csv;
@@ -123,9 +123,10 @@ std::string Training::reactions_csv() const {
     for (std::uint32_t i = 0; i < trainees_.all().size(); ++i) {
       const auto found = std::find_if(run.reactions.begin(), run.reactions.end(),
                                       [i](const MalfunctionRun::Reaction& each) { return each.trainee == i; });
-      panel::put(csv, "{},{},{},{},{},{}\r\n", csv_cell(names_.malfunction(run.malfunction)), csv_seconds(run.start),
-                 csv_seconds(run.effect), csv_seconds(run.end), csv_cell(trainees_.all()[i].name),
-                 csv_seconds(found == run.reactions.end() ? kNotYet : found->at - run.effect));
+      panel::put(csv, "{},{},{},{},{},{}\r\n", trace::csv_cell(names_.malfunction(run.malfunction)),
+                 trace::csv_seconds(run.start), trace::csv_seconds(run.effect), trace::csv_seconds(run.end),
+                 trace::csv_cell(trainees_.all()[i].name),
+                 trace::csv_seconds(found == run.reactions.end() ? kNotYet : found->at - run.effect));
     }
   }
   return csv;

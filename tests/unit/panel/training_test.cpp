@@ -1,8 +1,8 @@
 // Trainees at the panel: their names, the table of what they did, and messages of the trainer.
 #include "support/malfunction_bench.hpp"
 #include "symplant/panel/training/characters.hpp"
-#include "symplant/panel/training/csv_text.hpp"
 #include "symplant/panel/training/trainees.hpp"
+#include "symplant/trace/csv_text.hpp"
 #include "unit/panel/panel_bench.hpp"
 
 namespace symplant::test {
@@ -47,7 +47,7 @@ std::string file(const PanelBench& bench, const std::string& name) {
 }
 
 /// A time in seconds as a cell, without a rounding.
-std::string seconds(const Json& time) { return panel::csv_seconds(time.get<tables::Time>()); }
+std::string seconds(const Json& time) { return trace::csv_seconds(time.get<tables::Time>()); }
 
 TEST_CASE("Two trainees join, and the table has what each did") {
   const PanelBench bench(of_two_faults());
@@ -199,13 +199,13 @@ TEST_CASE("A name that begins like a formula is not one in the table") {
   const PanelBench bench(of_two_faults());
   act_as(bench, "%3DHYPERLINK(%22http://x%22)", R"({"join":true})");
   CHECK(contains(file(bench, "training.csv"), "\r\n\"'=HYPERLINK(\"\"http://x\"\")\","));
-  CHECK(panel::csv_cell("+1") == "'+1");
-  CHECK(panel::csv_cell("-1") == "'-1");
-  CHECK(panel::csv_cell("@SUM") == "'@SUM");
-  CHECK(panel::csv_cell("a,b") == "\"a,b\"");
-  CHECK(panel::csv_cell("Anna") == "Anna");
-  CHECK(panel::csv_seconds(1'500'000'000) == "1.5");
-  CHECK(panel::csv_seconds(-1) == "-");
+  CHECK(trace::csv_cell("+1") == "'+1");
+  CHECK(trace::csv_cell("-1") == "'-1");
+  CHECK(trace::csv_cell("@SUM") == "'@SUM");
+  CHECK(trace::csv_cell("a,b") == "\"a,b\"");
+  CHECK(trace::csv_cell("Anna") == "Anna");
+  CHECK(trace::csv_seconds(1'500'000'000) == "1.5");
+  CHECK(trace::csv_seconds(-1) == "-");
 }
 
 TEST_CASE("Messages are in the stream and in the log, not in the scenario") {

@@ -1,9 +1,9 @@
 // Comma-separated values.
-#include "symplant/panel/training/csv_text.hpp"
+#include "symplant/trace/csv_text.hpp"
 
 #include "symplant/tables/duration.hpp"
 
-namespace symplant::panel {
+namespace symplant::trace {
 
 std::string csv_cell(std::string_view text) {
   constexpr std::string_view kBeginsFormula = "=+-@\t\r";
@@ -23,4 +23,4 @@ std::string csv_seconds(tables::Time time) {
   return text;
 }
 
-}  // namespace symplant::panel
+}  // namespace symplant::trace
