@@ -118,6 +118,12 @@ void AlarmList::go(std::string_view name, tables::Time time) {
   mark(found->first);
 }
 
+std::size_t AlarmList::waiting() const {
+  return static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(), [](const auto& each) {
+    return !each.second.acknowledged && !each.second.shelved;
+  }));
+}
+
 bool AlarmList::acknowledge(std::string_view name, tables::Time now) {
   const auto found = entries_.find(name);
   if (found == entries_.end()) return false;

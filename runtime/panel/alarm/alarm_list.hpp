@@ -44,6 +44,8 @@ class AlarmList {
   /// Ignored if it is not on. O(alarms that are on).
   void go(std::string_view name, tables::Time time);
 
+  /// How many are neither acknowledged nor shelved. O(alarms).
+  std::size_t waiting() const;
   bool acknowledge(std::string_view name, tables::Time now);  ///< false: not in the list
   void acknowledge_all(tables::Time now);                     ///< all but the shelved ones
   bool shelve(std::string_view name, tables::Time until, tables::Time now);

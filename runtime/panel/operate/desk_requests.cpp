@@ -294,8 +294,10 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
   if (act.kind == Kind::message) messages_.add(operator_.now(), act.name);
   if (!group->error.empty()) return;
   const std::string members = members_of(act);
+  const std::size_t waiting = alarms_.waiting();
   on_alarms(act, members);
-  if (act.kind == Kind::acknowledge) training_.acted(group->sender, operator_.now());
+  const bool is_reaction = act.kind == Kind::acknowledge && alarms_.waiting() < waiting;
+  if (is_reaction) training_.acted(group->sender, operator_.now());
   log(operator_.now(), 0, name_of_hand(group->sender.role), members, false, group->sender.name);
 }
 

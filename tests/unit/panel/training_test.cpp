@@ -127,11 +127,14 @@ TEST_CASE("The reaction of each trainee is the time from the first effect to the
   CHECK(session.at("training") == run);
 }
 
-TEST_CASE("To acknowledge an alarm is a reaction, to silence the horn is not") {
+TEST_CASE("To acknowledge an alarm is a reaction; to silence the horn, and to acknowledge nothing, is not") {
   const PanelBench bench(of_two_faults());
   const tables::Time effect = bench.act(R"({"start":"eye blind"})");
   act_as(bench, "Anna", R"({"silence":true})");
+  act_as(bench, "Anna", R"({"acknowledge":"all"})");  // there is nothing to acknowledge
   CHECK(training(bench).at("malfunctions").at(0).at("reactions").empty());
+  bench.act(R"({"set":{"L_P_AGV_O_P1":true,"L_P_AGV_O_P2":true}})");
+  bench.wait_for([&] { return !bench.picture().at("alarms").at("list").empty(); });
   const tables::Time at = act_as(bench, "Anna", R"({"acknowledge":"all"})");
   CHECK(training(bench).at("malfunctions").at(0).at("reactions") == Json::array({Json::array({0, at - effect})}));
 }
