@@ -127,7 +127,7 @@ TEST_CASE("The reaction of each trainee is the time from the first effect to the
   CHECK(session.at("training") == run);
 }
 
-TEST_CASE("To acknowledge an alarm is a reaction; to silence the horn, and to acknowledge nothing, is not") {
+TEST_CASE("To acknowledge an alarm is a reaction, to silence the horn, and to acknowledge nothing, is not") {
   const PanelBench bench(of_two_faults());
   const tables::Time effect = bench.act(R"({"start":"eye blind"})");
   act_as(bench, "Anna", R"({"silence":true})");
