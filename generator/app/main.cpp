@@ -1,10 +1,6 @@
 // The entry point of the tool symplant.
-#include <unistd.h>
-
-#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -13,17 +9,10 @@
 #include "app/tool.hpp"
 #include "base/file_system.hpp"
 #include "base/process.hpp"
+#include "symplant/host/terminal.hpp"
+#include "symplant/host/words.hpp"
 
 namespace {
-
-/// The local date.
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  std::array<char, 16> text{};
-  if (localtime_r(&now, &parts) == nullptr) return {};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
-}
 
 std::string working_folder() {
   std::error_code unknown;
@@ -46,18 +35,21 @@ constexpr bool kLeaksAreLookedFor = false;
 }  // namespace
 
 int main(int argc, char** argv) {
+  using symplant::host::is_terminal;
+  using symplant::host::Stream;
+  symplant::host::set_up_streams();
   std::ios::sync_with_stdio(false);
   symplant::base::DiskFileSystem files;
   const bool colour_wanted = std::getenv("NO_COLOR") == nullptr;
   symplant::app::Context context{files, std::cout, std::cerr};
-  context.today = today();
+  context.today = symplant::host::today();
   context.folder = working_folder();
-  context.colour_out = colour_wanted && isatty(fileno(stdout)) != 0;
-  context.colour_err = colour_wanted && isatty(fileno(stderr)) != 0;
+  context.colour_out = colour_wanted && is_terminal(Stream::output);
+  context.colour_err = colour_wanted && is_terminal(Stream::error);
   symplant::base::SystemProcessRunner programs;
   context.programs = &programs;
-  context.progress = isatty(fileno(stderr)) != 0;
-  if (isatty(fileno(stdin)) != 0 && isatty(fileno(stdout)) != 0) context.answers = &std::cin;
+  context.progress = is_terminal(Stream::error);
+  if (is_terminal(Stream::input) && is_terminal(Stream::output)) context.answers = &std::cin;
   int code = symplant::app::run_tool(argc, argv, context);
   std::cout.flush();
   if (!std::cout) {

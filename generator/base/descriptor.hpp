@@ -1,15 +1,14 @@
 // An owned file descriptor, and reading and writing through it.
 #pragma once
 
-#include <sys/types.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
 #include <string_view>
 #include <utility>
+
+#include "base/disk.hpp"
 
 namespace symplant::base {
 
@@ -30,7 +29,7 @@ class Descriptor {
   /// False if the system reports an error of an earlier write.
   bool close() {
     const int closing = std::exchange(number_, -1);
-    return closing < 0 || ::close(closing) == 0;
+    return closing < 0 || disk::close(closing) == 0;
   }
 
  private:
@@ -40,8 +39,7 @@ class Descriptor {
 /// Writes all of `content`. Returns 0 or errno.
 inline int write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
-    const ssize_t count = ::write(descriptor, content.data(), content.size());
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count = disk::write(descriptor, content.data(), content.size());
     if (count < 0) return errno;
     content.remove_prefix(static_cast<std::size_t>(count));
   }
@@ -50,16 +48,15 @@ inline int write_all(int descriptor, std::string_view content) {
 
 /// Reads until the buffer is full. Returns the number of bytes, less than `size` only at the end of the file; -1 on
 /// failure.
-inline ssize_t read_full(int descriptor, char* buffer, std::size_t size) {
+inline std::ptrdiff_t read_full(int descriptor, char* buffer, std::size_t size) {
   std::size_t filled = 0;
   while (filled < size) {
-    const ssize_t count = ::read(descriptor, buffer + filled, size - filled);
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count = disk::read(descriptor, buffer + filled, size - filled);
     if (count < 0) return -1;
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
   }
-  return static_cast<ssize_t>(filled);
+  return static_cast<std::ptrdiff_t>(filled);
 }
 
 /// Reads the next bytes of a file and returns whether they equal `bytes`.
@@ -67,7 +64,7 @@ inline bool holds_next(int descriptor, std::string_view bytes) {
   std::array<char, 64 * 1024> there;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled before it is read
   while (!bytes.empty()) {
     const std::size_t size = std::min(bytes.size(), there.size());
-    if (read_full(descriptor, there.data(), size) != static_cast<ssize_t>(size)) return false;
+    if (read_full(descriptor, there.data(), size) != static_cast<std::ptrdiff_t>(size)) return false;
     if (std::string_view(there.data(), size) != bytes.substr(0, size)) return false;
     bytes.remove_prefix(size);
   }

@@ -1,9 +1,6 @@
 // Files on the disk of the machine.
 #include "base/file_system.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -14,6 +11,7 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
+#include "base/disk.hpp"
 #include "base/large_memory.hpp"
 #include "base/replacement.hpp"
 
@@ -68,7 +66,7 @@ FileError error_of(std::string_view act, const std::string& path, int code) {
 /// Writes to what is not a regular file (a pipe, /dev/stdout), which must not be replaced.
 class Through final : public TextSink {
  public:
-  explicit Through(const std::string& path) : file_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+  explicit Through(const std::string& path) : file_(disk::open_to_write(path)) {
     if (!file_) fault_ = errno;
   }
   void put(std::string_view part) override {
@@ -96,22 +94,22 @@ class Comparison final : public TextSink {
 }  // namespace
 
 Result<std::string, FileError> DiskFileSystem::read(const std::string& path) const {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const Descriptor file(disk::open_to_read(path));
   if (!file) return error_of("read", path, errno);
-  struct stat about {};
-  if (::fstat(file.number(), &about) != 0) return error_of("read", path, errno);
-  if (S_ISDIR(about.st_mode)) return error_of("read", path, EISDIR);
+  const disk::About about = disk::about(file.number());
+  if (about.kind == disk::Kind::absent) return error_of("read", path, about.fault);
+  if (about.kind == disk::Kind::folder) return error_of("read", path, EISDIR);
+  const bool has_size = about.kind == disk::Kind::regular;
   constexpr std::size_t kMostOfAStream = std::size_t{256} << 20U;  // of a file without a size: a pipe, /dev/zero
   std::string content;
-  if (S_ISREG(about.st_mode)) reserve_large(content, static_cast<std::size_t>(about.st_size));
+  if (has_size) reserve_large(content, static_cast<std::size_t>(about.size));
   // Through a buffer that stays in the cache: a string of the size would be filled with zeros first.
   std::vector<char> buffer(std::size_t{256} << 10U);
   for (;;) {
-    if (!S_ISREG(about.st_mode) && content.size() > kMostOfAStream) {
+    if (!has_size && content.size() > kMostOfAStream) {
       return FileError{"cannot read `" + path + "`: more than 256 MB came from it and it has no end; give a file"};
     }
-    const ssize_t count = ::read(file.number(), buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count = disk::read(file.number(), buffer.data(), buffer.size());
     if (count < 0) return error_of("read", path, errno);
     if (count == 0) break;
     content.append(buffer.data(), static_cast<std::size_t>(count));
@@ -124,17 +122,16 @@ Result<bool, FileError> DiskFileSystem::write(const std::string& path, std::stri
 }
 
 Result<bool, FileError> DiskFileSystem::write_made(const std::string& path, const TextSource& content) {
-  struct stat about {};
-  const bool exists = ::stat(path.c_str(), &about) == 0;
-  if (exists && S_ISDIR(about.st_mode)) return error_of("write", path, EISDIR);
-  if (exists && !S_ISREG(about.st_mode)) {
+  const disk::About about = disk::about(path);
+  if (about.kind == disk::Kind::folder) return error_of("write", path, EISDIR);
+  if (about.kind == disk::Kind::other) {
     Through through(path);
     content(through);
     const int fault = through.finish();
     if (fault != 0) return error_of("write", path, fault);
     return true;
   }
-  Replacement replacement(path, exists ? std::optional<mode_t>(about.st_mode & 07777U) : std::nullopt);
+  Replacement replacement(path, about.kind == disk::Kind::regular ? std::optional(about.permissions) : std::nullopt);
   content(replacement);
   const int fault = replacement.finish();
   if (fault != 0) return error_of("write", path, fault);
@@ -142,7 +139,7 @@ Result<bool, FileError> DiskFileSystem::write_made(const std::string& path, cons
 }
 
 bool DiskFileSystem::holds(const std::string& path, const TextSource& content) const {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const Descriptor file(disk::open_to_read(path));
   if (!file) return false;
   Comparison comparison(file.number());
   content(comparison);
@@ -154,12 +151,12 @@ Result<bool, FileError> DiskFileSystem::write_new(const std::string& path, std::
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code failure;
   if (!folder.empty()) std::filesystem::create_directories(folder, failure);
-  if (failure) return error_of("write", path, failure.value());
+  if (failure) return error_of("write", path, failure.default_error_condition().value());
   NewFile made;
   int fault = made.open(folder.empty() ? "." : folder);
   if (fault == 0) fault = made.append(content);
   if (fault == 0) fault = made.finish({});
-  if (fault == 0) fault = made.link_as(path);  // unlike rename(), link() replaces nothing
+  if (fault == 0) fault = made.appear_as(path);
   if (fault == EEXIST) return false;
   if (fault != 0) return error_of("write", path, fault);
   return true;
@@ -174,9 +171,6 @@ std::vector<std::string> DiskFileSystem::list(const std::string& folder) const {
   return names;
 }
 
-bool DiskFileSystem::exists(const std::string& path) const {
-  struct stat about {};
-  return ::lstat(path.c_str(), &about) == 0;
-}
+bool DiskFileSystem::exists(const std::string& path) const { return disk::exists(path); }
 
 }  // namespace symplant::base

@@ -1,8 +1,6 @@
 // Replaces a file with a new one once the new one is complete.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,7 +11,7 @@
 
 namespace symplant::base {
 
-/// A new file in a folder, under a temporary name. The destructor removes it unless it was renamed or linked. Every
+/// A new file in a folder, under a temporary name. The destructor removes it unless it was renamed. Every
 /// function returns 0 or errno.
 class NewFile {
  public:
@@ -26,11 +24,11 @@ class NewFile {
   int open(const std::filesystem::path& folder);
   int append(std::string_view content) { return write_all(file_.number(), content); }
   /// Sets the permissions, if given, and closes the file.
-  int finish(std::optional<mode_t> mode);
+  int finish(std::optional<unsigned> permissions);
   /// Renames the file to `target` and replaces what exists there.
   int replace(const std::filesystem::path& target);
   /// Gives the file the name `target`; EEXIST if that exists.
-  int link_as(const std::filesystem::path& target);
+  int appear_as(const std::filesystem::path& target);
 
  private:
   Descriptor file_;
@@ -42,8 +40,8 @@ class NewFile {
 /// stays a link: its target is replaced.
 class Replacement final : public TextSink {
  public:
-  /// `mode`: the permissions of the existing file; nothing if there is no file.
-  Replacement(const std::string& path, std::optional<mode_t> mode);
+  /// `permissions`: those of the existing file; nothing if there is no file.
+  Replacement(const std::string& path, std::optional<unsigned> permissions);
 
   void put(std::string_view part) override;
   /// Call after the last part. Returns 0 or errno; on failure the old file is unchanged.
@@ -56,7 +54,7 @@ class Replacement final : public TextSink {
   int begin();
 
   std::filesystem::path target_;
-  std::optional<mode_t> mode_;
+  std::optional<unsigned> permissions_;
   Descriptor old_;
   NewFile made_;
   std::size_t equal_ = 0;  ///< the number of equal bytes at the beginning

@@ -1,5 +1,12 @@
 # A floor of the architecture: a static library of one folder that links only the floors below it.
 
+# The folder of a floor with its sources for the system that is built for.
+if(WIN32)
+  set(SYMPLANT_SYSTEM windows)
+else()
+  set(SYMPLANT_SYSTEM posix)
+endif()
+
 # Warnings, language level and sanitizers, the same for every target of the project.
 add_library(symplant_options INTERFACE)
 target_compile_features(symplant_options INTERFACE cxx_std_20)

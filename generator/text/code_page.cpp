@@ -1,96 +1,10 @@
-// Decodes legacy code pages with the system's iconv.
+// Decodes legacy code pages.
 #include "text/code_page.hpp"
 
-#include <iconv.h>
-
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <memory>
-#include <type_traits>
+#include "text/converter.hpp"
 
 namespace symplant::text {
 namespace {
-
-constexpr std::size_t kBlock = 64 * 1024;
-constexpr char kControlLead = '\xC2';  // U+0080 to U+009F are C2 80 to C2 9F
-
-/// libiconv may declare the second argument of iconv() const.
-template <class Input>
-std::size_t call(std::size_t (*function)(iconv_t, Input, std::size_t*, char**, std::size_t*), iconv_t converter,
-                 const char** in, std::size_t* in_left, char** out, std::size_t* out_left) {
-  if constexpr (std::is_same_v<Input, char**>) {
-    char* bytes = const_cast<char*>(*in);  // NOLINT: iconv does not write there
-    const std::size_t result = function(converter, &bytes, in_left, out, out_left);
-    *in = bytes;
-    return result;
-  } else {
-    return function(converter, in, in_left, out, out_left);
-  }
-}
-
-std::size_t find_control(std::string_view text) {
-  for (std::size_t at = text.find(kControlLead); at < text.size(); at = text.find(kControlLead, at + 1)) {
-    if (at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) < 0xA0) return at;
-  }
-  return std::string_view::npos;
-}
-
-class Converter {
- public:
-  explicit Converter(Encoding encoding) : converter_(iconv_open("UTF-8", name(encoding).c_str())) {}
-  ~Converter() {
-    if (is_open()) iconv_close(converter_);
-  }
-  Converter(const Converter&) = delete;
-  Converter& operator=(const Converter&) = delete;
-
-  bool is_open() const { return converter_ != reinterpret_cast<iconv_t>(-1); }  // NOLINT: iconv's error value
-
-  /// Converts up to the first fault; `rest` is the part from there on, empty at the end.
-  std::string convert(std::string_view bytes, std::string_view& rest) {
-    std::string text;
-    text.reserve(bytes.size() + bytes.size() / 4 + 16);
-    const auto block = std::make_unique<std::array<char, kBlock>>();
-    for (rest = bytes;;) {
-      const std::string_view begin = rest;
-      std::size_t room = block->size();
-      const bool more = step(rest, block->data(), room);
-      const std::string_view made(block->data(), block->size() - room);
-      const std::size_t control = find_control(made);
-      text.append(made.substr(0, control));
-      if (control != std::string_view::npos) {  // once more, with room for the part before it
-        rest = begin;
-        room = control;
-        step(rest, block->data(), room);
-        return text;
-      }
-      if (!more) return text;
-    }
-  }
-
- private:
-  /// The names of encoding_name() are also iconv's, in glibc and in libiconv.
-  static std::string name(Encoding encoding) {
-    std::string upper(encoding_name(encoding));
-    for (char& c : upper) {
-      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
-    return upper;
-  }
-
-  /// Converts until `room` bytes are filled and returns true, or up to the end or a fault and returns false.
-  bool step(std::string_view& rest, char* out, std::size_t& room) {
-    const char* in = rest.data();
-    std::size_t left = rest.size();
-    const std::size_t result = call(&iconv, converter_, &in, &left, &out, &room);
-    const bool full = result == static_cast<std::size_t>(-1) && errno == E2BIG;
-    rest = rest.substr(rest.size() - left);
-    return full;
-  }
-
-  iconv_t converter_;
-};
 
 /// The number of bytes at the beginning that belong together: a lead byte and its trail bytes.
 std::size_t fault_length(std::string_view bytes, Encoding encoding) {
@@ -105,10 +19,9 @@ std::size_t fault_length(std::string_view bytes, Encoding encoding) {
 bool is_code_page(Encoding encoding) { return encoding > Encoding::utf16be; }
 
 base::Result<std::string, CodePageFault> decode_code_page(std::string_view bytes, Encoding encoding) {
-  Converter converter(encoding);
-  if (!converter.is_open()) return CodePageFault{{}, 0, 0};
+  if (!can_convert(encoding)) return CodePageFault{{}, 0, 0};
   std::string_view rest;
-  std::string text = converter.convert(bytes, rest);
+  std::string text = convert(encoding, bytes, rest);
   if (rest.empty()) return base::Result<std::string, CodePageFault>(std::move(text));
   return CodePageFault{std::move(text), bytes.size() - rest.size(), fault_length(rest, encoding)};
 }

@@ -1,4 +1,4 @@
-// Decodes legacy code pages with the system's iconv.
+// Decodes legacy code pages as the system does: by iconv, or by Windows.
 #pragma once
 
 #include <cstddef>

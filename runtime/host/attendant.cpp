@@ -2,8 +2,6 @@
 #include "symplant/host/attendant.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +12,7 @@
 
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/signals.hpp"
+#include "symplant/host/terminal.hpp"
 #include "symplant/host/words.hpp"
 
 namespace symplant::host {
@@ -28,8 +27,8 @@ constexpr std::size_t kUsualWidth = 79;
 
 /// The longest status line, in columns: a line wider than the terminal could not be redrawn.
 std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - std::size_t{1} : kUsualWidth;
+  const std::size_t columns = terminal_columns();
+  return columns > 1 ? columns - 1 : kUsualWidth;
 }
 
 std::string phase_text(const exec::PlcClockReading& clock) {
@@ -42,7 +41,7 @@ std::string phase_text(const exec::PlcClockReading& clock) {
 }  // namespace
 
 bool can_draw(const RunOptions& options, const std::ostream& out) {
-  if (&out != &std::cout || uses_standard_output(options) || isatty(STDOUT_FILENO) == 0) return false;
+  if (&out != &std::cout || uses_standard_output(options) || !is_terminal(Stream::output)) return false;
   const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): no thread sets variables
   return kind != nullptr && std::string_view(kind) != "dumb";
 }

@@ -1,10 +1,9 @@
 // The output of a run to its user.
 #include "symplant/host/console.hpp"
 
-#include <poll.h>
-#include <unistd.h>
-
 #include <iostream>
+
+#include "symplant/host/terminal.hpp"
 
 namespace symplant::host {
 namespace {
@@ -44,9 +43,8 @@ void Console::clear() {
 }
 
 bool Console::is_taken() const {
-  const int file = &out_ == &std::cout ? STDOUT_FILENO : &out_ == &std::cerr ? STDERR_FILENO : -1;
-  pollfd asked{file, POLLOUT, 0};
-  return file < 0 || poll(&asked, 1, 0) != 0;  // poll() also reports a reader that is gone; it blocks nothing
+  if (&out_ == &std::cout) return would_take(Stream::output);
+  return &out_ != &std::cerr || would_take(Stream::error);
 }
 
 }  // namespace symplant::host

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <iterator>
 #include <numeric>
 
@@ -21,15 +20,6 @@ using trace::seconds;
 const char* severity(FindingKind kind) {
   if (kind == FindingKind::requirement_violated) return "error";
   return kind == FindingKind::started_on_enabling || kind == FindingKind::link_back ? "note" : "warning";
-}
-
-/// The local date, as 2027-06-30; empty if it is unknown.
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  return localtime_r(&now, &parts) == nullptr
-             ? std::string()
-             : fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
 }
 
 }  // namespace

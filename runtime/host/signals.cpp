@@ -12,12 +12,13 @@ std::atomic<int> wishes{0};
 static_assert(std::atomic<bool>::is_always_lock_free &&
               std::atomic<int>::is_always_lock_free);  // required in a signal handler
 
-void hang_up(int) { stop.store(true); }
-void request_stop(int) {
+[[maybe_unused]] void hang_up(int) { stop.store(true); }
+void request_stop(int signal) {
+  std::signal(signal, request_stop);  // Windows handles a signal once
   wishes.fetch_add(1);
   stop.store(true);
 }
-void request_status(int) { status_asked.store(true); }
+[[maybe_unused]] void request_status(int) { status_asked.store(true); }
 
 }  // namespace
 

@@ -1,7 +1,10 @@
 // Short texts shared by the messages of a run.
 #include "symplant/host/words.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+
+#include <ctime>
 
 namespace symplant::host {
 
@@ -29,5 +32,7 @@ std::string shown(std::string_view name) {
   }
   return text;
 }
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr))); }
 
 }  // namespace symplant::host

@@ -18,4 +18,7 @@ const char* state_name(exec::LinkState state);
 /// A name that is safe on a terminal: control and direction-changing characters as `?`.
 std::string shown(std::string_view name);
 
+/// The local date, as 2027-06-30.
+std::string today();
+
 }  // namespace symplant::host

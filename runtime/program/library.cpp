@@ -1,21 +1,21 @@
 // A shared library with a PLC program.
 #include "symplant/program/library.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <bit>
 #include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
+
+#include "symplant/program/shared_object.hpp"
 
 namespace symplant::program {
 namespace {
@@ -24,15 +24,12 @@ using Entry = const symplant_program* (*)();
 
 /// A copy of a file in the folder for temporary files; its path, or nothing with `errno`.
 std::optional<std::string> copy_of(const std::string& path) {
+  const std::string copy = new_temporary_file();
+  if (copy.empty()) return std::nullopt;
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-  std::string copy = (error ? std::filesystem::path("/tmp") : folder) / "symplant-program-XXXXXX";
-  const int file = ::mkstemp(copy.data());
-  if (file < 0) return std::nullopt;
-  ::close(file);
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
   if (!error) return copy;
-  errno = error.value();
+  errno = error.default_error_condition().value();
   std::filesystem::remove(copy, error);
   return std::nullopt;
 }
@@ -71,14 +68,16 @@ std::variant<std::unique_ptr<Library>, LoadError> Library::open(const std::strin
     if (!copy) return LoadError{fmt::format("cannot copy the program `{}`: {}", path, std::strerror(errno)), true};
     file = *copy;
   }
-  void* const handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (copied) std::filesystem::remove(file, error);
-  if (handle == nullptr) {
-    const char* const why = ::dlerror();
-    return LoadError{fmt::format("cannot open the program `{}`: {}; compile it as a shared library (-shared -fPIC)",
-                                 path, why == nullptr ? "unknown" : why)};
+  std::string why;
+  void* const handle = load_object(file, why);
+  std::string remains = copied ? file : "";
+  if (copied && (can_remove_loaded || handle == nullptr)) {
+    std::filesystem::remove(std::exchange(remains, ""), error);
   }
-  const auto entry = std::bit_cast<Entry>(::dlsym(handle, "symplant_program_v1"));
+  if (handle == nullptr) {
+    return LoadError{fmt::format("cannot open the program `{}`: {}; {}", path, why, how_to_compile)};
+  }
+  const auto entry = std::bit_cast<Entry>(exported(handle, "symplant_program_v1"));
   std::string fault =
       "it does not export symplant_program_v1(); compile it with symplant/program.h (docs/testing-programs.md)";
   const symplant_program* program = nullptr;
@@ -86,19 +85,20 @@ std::variant<std::unique_ptr<Library>, LoadError> Library::open(const std::strin
     program = entry();
     fault = program_fault(program);
   }
-  if (fault.empty()) return std::unique_ptr<Library>(new Library(handle, program));
-  ::dlclose(handle);
+  std::unique_ptr<Library> library(new Library(handle, program, std::move(remains)));
+  if (fault.empty()) return library;
   return LoadError{fmt::format("cannot use the program `{}`: {}", path, fault)};
 }
 
-Library::~Library() { ::dlclose(handle_); }
+Library::~Library() {
+  unload_object(handle_);
+  std::error_code ignored;
+  if (!copy_.empty()) std::filesystem::remove(copy_, ignored);
+}
 
 bool is_still_loaded(const std::string& path) {
   std::error_code unknown;
-  const std::string file = std::filesystem::absolute(path, unknown).string();
-  void* const handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
-  if (handle != nullptr) ::dlclose(handle);
-  return handle != nullptr;
+  return is_loaded(std::filesystem::absolute(path, unknown).string());
 }
 
 std::string file_digest(const std::string& path) {

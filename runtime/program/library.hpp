@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "symplant/program.h"
@@ -18,7 +19,7 @@ struct LoadError {
 /// An open library. The program that it exports is valid while it is open. Not copyable; closes the library at the end.
 class Library {
  public:
-  /// Opens the library (RTLD_NOW | RTLD_LOCAL) and checks what it exports. `copied`: opens a copy of the file, so that
+  /// Opens the library, with all that it needs, and checks what it exports. `copied`: opens a copy of the file, so that
   /// two programs of one library have separate variables. Code of the library's constructors runs.
   static std::variant<std::unique_ptr<Library>, LoadError> open(const std::string& path, bool copied = false);
 
@@ -29,10 +30,12 @@ class Library {
   const symplant_program& program() const { return *program_; }
 
  private:
-  Library(void* handle, const symplant_program* program) : handle_(handle), program_(program) {}
+  Library(void* handle, const symplant_program* program, std::string copy)
+      : handle_(handle), program_(program), copy_(std::move(copy)) {}
 
   void* handle_;
   const symplant_program* program_;
+  std::string copy_;  ///< a file to remove at the end; empty: none
 };
 
 /// Why a program does not fit this interface; empty if it does.

@@ -27,10 +27,10 @@ void ModbusDialog::add_coils(std::span<const client::LaneChange> changes) {
     before = std::exchange(bits, one.value);
     for (std::uint32_t mask = one.mask; mask != 0; mask &= mask - 1) {
       const std::uint32_t number = kBitsInRegister * lane + static_cast<std::uint32_t>(std::countr_zero(mask));
-      const bool near = end != 0 && (end - 1) / kBitsInRegister + 1 >= lane;
+      const bool is_near = end != 0 && (end - 1) / kBitsInRegister + 1 >= lane;
       std::uint32_t joined = end;
-      while (near && joined < number && is_owned(joined)) ++joined;
-      for (std::uint32_t between = end; near && joined == number && between < number; ++between) add(between);
+      while (is_near && joined < number && is_owned(joined)) ++joined;
+      for (std::uint32_t between = end; is_near && joined == number && between < number; ++between) add(between);
       add(number);
       end = number + 1;
     }

@@ -1,15 +1,9 @@
 // The sockets of a Modbus TCP server and the thread that serves them.
 #include "symplant/link/modbus/server.hpp"
 
-#include <sys/epoll.h>
-#include <sys/eventfd.h>
-#include <sys/socket.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <chrono>
-#include <system_error>
+#include <stdexcept>
 
 #include "symplant/link/net/descriptors.hpp"
 #include "symplant/link/net/no_signals.hpp"
@@ -37,31 +31,13 @@ class SocketSink final : public Sink {
   explicit SocketSink(int fd) noexcept : fd_(fd) {}
 
   std::ptrdiff_t write(std::span<const std::uint8_t> bytes) noexcept override {
-    for (;;) {
-      const ssize_t sent = ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-      if (sent >= 0) return sent;
-      if (errno == EAGAIN || errno == EWOULDBLOCK) return 0;
-      if (errno != EINTR) return -1;
-    }
+    const std::ptrdiff_t sent = net::send(fd_, bytes);
+    return sent < 0 && net::would_wait(net::last_error()) ? 0 : sent;
   }
 
  private:
   int fd_;
 };
-
-net::Descriptor or_throw(net::Descriptor descriptor, const char* what) {
-  if (!descriptor) throw std::system_error(errno, std::generic_category(), what);
-  return descriptor;
-}
-
-void watch(int epoll, int operation, int fd, std::uint32_t events) {
-  epoll_event event{};
-  event.events = events;
-  event.data.fd = fd;
-  if (::epoll_ctl(epoll, operation, fd, &event) != 0) {
-    throw std::system_error(errno, std::generic_category(), "epoll_ctl");
-  }
-}
 
 }  // namespace
 
@@ -73,51 +49,42 @@ struct Server::Client {
   std::uint64_t last_use = 0;
   tables::Time last_request = 0;  ///< or the time when it was accepted
   tables::Time frame_begun = 0;   ///< begin of the frame that is still incomplete; 0: no such frame
-  std::uint32_t watched = EPOLLIN;
+  net::Wanted watched{.read = true};
   bool kept = false;
   bool ended = false;  ///< sends no more, but still gets its answers
 };
 
 Server::Server(net::Descriptor listener, Responder& responder, ServerOptions options)
-    : listener_(std::move(listener)),
-      responder_(responder),
-      options_(std::move(options)),
-      epoll_(or_throw(net::Descriptor(::epoll_create1(EPOLL_CLOEXEC)), "epoll_create1")),
-      wake_(or_throw(net::Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), "eventfd")) {
+    : listener_(std::move(listener)), responder_(responder), options_(std::move(options)) {
   options_.connections = std::max<std::size_t>(options_.connections, 1);
   net::make_room_for(options_.connections);
-  watch(epoll_.get(), EPOLL_CTL_ADD, wake_.get(), EPOLLIN);
-  watch(epoll_.get(), EPOLL_CTL_ADD, listener_.get(), EPOLLIN);
+  if (!sockets_.add(wake_.socket(), {.read = true}) || !sockets_.add(listener_.get(), {.read = true})) {
+    throw std::runtime_error("a socket cannot be waited for: " + net::error_text(net::last_error()));
+  }
   const net::NoSignals blocked;
   thread_ = std::thread([this] { serve(); });
 }
 
 Server::~Server() {
-  const std::uint64_t one = 1;
-  // A write of 1 to a new eventfd never blocks and never fails, so it needs no retry.
-  [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
+  wake_.wake();
   thread_.join();
 }
 
 void Server::serve() {
-  std::array<epoll_event, 64> events{};
   for (;;) {
-    const int count =
-        ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()), milliseconds_to_wait());
+    const std::span<const net::SocketSet::Ready> ready = sockets_.wait(milliseconds_to_wait());
     now_ = steady_now();
     if (!listening_) listen(true);
     if (cut_.load(std::memory_order_relaxed)) close_all();
-    for (int i = 0; i < count; ++i) {
-      const epoll_event& event = events[static_cast<std::size_t>(i)];
-      if (event.data.fd == wake_.get()) return;
-      if (event.data.fd == listener_.get()) continue;
-      const auto client = clients_.find(event.data.fd);
-      if (client != clients_.end()) serve_client(*client->second, event.events);
+    bool is_asked = false;
+    for (const net::SocketSet::Ready& each : ready) {
+      if (each.socket == wake_.socket()) return;
+      if (each.socket == listener_.get()) is_asked = true;
+      const auto client = clients_.find(each.socket);
+      if (client != clients_.end()) serve_client(*client->second, each);
     }
-    // Last, so that no event above is mistaken for one of a new client with the descriptor of a closed one.
-    for (int i = 0; i < count; ++i) {
-      if (events[static_cast<std::size_t>(i)].data.fd == listener_.get()) accept_clients();
-    }
+    // Last, so that nothing above is mistaken for news of a new client with the descriptor of a closed one.
+    if (is_asked) accept_clients();
     if (now_ >= next_sweep_) close_overdue();
   }
 }
@@ -131,13 +98,13 @@ int Server::milliseconds_to_wait() const noexcept {
 
 void Server::accept_clients() {
   for (int i = 0; i < kAcceptsATurn; ++i) {
-    net::Descriptor socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    net::Descriptor socket = net::accept_client(listener_.get());
     if (socket) {
       gave_way_ = false;
       if (!cut_.load(std::memory_order_relaxed)) add_client(std::move(socket));
       continue;
     }
-    switch (net::after_accept(errno)) {
+    switch (net::after_accept(net::last_error())) {
       case net::AfterAccept::again:
         continue;
       case net::AfterAccept::serve:
@@ -164,10 +131,7 @@ void Server::add_client(net::Descriptor socket) {
   }
   net::prepare_peer(socket.get());
   const int fd = socket.get();
-  epoll_event event{};
-  event.events = EPOLLIN;
-  event.data.fd = fd;
-  if (::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event) != 0) return;
+  if (!sockets_.add(fd, {.read = true})) return;
   auto client = std::make_unique<Client>(ClientId{++accepted_, net::peer_ipv4(fd)});
   client->socket = std::move(socket);
   client->last_use = ++uses_;
@@ -179,12 +143,12 @@ void Server::add_client(net::Descriptor socket) {
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
 }
 
-void Server::serve_client(Client& client, std::uint32_t events) {
+void Server::serve_client(Client& client, const net::SocketSet::Ready& ready) {
   const std::uint64_t before = client.connection.requests();
   SocketSink sink(client.socket.get());
   bool open = true;
-  if ((events & EPOLLOUT) != 0) open = client.connection.resume(responder_, sink) == Connection::State::open;
-  if (open && (events & (EPOLLIN | EPOLLHUP | EPOLLERR)) != 0) open = read_from(client);
+  if (ready.write) open = client.connection.resume(responder_, sink) == Connection::State::open;
+  if (open && ready.read) open = read_from(client);
   note_progress(client, before);
   if (client.ended && !client.connection.has_answers_to_send()) open = false;
   if (!open || !rearm(client)) close_client(client.socket.get());
@@ -209,8 +173,8 @@ bool Server::read_from(Client& client) {
   // One read per turn, so that a busy client does not delay the others.
   const auto room = client.connection.room();
   if (room.empty()) return true;
-  const ssize_t count = ::recv(client.socket.get(), room.data(), room.size(), 0);
-  if (count < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
+  const std::ptrdiff_t count = net::receive(client.socket.get(), room);
+  if (count < 0) return net::would_wait(net::last_error());
   if (count == 0) {
     client.ended = true;
     return true;
@@ -220,26 +184,26 @@ bool Server::read_from(Client& client) {
 }
 
 bool Server::rearm(Client& client) {
-  const bool to_read = !client.ended && !client.connection.room().empty();
-  const bool to_send = client.connection.has_answers_to_send();
-  const std::uint32_t wanted = (to_read ? std::uint32_t{EPOLLIN} : 0U) | (to_send ? std::uint32_t{EPOLLOUT} : 0U);
+  const net::Wanted wanted{.read = !client.ended && !client.connection.room().empty(),
+                           .write = client.connection.has_answers_to_send()};
   if (wanted == client.watched) return true;
-  epoll_event event{};
-  event.events = wanted;
-  event.data.fd = client.socket.get();
   client.watched = wanted;
-  return ::epoll_ctl(epoll_.get(), EPOLL_CTL_MOD, client.socket.get(), &event) == 0;
+  return sockets_.change(client.socket.get(), wanted);
 }
 
 void Server::close_client(int fd) {
   const auto client = clients_.find(fd);
   responder_.left(client->second->connection.client());
+  sockets_.remove(fd);
   clients_.erase(client);
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
 }
 
 void Server::close_all() {
-  for (const auto& [fd, client] : clients_) responder_.left(client->connection.client());
+  for (const auto& [fd, client] : clients_) {
+    responder_.left(client->connection.client());
+    sockets_.remove(fd);
+  }
   clients_.clear();
   open_.store(0, std::memory_order_relaxed);
 }
@@ -270,11 +234,6 @@ void Server::close_overdue() {
   for (const int fd : overdue) close_client(fd);
 }
 
-void Server::listen(bool on) {
-  epoll_event event{};
-  event.events = on ? std::uint32_t{EPOLLIN} : 0U;
-  event.data.fd = listener_.get();
-  listening_ = ::epoll_ctl(epoll_.get(), EPOLL_CTL_MOD, listener_.get(), &event) == 0 && on;
-}
+void Server::listen(bool on) { listening_ = sockets_.change(listener_.get(), {.read = on}) && on; }
 
 }  // namespace symplant::link::modbus

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "symplant/link/modbus/connection.hpp"
-#include "symplant/link/net/socket.hpp"
+#include "symplant/link/net/socket_set.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::link::modbus {
@@ -55,7 +55,7 @@ class Server {
   int milliseconds_to_wait() const noexcept;
   void accept_clients();
   void add_client(net::Descriptor socket);
-  void serve_client(Client& client, std::uint32_t events);
+  void serve_client(Client& client, const net::SocketSet::Ready& ready);
   bool read_from(Client& client);
   void note_progress(Client& client, std::uint64_t requests_before) noexcept;
   bool rearm(Client& client);
@@ -69,8 +69,8 @@ class Server {
   net::Descriptor listener_;
   Responder& responder_;
   ServerOptions options_;
-  net::Descriptor epoll_;
-  net::Descriptor wake_;                            ///< an eventfd, written once to end the thread
+  net::SocketSet sockets_;
+  net::Wakeup wake_;                                ///< woken once, to end the thread
   std::map<int, std::unique_ptr<Client>> clients_;  ///< by descriptor
   std::uint32_t accepted_ = 0;                      ///< number of clients accepted so far
   std::uint64_t uses_ = 0;                          ///< counts accepts and requests, to find the client used last

@@ -14,8 +14,6 @@ namespace symplant::link::net {
 
 enum class Transport : std::uint8_t { tcp, udp };
 
-using Deadline = std::chrono::steady_clock::time_point;
-
 /// How a call of a ClientSocket ended.
 enum class Ended : std::uint8_t {
   done,
@@ -28,7 +26,7 @@ enum class Ended : std::uint8_t {
 class ClientSocket {
  public:
   /// Throws std::system_error if the process has no descriptor left.
-  ClientSocket();
+  ClientSocket() = default;
 
   /// Connects to the first address of the host that accepts. After a failure the socket is closed. May wait for a name
   /// server before it looks at the deadline.
@@ -45,18 +43,18 @@ class ClientSocket {
   /// Sleeps until the deadline (`timeout`) or an interruption.
   Ended wait(Deadline deadline) const;
   /// Ends the current call and all later ones. Any thread.
-  void interrupt() noexcept;
+  void interrupt() noexcept { interrupt_.wake(); }
 
   /// Why the latest call ended as `closed`: "connection refused".
   const std::string& fault() const noexcept { return fault_; }
 
  private:
-  Ended wait_for(short events, Deadline deadline) const;
+  Ended wait_for(Wanted wanted, Deadline deadline) const;
   Ended connect_to(const addrinfo& address, Deadline deadline);
   Ended failed(int error);
 
   Descriptor socket_;
-  Descriptor interrupt_;  ///< an eventfd, readable after interrupt()
+  Wakeup interrupt_;
   std::string fault_;
 };
 

@@ -1,10 +1,7 @@
 // Limits of the system on sockets: what to do after a failed accept(), how many clients are possible.
 #pragma once
 
-#include <sys/resource.h>
-
 #include <cstddef>
-#include <optional>
 
 namespace symplant::link::net {
 
@@ -16,12 +13,8 @@ enum class AfterAccept {
   pause,     ///< wait: the system has no descriptor or memory left; closing a client may not help
 };
 
-/// By the errno of accept(). A network error comes from the client's side and affects only that client.
+/// By last_error() of accept_client(). A network error comes from the client's side and affects only that client.
 AfterAccept after_accept(int error) noexcept;
-
-/// The soft limit of descriptors raised by `clients`, at most to the hard limit; nothing if the hard limit is too small
-/// for the clients and a few files.
-std::optional<rlim_t> limit_for(rlimit limit, std::size_t clients) noexcept;
 
 /// Raises this process's soft limit of descriptors to limit_for(). Throws std::system_error if that is impossible; its
 /// text says what to do.

@@ -1,13 +1,12 @@
 // Host and port: their text, and the addresses of a host.
 #include "symplant/link/net/host_port.hpp"
 
-#include <netinet/in.h>
-#include <sys/socket.h>
-
 #include <algorithm>
 #include <charconv>
 #include <system_error>
 #include <utility>
+
+#include "symplant/link/net/socket.hpp"
 
 namespace symplant::link::net {
 
@@ -50,6 +49,7 @@ std::string format_host_port(const HostPort& address) {
 }
 
 std::variant<Addresses, LinkError> resolve(const HostPort& address, int type, bool to_listen) {
+  start_sockets();
   addrinfo hints{};
   hints.ai_socktype = type;
   hints.ai_flags = (to_listen ? AI_PASSIVE : 0) | AI_NUMERICSERV;

@@ -1,8 +1,6 @@
 // Host and port: their text, and the addresses of a host.
 #pragma once
 
-#include <netdb.h>
-
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "symplant/link/link.hpp"
+#include "symplant/link/net/system.hpp"
 
 namespace symplant::link::net {
 

@@ -1,14 +1,10 @@
 // Opens a listening TCP socket from HOST:PORT.
 #include "symplant/link/net/listener.hpp"
 
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <cerrno>
-#include <system_error>
 
 #include "symplant/link/net/port_owner.hpp"
+#include "symplant/link/net/system.hpp"
 
 namespace symplant::link::net {
 
@@ -25,7 +21,7 @@ LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
   if (error == EADDRINUSE) {
     const std::string in_use = port + " is in use on `" + address.host + "`";
     const auto owner = owner_of_port(at);
-    if (owner && owner->process == ::getpid()) {
+    if (owner && owner->is_this) {
       return environment(in_use + " by this program itself (process " + std::to_string(owner->process) +
                          "): give each of its links its own port");
     }
@@ -33,7 +29,8 @@ LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
       return environment(in_use + " by `" + owner->program + "` (process " + std::to_string(owner->process) +
                          "): end it, or give another port");
     }
-    return environment(in_use + ": end the program that uses it (`sudo ss -ltnp` names it), or give another port");
+    return environment(in_use + ": end the program that uses it (`" + std::string(how_to_find_owner()) +
+                       "` names it), or give another port");
   }
   if (error == EACCES && address.port < kFirstFreePort) {
     return environment("no permission for " + port +
@@ -44,26 +41,25 @@ LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
     return usage("host `" + address.host +
                  "` is not an address of this machine: give one that is, 127.0.0.1 for clients on it only");
   }
-  return environment("cannot listen on `" + format_host_port(address) + "`: " + std::generic_category().message(error));
+  return environment("cannot listen on `" + format_host_port(address) + "`: " + error_text(error));
 }
 
 std::uint16_t port_of(int socket) {
   sockaddr_storage storage{};
   socklen_t size = sizeof storage;
   auto* generic = reinterpret_cast<sockaddr*>(&storage);
-  if (::getsockname(socket, generic, &size) != 0) return 0;
+  if (::getsockname(native(socket), generic, &size) != 0) return 0;
   if (storage.ss_family == AF_INET6) return ntohs(reinterpret_cast<const sockaddr_in6*>(&storage)->sin6_port);
   return ntohs(reinterpret_cast<const sockaddr_in*>(&storage)->sin_port);
 }
 
-/// Nothing, with errno set, if the address is not available.
+/// Nothing, with last_error(), if the address is not available.
 Descriptor listen_at(const addrinfo& address) {
-  Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  Descriptor socket = open_socket(address.ai_family, SOCK_STREAM);
   if (!socket) return {};
-  const int on = 1;  // connections of an earlier run that still close do not block the port
-  ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  if (::bind(socket.get(), address.ai_addr, address.ai_addrlen) != 0) return {};
-  if (::listen(socket.get(), SOMAXCONN) != 0) return {};
+  take_port_soon(socket.get());
+  if (::bind(native(socket.get()), address.ai_addr, static_cast<socklen_t>(address.ai_addrlen)) != 0) return {};
+  if (::listen(native(socket.get()), SOMAXCONN) != 0) return {};
   return socket;
 }
 
@@ -84,7 +80,7 @@ std::variant<Listener, LinkError> listen_on(const HostPort& address) {
       const std::uint16_t port = port_of(socket.get());
       return Listener{std::move(socket), {address.host, port}};
     }
-    error = errno;
+    error = last_error();
     failed = one;
     if (!is_absent(error)) break;
   }

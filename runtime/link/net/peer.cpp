@@ -1,48 +1,22 @@
 // The other end of an accepted TCP connection.
 #include "symplant/link/net/peer.hpp"
 
-#include <arpa/inet.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <array>
 #include <cstddef>
 #include <cstring>
 #include <string_view>
 
+#include "symplant/link/net/system.hpp"
+
 namespace symplant::link::net {
-
-namespace {
-
-constexpr int kSilentSeconds = 10;
-constexpr int kBetweenProbesSeconds = 5;
-constexpr int kProbes = 3;
-constexpr int kUnacknowledgedMilliseconds = 25'000;
-
-void set(int socket, int level, int option, int value) noexcept {
-  ::setsockopt(socket, level, option, &value, sizeof value);
-}
-
-}  // namespace
-
-void prepare_peer(int socket) noexcept {
-  set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
-  set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
-  set(socket, IPPROTO_TCP, TCP_KEEPIDLE, kSilentSeconds);
-  set(socket, IPPROTO_TCP, TCP_KEEPINTVL, kBetweenProbesSeconds);
-  set(socket, IPPROTO_TCP, TCP_KEEPCNT, kProbes);
-  set(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, kUnacknowledgedMilliseconds);
-}
 
 std::string peer_address(int socket) {
   sockaddr_storage storage{};
   socklen_t size = sizeof storage;
   auto* address = reinterpret_cast<sockaddr*>(&storage);
   std::array<char, NI_MAXHOST> text{};
-  if (::getpeername(socket, address, &size) != 0 ||
-      ::getnameinfo(address, size, text.data(), text.size(), nullptr, 0, NI_NUMERICHOST) != 0) {
+  if (::getpeername(native(socket), address, &size) != 0 ||
+      ::getnameinfo(address, size, text.data(), static_cast<socklen_t>(text.size()), nullptr, 0, NI_NUMERICHOST) != 0) {
     return {};
   }
   constexpr std::string_view kMapped = "::ffff:";
@@ -53,7 +27,7 @@ std::string peer_address(int socket) {
 std::uint32_t peer_ipv4(int socket) noexcept {
   sockaddr_storage storage{};
   socklen_t size = sizeof storage;
-  if (::getpeername(socket, reinterpret_cast<sockaddr*>(&storage), &size) != 0) return 0;
+  if (::getpeername(native(socket), reinterpret_cast<sockaddr*>(&storage), &size) != 0) return 0;
   if (storage.ss_family == AF_INET) {
     sockaddr_in address{};
     std::memcpy(&address, &storage, sizeof address);

@@ -1,15 +1,13 @@
 // Decides the role of a request: by tokens, and by the page of the browser that made it.
 #include "symplant/panel/web/access.hpp"
 
-#include <arpa/inet.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <random>
 
 #include "symplant/link/net/host_port.hpp"
+#include "symplant/link/net/system.hpp"
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/panel/web/header_text.hpp"
 

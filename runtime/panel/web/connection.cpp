@@ -1,9 +1,6 @@
 // One connection of the panel's web server.
 #include "symplant/panel/web/connection.hpp"
 
-#include <linux/sockios.h>
-#include <sys/ioctl.h>
-
 #include <algorithm>
 #include <atomic>
 #include <boost/asio/post.hpp>
@@ -12,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "symplant/link/net/peer.hpp"
 #include "symplant/panel/web/gzip.hpp"
 #include "symplant/panel/web/request.hpp"
 #include "symplant/panel/web/response_head.hpp"
@@ -97,10 +95,8 @@ void Connection::send(const Bytes& event) {
 
 /// The bytes that the client's system has acknowledged.
 std::uint64_t Connection::acknowledged() const {
-  int waiting = 0;
-  const int socket = const_cast<boost::beast::tcp_stream&>(stream_).socket().native_handle();
-  if (::ioctl(socket, SIOCOUTQ, &waiting) != 0) return taken_;
-  return taken_ - std::min(taken_, static_cast<std::uint64_t>(waiting));
+  const auto socket = static_cast<int>(const_cast<boost::beast::tcp_stream&>(stream_).socket().native_handle());
+  return taken_ - std::min<std::uint64_t>(taken_, link::net::unacknowledged(socket));
 }
 
 void Connection::look(Clock::time_point now) {

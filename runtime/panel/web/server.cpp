@@ -1,9 +1,6 @@
 // The web server of the panel.
 #include "symplant/panel/web/server.hpp"
 
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -13,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "symplant/link/net/system.hpp"
 #include "symplant/panel/web/connection.hpp"
 
 namespace symplant::panel {
@@ -35,8 +33,9 @@ struct Server::Parts {
         each_second(std::move(every_second)) {
     sockaddr_storage storage{};
     socklen_t size = sizeof storage;
-    ::getsockname(listener.socket.get(), reinterpret_cast<sockaddr*>(&storage), &size);
-    acceptor.assign(storage.ss_family == AF_INET6 ? web::Tcp::v6() : web::Tcp::v4(), ::dup(listener.socket.get()));
+    ::getsockname(link::net::native(listener.socket.get()), reinterpret_cast<sockaddr*>(&storage), &size);
+    acceptor.assign(storage.ss_family == AF_INET6 ? web::Tcp::v6() : web::Tcp::v4(),
+                    link::net::native(listener.socket.release()));
     accept();
     tick(std::chrono::steady_clock::now());
     thread = std::thread([this] { serve(); });

@@ -27,7 +27,7 @@ std::optional<PortOwner> owner_at(const char* host, std::uint16_t port) {
 /// Other programs may have the port on other addresses.
 bool is_ours(const char* host, const Listener& listener) {
   const auto owner = owner_at(host, listener.bound.port);
-  return owner && owner->process == ::getpid();
+  return owner && owner->is_this;
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ TEST_CASE("The owner of a port is reported by program and process, for IPv4 and 
   const Listener four = std::get<Listener>(listen_on({"127.0.0.1", 0}));
   const auto owner = owner_at("127.0.0.1", four.bound.port);
   REQUIRE(owner);
-  CHECK(owner->process == ::getpid());
+  CHECK(owner->is_this);
   CHECK(owner->program.substr(0, 5) == "test_");
   auto six = listen_on({"::1", 0});
   if (auto* listener = std::get_if<Listener>(&six)) CHECK(is_ours("::1", *listener));

@@ -7,6 +7,7 @@
 #include "symplant/link/modbus/server.hpp"
 #include "symplant/link/net/descriptors.hpp"
 #include "symplant/link/net/listener.hpp"
+#include "symplant/link/net/posix/file_limit.hpp"
 
 using namespace symplant;
 using namespace symplant::link::modbus;

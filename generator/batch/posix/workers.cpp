@@ -2,21 +2,6 @@
 #include "batch/workers.hpp"
 
 #include <fmt/format.h>
-
-#ifdef _WIN32
-
-namespace symplant::batch {
-
-std::string do_in_processes(std::size_t count, std::size_t, const std::function<std::string(std::size_t)>& work,
-                            const std::function<void(const Done&)>& done, const std::function<bool()>& stop) {
-  for (std::size_t piece = 0; piece < count && !stop(); ++piece) done({piece, work(piece), ""});
-  return "";
-}
-
-}  // namespace symplant::batch
-
-#else
-
 #include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -249,5 +234,3 @@ std::string do_in_processes(std::size_t count, std::size_t jobs, const std::func
 }
 
 }  // namespace symplant::batch
-
-#endif

@@ -1,4 +1,4 @@
-// Reports a program that crashes.
+// Reports a program that crashes, by signals.
 #include "symplant/program/crash.hpp"
 
 #include <signal.h>
@@ -6,81 +6,34 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstring>
 #include <string_view>
+
+#include "symplant/program/crash_text.hpp"
 
 namespace symplant::program {
 namespace {
 
 struct Signal {
   int number;
-  std::string_view name;
+  std::string_view words;
 };
-constexpr std::array<Signal, 5> kSignals{
-    {{SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"}, {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"}, {SIGABRT, "SIGABRT"}}};
-constexpr int kEnvironment = 3;
-constexpr int kLongestCall = 10;  // s
+constexpr std::array<Signal, 5> kSignals{{{SIGSEGV, "ended by SIGSEGV"},
+                                          {SIGBUS, "ended by SIGBUS"},
+                                          {SIGFPE, "ended by SIGFPE"},
+                                          {SIGILL, "ended by SIGILL"},
+                                          {SIGABRT, "ended by SIGABRT"}}};
 
-/// The call that runs. A signal handler has nothing else of what it reports.
-struct Call {
-  const char* volatile name = nullptr;  ///< null: none
-  volatile std::int64_t scan = 0;
-  volatile tables::Time now = 0;
-};
 thread_local Call call;
 /// How many calls began, to see whether one goes on.
 thread_local volatile std::uint64_t calls = 0;
 std::array<struct sigaction, kSignals.size()> before;
 alignas(16) std::array<char, 64 * 1024> stack;  // a program may have used up its own
 
-/// Text in the memory of a signal handler.
-class Text {
- public:
-  void add(std::string_view text) {
-    const std::size_t size = std::min(text.size(), bytes_.size() - size_);
-    std::memcpy(bytes_.data() + size_, text.data(), size);
-    size_ += size;
-  }
-  void add(std::uint64_t number) {
-    std::array<char, 20> digits{};
-    std::size_t at = digits.size();
-    do {
-      digits[--at] = static_cast<char>('0' + number % 10);
-      number /= 10;
-    } while (number != 0);
-    add({digits.data() + at, digits.size() - at});
-  }
-  /// "8.12 s"
-  void add_seconds(tables::Time time) {
-    add(static_cast<std::uint64_t>(time / tables::kSecond));
-    auto rest = static_cast<std::uint64_t>(time % tables::kSecond);
-    if (rest != 0) add(".");
-    for (std::uint64_t unit = tables::kSecond / 10; rest != 0; unit /= 10) {
-      add(rest / unit);
-      rest %= unit;
-    }
-    add(" s");
-  }
-  /// " in scan 812 (8.12 s)", of the call that runs.
-  void add_call() {
-    if (call.scan < 0) {
-      add(" at its start or end (");
-    } else {
-      add(" in scan ");
-      add(static_cast<std::uint64_t>(call.scan));
-      add(" (");
-    }
-    add_seconds(call.now);
-    add(")");
-  }
-  void write() const {
-    if (::write(STDERR_FILENO, bytes_.data(), size_) < 0) return;  // there is nowhere to report that
-  }
-
- private:
-  std::array<char, 512> bytes_{};
-  std::size_t size_ = 0;
-};
+[[noreturn]] void end(const CrashText& words) {
+  const std::string_view text = words.text();
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) ::_exit(kCrashExitCode);  // there is nowhere to report that
+  ::_exit(kCrashExitCode);
+}
 
 void report(int signal) {
   if (call.name == nullptr) {  // not of a program
@@ -90,17 +43,9 @@ void report(int signal) {
     ::raise(signal);
     return;
   }
-  Text text;
-  text.add("error: program `");
-  text.add(std::string_view(call.name));
-  text.add("` ended by ");
   for (const Signal& known : kSignals) {
-    if (known.number == signal) text.add(known.name);
+    if (known.number == signal) end({call, known.words});
   }
-  text.add_call();
-  text.add("\n");
-  text.write();
-  ::_exit(kEnvironment);
 }
 
 /// Called once a second.
@@ -114,14 +59,7 @@ void look_at_call(int) {
   }
   times = times + 1;
   if (times < kLongestCall) return;
-  Text text;
-  text.add("error: program `");
-  text.add(std::string_view(call.name));
-  text.add("` does not return");
-  text.add_call();
-  text.add(" after 10 s\n");
-  text.write();
-  ::_exit(kEnvironment);
+  end({call, "does not return", " after 10 s"});
 }
 
 }  // namespace

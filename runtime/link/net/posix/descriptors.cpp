@@ -1,10 +1,12 @@
-// Limits of the system on sockets: what to do after a failed accept(), how many clients are possible.
+// Limits of Linux on sockets.
 #include "symplant/link/net/descriptors.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
+
+#include "symplant/link/net/posix/file_limit.hpp"
 
 namespace symplant::link::net {
 

@@ -1,8 +1,6 @@
-// The process that listens on a port of this machine.
+// The process that listens on a port, as /proc of Linux shows it.
 #include "symplant/link/net/port_owner.hpp"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -127,9 +125,13 @@ std::optional<PortOwner> owner_of_port(const sockaddr& address) {
     pid_t process = 0;
     const auto [stop, fault] = std::from_chars(name.data(), name.data() + name.size(), process);
     if (fault != std::errc() || stop != name.data() + name.size()) continue;
-    if (has_one_of(entry->path(), sockets)) return PortOwner{program_of(entry->path()), process};
+    if (has_one_of(entry->path(), sockets)) {
+      return PortOwner{program_of(entry->path()), static_cast<unsigned long>(process), process == ::getpid()};
+    }
   }
   return std::nullopt;
 }
+
+const char* how_to_find_owner() { return "sudo ss -ltnp"; }
 
 }  // namespace symplant::link::net

@@ -1,0 +1,28 @@
+// What the system knows of the streams of the program: terminals, and whether a write would wait.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace symplant::host {
+
+enum class Stream { input = 0, output = 1, error = 2 };
+
+bool is_terminal(Stream stream);
+
+/// Columns of the terminal of standard output; nothing is known: 0.
+std::size_t terminal_columns();
+
+/// Whether a write would not wait now, as far as known; also if the reader is gone. Waits for nothing.
+bool would_take(Stream stream);
+
+/// Whether a pipe or a terminal that this process writes to is full.
+bool output_is_full();
+
+/// Writes to standard error without the buffers of the program, if it would take it.
+void write_error_now(std::string_view text);
+
+/// Call once, first: the standard streams carry bytes, and a terminal shows them as UTF-8.
+void set_up_streams();
+
+}  // namespace symplant::host

@@ -1,0 +1,97 @@
+// Reports a program that crashes, by the exceptions of Windows.
+#include "symplant/program/crash.hpp"
+
+#include <windows.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#include "symplant/program/crash_text.hpp"
+
+namespace symplant::program {
+namespace {
+
+struct Exception {
+  DWORD code;
+  std::string_view words;
+};
+constexpr std::array<Exception, 6> kExceptions{{{EXCEPTION_ACCESS_VIOLATION, "ended by an access violation"},
+                                                {EXCEPTION_IN_PAGE_ERROR, "ended by an error of reading a page"},
+                                                {EXCEPTION_INT_DIVIDE_BY_ZERO, "ended by a division by zero"},
+                                                {EXCEPTION_ILLEGAL_INSTRUCTION, "ended by an illegal instruction"},
+                                                {EXCEPTION_PRIV_INSTRUCTION, "ended by a privileged instruction"},
+                                                {EXCEPTION_STACK_OVERFLOW, "ended by a stack overflow"}}};
+
+Call call;  // programs are called by one thread
+std::atomic<DWORD> calling_thread{0};
+std::atomic<std::uint64_t> calls{0};
+PVOID handler = nullptr;
+
+[[noreturn]] void end(const CrashText& words) {
+  const std::string_view text = words.text();
+  DWORD count = 0;
+  WriteFile(GetStdHandle(STD_ERROR_HANDLE), text.data(), static_cast<DWORD>(text.size()), &count, nullptr);
+  TerminateProcess(GetCurrentProcess(), kCrashExitCode);
+  for (;;) Sleep(INFINITE);
+}
+
+LONG CALLBACK report(EXCEPTION_POINTERS* fault) {
+  if (call.name == nullptr || calling_thread.load() != GetCurrentThreadId()) return EXCEPTION_CONTINUE_SEARCH;
+  for (const Exception& known : kExceptions) {
+    if (known.code == fault->ExceptionRecord->ExceptionCode) end({call, known.words});
+  }
+  return EXCEPTION_CONTINUE_SEARCH;  // such as an exception of C++
+}
+
+/// Looks once a second at the call that runs.
+class Watch {
+ public:
+  Watch() : thread_([this](const std::stop_token& stop) { look(stop); }) {}
+
+ private:
+  void look(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    std::uint64_t seen = 0;
+    for (int times = 0; !stop.stop_requested();) {
+      wake_.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; });
+      const bool goes_on = call.name != nullptr && calls.load() == seen;
+      times = goes_on ? times + 1 : 0;
+      seen = calls.load();
+      if (times >= kLongestCall) end({call, "does not return", " after 10 s"});
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::jthread thread_;
+};
+
+std::optional<Watch> watch;
+
+}  // namespace
+
+CrashReport::CrashReport() { handler = AddVectoredExceptionHandler(1, report); }
+
+CrashReport::~CrashReport() { RemoveVectoredExceptionHandler(handler); }
+
+CallLimit::CallLimit() { watch.emplace(); }
+
+CallLimit::~CallLimit() { watch.reset(); }
+
+Called::Called(const char* name, std::int64_t scan, tables::Time now) noexcept {
+  call.scan = scan;
+  call.now = now;
+  calls.store(calls.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  calling_thread.store(GetCurrentThreadId(), std::memory_order_relaxed);
+  call.name = name;
+}
+
+Called::~Called() { call.name = nullptr; }
+
+}  // namespace symplant::program
