@@ -46,7 +46,7 @@ std::vector<std::string> lists_of(Context& context, const std::string& path, con
   if (names.empty()) return {path};
   std::vector<std::string> lists;
   for (const std::string& name : names) {
-    const std::string file = (std::filesystem::path(path) / name).string();
+    const std::string file = (std::filesystem::path(path) / name).generic_string();
     diag::Diagnostics unread;
     if (name.starts_with('.') || !context.files.list(file).empty()) continue;
     if (read::read_symbol_list(file, options.read, context.files, unread) || !is_no_list(unread)) {

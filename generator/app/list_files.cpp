@@ -20,7 +20,7 @@ std::vector<fs::path> matching(const std::vector<fs::path>& folders, const std::
       found.push_back(folder / part);
       continue;
     }
-    for (const std::string& name : files.list(folder.empty() ? "." : folder.string())) {
+    for (const std::string& name : files.list(folder.empty() ? "." : folder.generic_string())) {
       if (!name.starts_with('.') && text::matches_pattern(name, part)) found.push_back(folder / name);
     }
   }
@@ -32,10 +32,10 @@ std::vector<fs::path> matching(const std::vector<fs::path>& folders, const std::
 std::vector<std::string> list_files(const std::string& path, const base::FileSystem& files) {
   if (!text::is_pattern(path)) return {path};
   std::vector<fs::path> found{fs::path()};
-  for (const fs::path& part : fs::path(path)) found = matching(found, part.string(), files);
+  for (const fs::path& part : fs::path(path)) found = matching(found, part.generic_string(), files);
   std::vector<std::string> paths;
   for (const fs::path& file : found) {
-    if (files.exists(file.string())) paths.push_back(file.string());
+    if (files.exists(file.generic_string())) paths.push_back(file.generic_string());
   }
   std::sort(paths.begin(), paths.end());
   return paths;

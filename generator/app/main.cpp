@@ -16,7 +16,7 @@ namespace {
 
 std::string working_folder() {
   std::error_code unknown;
-  return std::filesystem::current_path(unknown).string();
+  return std::filesystem::current_path(unknown).generic_string();
 }
 
 #if defined(__SANITIZE_ADDRESS__)

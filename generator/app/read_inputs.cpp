@@ -30,7 +30,7 @@ class InputReader {
 
   std::optional<Inputs> read() {
     progress_.stage("reading " + options_.plant);
-    inputs_.name = fs::path(options_.plant).stem().string();
+    inputs_.name = fs::path(options_.plant).stem().generic_string();
     auto bytes = files_.read(options_.plant);
     const bool described = bytes && description::is_plant_file(options_.plant, *bytes);
     if (described || (bytes && !options_.times.empty())) {
@@ -95,11 +95,13 @@ class InputReader {
     const fs::path plant(options_.plant);
     const fs::path times(options_.times);
     const bool is_relative = times.is_relative() && !plant.parent_path().empty();
-    std::string from_plant = is_relative ? times.lexically_relative(plant.parent_path()).string() : times.string();
-    if (from_plant.empty()) from_plant = fs::absolute(times).lexically_normal().string();  // one of them is absolute
+    std::string from_plant =
+        is_relative ? times.lexically_relative(plant.parent_path()).generic_string() : times.generic_string();
+    if (from_plant.empty())
+      from_plant = fs::absolute(times).lexically_normal().generic_string();  // one of them is absolute
     nlohmann::json root = {{"symplant", 1}, {"include", nlohmann::json::array()}};
-    if (!described) root["symbols"] = {plant.filename().string()};
-    if (described) root["include"].push_back(plant.filename().string());
+    if (!described) root["symbols"] = {plant.filename().generic_string()};
+    if (described) root["include"].push_back(plant.filename().generic_string());
     root["include"].push_back(from_plant);
     return root.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
@@ -215,7 +217,7 @@ class InputReader {
       }
       const std::string here = "/symbols/" + std::to_string(&reference - lists.data());
       const fs::path named = (fs::path(inputs_.source->folder(here)) / reference.file).lexically_normal();
-      const std::vector<std::string> paths = list_files(named.string(), files_);
+      const std::vector<std::string> paths = list_files(named.generic_string(), files_);
       if (paths.empty()) {
         inputs_.faults.push_back(
             {here, "no file matches `" + reference.file + "`; correct the path, which is relative to this file"});

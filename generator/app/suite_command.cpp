@@ -15,9 +15,11 @@ CaseFolder::CaseFolder()
 CaseFolder::~CaseFolder() { std::filesystem::remove_all(path_, error_); }
 
 std::string CaseFolder::error() const {
-  return error_ ? fmt::format("cannot make the folder `{}`: {}", path_.string(), error_.message()) : "";
+  return error_ ? fmt::format("cannot make the folder `{}`: {}", path_.generic_string(), error_.message()) : "";
 }
 
-std::string CaseFolder::trace(std::size_t number) const { return (path_ / fmt::format("{}.jsonl", number)).string(); }
+std::string CaseFolder::trace(std::size_t number) const {
+  return (path_ / fmt::format("{}.jsonl", number)).generic_string();
+}
 
 }  // namespace symplant::app

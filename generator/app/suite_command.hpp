@@ -36,7 +36,7 @@ class CaseFolder {
 
   /// Empty, or why it could not be made.
   std::string error() const;
-  std::string path() const { return path_.string(); }
+  std::string path() const { return path_.generic_string(); }
   std::string trace(std::size_t number) const;
 
  private:

@@ -46,7 +46,7 @@ std::string commonest_ending(const std::string& folder) {
   std::map<std::string, std::size_t> counts;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (entry.is_regular_file(ignored)) ++counts[entry.path().extension().string()];
+    if (entry.is_regular_file(ignored)) ++counts[entry.path().extension().generic_string()];
   }
   counts.erase("");
   const auto most =
@@ -59,8 +59,8 @@ FileError error_of(std::string_view act, const std::string& path, int code) {
   if (code != EISDIR) return {std::move(message)};
   const std::string ending = act == "read" ? commonest_ending(path) : "";
   if (ending.empty()) return {message + "; give a file"};
-  return {message + "; give the files in it, such as `" + (std::filesystem::path(path) / ("*" + ending)).string() +
-          "`"};
+  return {message + "; give the files in it, such as `" +
+          (std::filesystem::path(path) / ("*" + ending)).generic_string() + "`"};
 }
 
 /// Writes to what is not a regular file (a pipe, /dev/stdout), which must not be replaced.
@@ -166,7 +166,7 @@ std::vector<std::string> DiskFileSystem::list(const std::string& folder) const {
   std::vector<std::string> names;
   std::error_code failure;
   for (std::filesystem::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
-    names.push_back(at->path().filename().string());
+    names.push_back(at->path().filename().generic_string());
   }
   return names;
 }

@@ -98,7 +98,7 @@ ResultFile::ResultFile(Header header, const std::string& path, std::string& erro
   std::string name = path;
   if (path.empty()) {
     name = (std::filesystem::temp_directory_path() / fmt::format("symplant-{:08x}.jsonl", std::random_device()()))
-               .string();
+               .generic_string();
     temporary_ = name;
   }
   errno = 0;

@@ -83,7 +83,7 @@ class IncludeReader {
   explicit IncludeReader(const OpenFile& open) : open_(open), schema_(plant_schema()) {}
 
   WholeDescription read(std::shared_ptr<const text::SourceFile> plant) {
-    const std::string path = fs::path(plant->path()).lexically_normal().string();
+    const std::string path = fs::path(plant->path()).lexically_normal().generic_string();
     std::optional<Included> all = read_file(path, std::move(plant));
     if (all) {
       whole_.root = std::make_unique<Json>(std::move(all->value));
@@ -126,7 +126,7 @@ class IncludeReader {
     for (std::size_t i = 0; i < names->size(); ++i) {
       const auto* const name = (*names)[i].get_ptr<const std::string*>();
       if (name == nullptr || name->empty()) continue;  // a fault of its form
-      std::string at = (fs::path(path).parent_path() / *name).lexically_normal().string();
+      std::string at = (fs::path(path).parent_path() / *name).lexically_normal().generic_string();
       if (std::find(seen.begin(), seen.end(), at) != seen.end()) {
         add_fault(file, i, ticked(*name) + " is included twice; remove one of the two");
         continue;

@@ -281,7 +281,7 @@ void find_programs(std::vector<ProgramDescription>& programs, const PlantSource&
     const fs::path own = source.folder((Pointer("/programs") / i / "file").text());
     if (own == folder) continue;
     const fs::path between = own.lexically_relative(folder);
-    programs[i].file = ((between.empty() ? own : between) / programs[i].file).lexically_normal().string();
+    programs[i].file = ((between.empty() ? own : between) / programs[i].file).lexically_normal().generic_string();
   }
 }
 

@@ -35,7 +35,7 @@ Origin PlantSource::origin(std::string_view pointer) const {
 }
 
 std::string PlantSource::folder(std::string_view pointer) const {
-  return std::filesystem::path(files_[origin(pointer).file]->path()).parent_path().string();
+  return std::filesystem::path(files_[origin(pointer).file]->path()).parent_path().generic_string();
 }
 
 std::vector<PlantSource::Place> PlantSource::places(std::span<const json::Fault> values) const {

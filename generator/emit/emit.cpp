@@ -167,13 +167,13 @@ std::optional<Frame> frame_of(const Template& own, const EmitOptions& options, c
   if (options.templates_folder.empty() || (!own.text.empty() && !std::filesystem::exists(file, ignored))) {
     return Frame{"the built-in template " + std::string(own.name), std::string(own.text)};
   }
-  auto read = files.read(file.string());
+  auto read = files.read(file.generic_string());
   if (!read) {
     result.errors.push_back(read.error().message);
     return std::nullopt;
   }
-  result.inputs.push_back(file.string());
-  return Frame{file.string(), std::move(*read)};
+  result.inputs.push_back(file.generic_string());
+  return Frame{file.generic_string(), std::move(*read)};
 }
 
 /// The filled template. Nothing, and an error in `result`, if the template has a fault.
@@ -203,8 +203,8 @@ std::vector<std::string> further_files(const EmitOptions& options, EmitResult& r
   std::error_code unreadable;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(options.templates_folder, unreadable)) {
-    const std::string file = entry.path().filename().string();
-    const std::string path = entry.path().string();
+    const std::string file = entry.path().filename().generic_string();
+    const std::string path = entry.path().generic_string();
     const bool named = file.ends_with(".mustache");
     if (file.front() == '.' && !named) continue;  // hidden: of an editor or a version control
     if (!named || !entry.is_regular_file(ignored)) {
@@ -216,7 +216,7 @@ std::vector<std::string> further_files(const EmitOptions& options, EmitResult& r
       result.errors.push_back(fmt::format("{}: the name of its file is not possible on every system: rename it", path));
       continue;
     }
-    const std::string name = entry.path().stem().string();
+    const std::string name = entry.path().stem().generic_string();
     const auto own = embedded_templates();
     if (std::none_of(own.begin(), own.end(), [&](const Template& known) { return known.name == name; })) {
       names.push_back(name);

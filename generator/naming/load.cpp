@@ -86,7 +86,7 @@ class NamingLoader {
 
   /// The text of a file; null if it cannot be read.
   std::shared_ptr<const text::SourceFile> read_file(const std::string& file, std::string_view remedy) {
-    const std::string path = (fs::path(reference_.folder) / file).lexically_normal().string();
+    const std::string path = (fs::path(reference_.folder) / file).lexically_normal().generic_string();
     auto bytes = files_.read(path);
     if (!bytes) {
       diagnostics_.add(read::kCannotReadFile, bytes.error().message, read::whole_file(path));
@@ -101,7 +101,7 @@ class NamingLoader {
   void read_links(NamingReading& reading) {
     fs::path folder;
     if (!reference_.file.empty()) folder = fs::path(reference_.file).parent_path();
-    loaded_.links_source = read_file((folder / reading.links_file).string(), "save it as CSV in UTF-8");
+    loaded_.links_source = read_file((folder / reading.links_file).generic_string(), "save it as CSV in UTF-8");
     if (loaded_.links_source == nullptr) return;
     LinksFile file = read_links_file(loaded_.links_source, diagnostics_);
     reading.naming->links = std::move(file.links);

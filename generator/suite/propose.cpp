@@ -239,9 +239,9 @@ bool run_base(const Setup& setup, const host::PlantProgram& plant, const std::st
               const std::string& folder, BaseRun& base, std::string& error) {
   host::RunOptions run;
   run.scenario = scenario;
-  run.trace = (fs::path(folder) / "base.jsonl").string();
-  run.vcd = (fs::path(folder) / "base.vcd").string();
-  run.stats = (fs::path(folder) / "base.json").string();
+  run.trace = (fs::path(folder) / "base.jsonl").generic_string();
+  run.vcd = (fs::path(folder) / "base.vcd").generic_string();
+  run.stats = (fs::path(folder) / "base.json").generic_string();
   if (run_with(setup, plant, run, error) != host::kGood) return false;
   std::ifstream stats(run.stats);
   base.end = TraceJson::parse(stats).at("plant_time").get<tables::Time>();
@@ -285,8 +285,8 @@ std::vector<Proposal> spread(std::vector<Proposal> all, std::size_t most) {
 std::vector<std::uint64_t> new_pairs(const Setup& setup, const host::PlantProgram& plant, const Proposal& proposal,
                                      const BaseRun& base, const std::string& folder) {
   host::RunOptions run;
-  run.scenario = (fs::path(folder) / (proposal.name + ".json")).string();
-  run.vcd = (fs::path(folder) / (proposal.name + ".vcd")).string();
+  run.scenario = (fs::path(folder) / (proposal.name + ".json")).generic_string();
+  run.vcd = (fs::path(folder) / (proposal.name + ".vcd")).generic_string();
   std::ofstream(run.scenario, std::ios::binary) << proposal.text;
   std::string messages;
   const int code = run_with(setup, plant, run, messages);

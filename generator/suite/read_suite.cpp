@@ -44,7 +44,7 @@ std::optional<std::string> bytes_of(const std::string& path, std::string& error)
 
 class SuiteReader {
  public:
-  explicit SuiteReader(std::string folder) : path_((fs::path(folder) / kSuiteFile).string()) {
+  explicit SuiteReader(std::string folder) : path_((fs::path(folder) / kSuiteFile).generic_string()) {
     suite_.folder = std::move(folder);
   }
 
@@ -71,7 +71,7 @@ class SuiteReader {
     errors_.push_back(fmt::format("{}:{}:{}: {}", path_, at.line, at.column, fault.message));
   }
 
-  std::string in_folder(const std::string& file) const { return (fs::path(suite_.folder) / file).string(); }
+  std::string in_folder(const std::string& file) const { return (fs::path(suite_.folder) / file).generic_string(); }
 
   void take(const Json& root) {
     suite_.plant = in_folder(root["plant"].get<std::string>());
@@ -114,7 +114,7 @@ class SuiteReader {
       const fs::path& path = entry.path();
       if (path.extension() != ".json" || path.filename() == kSuiteFile || !entry.is_regular_file()) continue;
       if (!suite_.before.empty() && fs::equivalent(path, suite_.before, failed)) continue;
-      if (is_case(path.string())) suite_.cases.push_back(path.stem().string());
+      if (is_case(path.generic_string())) suite_.cases.push_back(path.stem().generic_string());
     }
     std::sort(suite_.cases.begin(), suite_.cases.end());
     check_names();
@@ -145,7 +145,7 @@ class SuiteReader {
     }
     std::error_code failed;
     for (const fs::directory_entry& entry : fs::directory_iterator(suite_.folder, failed)) {
-      const std::string path = entry.path().string();
+      const std::string path = entry.path().generic_string();
       if (!path.ends_with(".reference.jsonl") || known.contains(path)) continue;
       warnings_.push_back(fmt::format("`{}` is the reference trace of no case; rename or remove it", path));
     }
@@ -187,11 +187,13 @@ std::optional<Speed> speed_of(std::string_view name) {
   return found == kSpeeds.end() ? std::nullopt : std::optional(found->first);
 }
 
-std::string Suite::scenario(const std::string& name) const { return (fs::path(folder) / (name + ".json")).string(); }
+std::string Suite::scenario(const std::string& name) const {
+  return (fs::path(folder) / (name + ".json")).generic_string();
+}
 
 std::string Suite::reference(const std::string& name, Speed speed) const {
   const std::string variant = speed == Speed::normal ? "" : "." + std::string(speed_name(speed));
-  return (fs::path(folder) / (name + variant + ".reference.jsonl")).string();
+  return (fs::path(folder) / (name + variant + ".reference.jsonl")).generic_string();
 }
 
 ReadSuite read_suite(const std::string& folder) { return SuiteReader(folder).run(); }

@@ -57,7 +57,7 @@ std::optional<scenario::Scenario> load_scenario(const std::string& path, const t
     return std::nullopt;
   }
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  const auto in_folder = [&](const std::string& included) { return (folder / included).string(); };
+  const auto in_folder = [&](const std::string& included) { return (folder / included).generic_string(); };
   scenario::ReadScenario read = scenario::read_scenario(
       *file.text, names, carried, [&](const std::string& included) { return open_file(in_folder(included)); });
   for (const scenario::FileFaults& found : read.faults) {

@@ -14,7 +14,7 @@
 namespace symplant::host {
 namespace {
 
-std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+std::string stem(const std::string& path) { return std::filesystem::path(path).stem().generic_string(); }
 
 /// Reads the exercises; false, with a message on `err`, if one is not an exercise.
 bool load_exercises(const PanelInput& input, std::vector<panel::ExerciseFile>& files, std::ostream& err) {

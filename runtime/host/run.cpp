@@ -108,7 +108,7 @@ bool read_resumed(const Stage& stage, const RunOptions& options, const scenario:
     err << "error: " << read.error << "\n";
     return false;
   }
-  resumed = Resumed{std::filesystem::path(path).stem().string(), std::move(read.snapshot)};
+  resumed = Resumed{std::filesystem::path(path).stem().generic_string(), std::move(read.snapshot)};
   return true;
 }
 

@@ -63,7 +63,7 @@ std::string fault_of(const ConvertOptions& options, const convert::WriterInfo* w
 
 const convert::WriterInfo* writer_for(const ConvertOptions& options) {
   return options.format.empty()
-             ? convert::writer_of_extension(std::filesystem::path(options.output).extension().string())
+             ? convert::writer_of_extension(std::filesystem::path(options.output).extension().generic_string())
              : convert::find_writer(options.format);
 }
 

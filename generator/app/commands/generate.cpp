@@ -28,11 +28,11 @@ struct GenerateOptions {
 };
 
 std::string in_folder(const GenerateOptions& options, const std::string& name) {
-  return (std::filesystem::path(options.folder) / name).string();
+  return (std::filesystem::path(options.folder) / name).generic_string();
 }
 
 std::string own_path(const GenerateOptions& options, const emit::OwnFile& file) {
-  return (std::filesystem::path(options.behaviours) / file.name).string();
+  return (std::filesystem::path(options.behaviours) / file.name).generic_string();
 }
 
 /// --behaviours: writes the missing files of the user, and leaves the others unchanged. False if writing fails.

@@ -186,7 +186,7 @@ class Infer {
 
   /// An existing file of links may have rows that a person has filled in: it is kept.
   bool write_links(const name::Naming& naming, const infer::Report& report, const std::vector<std::string>& inputs) {
-    const std::string file = (fs::path(options_.output).parent_path() / kLinksFile).string();
+    const std::string file = (fs::path(options_.output).parent_path() / kLinksFile).generic_string();
     if (fs::path(file).lexically_normal() == fs::path(options_.output).lexically_normal()) {
       fail("`" + options_.output + "` is the file of the links: name another file for the naming rule");
       return false;

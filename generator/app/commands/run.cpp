@@ -39,7 +39,7 @@ std::vector<std::string> possible_inputs(const Context& context, const std::stri
   if (std::filesystem::path(plant).extension() != ".json") return files;
   const auto text = context.files.read(plant);
   for (const std::string& file : {run.junit, run.findings, run.stats}) {
-    const std::string name = std::filesystem::path(file).filename().string();
+    const std::string name = std::filesystem::path(file).filename().generic_string();
     if (text && !name.empty() && text->find(name) != std::string::npos) files.push_back(file);
   }
   return files;

@@ -22,7 +22,8 @@ Snapshots::Snapshots(std::string folder, std::size_t block)
   std::error_code unknown;
   if (!has_folder()) return;
   for (const auto& file : std::filesystem::directory_iterator(folder_, unknown)) {
-    if (file.path().extension() == kEnding && entries_.size() < kMostFiles) has_file(file.path().stem().string());
+    if (file.path().extension() == kEnding && entries_.size() < kMostFiles)
+      has_file(file.path().stem().generic_string());
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.name < b.name; });
 }
@@ -64,7 +65,7 @@ bool Snapshots::forget(const std::string& name) {
 }
 
 std::string Snapshots::path(std::string_view name, std::string_view ending) const {
-  return (std::filesystem::path(folder_) / std::string(name).append(ending)).string();
+  return (std::filesystem::path(folder_) / std::string(name).append(ending)).generic_string();
 }
 
 std::shared_ptr<KeptState> Snapshots::find(const std::string& name, std::uint64_t model_hash, std::size_t block,
