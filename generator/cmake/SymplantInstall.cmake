@@ -51,7 +51,7 @@ if(TARGET symplant AND NOT CMAKE_CROSSCOMPILING)
     DEPENDS symplant
     COMMENT "Writing manual pages and completion scripts"
     VERBATIM)
-  add_custom_target(symplant_share ALL DEPENDS ${share}/stamp)
+  add_custom_target(symplant_pages ALL DEPENDS ${share}/stamp)
   install(DIRECTORY ${share}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR} ${tool})
   install(DIRECTORY ${share}/bash-completion ${share}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR} ${tool})
 endif()
