@@ -21,8 +21,6 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_SYMPLANT_PACKAGE_NAME symplant)
 set(CPACK_DEBIAN_SYMPLANT_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_SYMPLANT_PACKAGE_SHLIBDEPS ON)
-# Code pages of symbol lists; a package apart since glibc 2.41.
-set(CPACK_DEBIAN_SYMPLANT_PACKAGE_DEPENDS "libc6 (<< 2.41) | libc-gconv-modules-extra")
 set(CPACK_COMPONENT_SYMPLANT_DESCRIPTION "This package has the tool: it checks the names of PLC symbols, derives a state
 model of each device from them and runs the plant, in virtual time with a test
 script, or in real time with a PLC over Modbus TCP or SLMP. A PLC program can
