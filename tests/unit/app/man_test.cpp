@@ -36,7 +36,8 @@ TEST_CASE("A page has the options of its command, by group, with what they need 
   std::string value;
   command->add_option("PLANT", value, "a plant")->required();
   CLI::Option* color = command->add_option("-c,--color", value, "the color")->type_name("NAME");
-  command->add_flag("--shine", "with light")->needs(color)->group("Light");
+  bool shine = false;
+  command->add_flag("--shine", shine, "with light")->needs(color)->group("Light");
   command->add_option("--secret", value, "hidden")->group("");
   command->footer("Paint is wet.\nExamples:\n  symplant paint -c '#123'\n  .hidden");
   const std::string page = app::command_page(tool, *command);
