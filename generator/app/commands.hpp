@@ -36,5 +36,6 @@ void add_record(CLI::App& app, Context& context);
 void add_show(CLI::App& app, Context& context);
 void add_schema(CLI::App& app, Context& context);
 void add_completion(CLI::App& app, Context& context);
+void add_man(CLI::App& app, Context& context);
 
 }  // namespace symplant::app

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "app/commands.hpp"
+#include "app/exit_statuses.hpp"
 #include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/tables/nearest.hpp"
@@ -20,10 +21,19 @@
 namespace symplant::app {
 namespace {
 
-constexpr std::array kCommands{&add_init,   &add_check,   &add_explain, &add_rules,  &add_generate,  &add_model,
-                               &add_map,    &add_run,     &add_program, &add_doctor, &add_record,    &add_convert,
-                               &add_diff,   &add_compare, &add_learn,   &add_watch,  &add_test,      &add_campaign,
-                               &add_naming, &add_infer,   &add_schema,  &add_show,   &add_completion};
+constexpr std::array kCommands{&add_init,   &add_check,   &add_explain, &add_rules,  &add_generate,   &add_model,
+                               &add_map,    &add_run,     &add_program, &add_doctor, &add_record,     &add_convert,
+                               &add_diff,   &add_compare, &add_learn,   &add_watch,  &add_test,       &add_campaign,
+                               &add_naming, &add_infer,   &add_schema,  &add_show,   &add_completion, &add_man};
+
+/// "Exit codes: 0 good; 1 findings ...".
+std::string exit_codes() {
+  std::string text;
+  for (const ExitStatus& status : kExitStatuses) {
+    text += (text.empty() ? "Exit codes: " : "; ") + std::to_string(status.code) + " " + std::string(status.meaning);
+  }
+  return text + ".";
+}
 
 /// Writes a text line by line, with control characters made visible.
 void report_visibly(const std::string& text, std::ostream& err) {
@@ -57,9 +67,7 @@ void build_commands(CLI::App& app, Context& context) {
   app.description("symplant makes running plants from PLC symbol lists, to test PLC programs against.");
   app.set_version_flag("--version", "symplant " + std::string(tables::version()));
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 good; 1 findings or failed expectations; 2 bad input or usage; 3 the environment (a port in use, "
-      "no permission).\nThe code that symplant generates is yours.");
+  app.footer(exit_codes() + "\nThe code that symplant generates is yours.");
   for (const auto add : kCommands) add(app, context);
 }
 

@@ -35,6 +35,9 @@ function(symplant_floor NAME)
                                                     POSITION_INDEPENDENT_CODE ON)
   target_compile_features(symplant_${NAME} PUBLIC cxx_std_20)
   list(TRANSFORM ARG_FLOORS PREPEND symplant_)
+  if(SYMPLANT_RELEASE)
+    symplant_static_libraries(ARG_LIBRARIES)
+  endif()
   target_link_libraries(symplant_${NAME} PUBLIC ${ARG_FLOORS} PRIVATE $<BUILD_INTERFACE:symplant_options>
                                                                       ${ARG_LIBRARIES})
   if(SYMPLANT_FUZZ)  # coverage for libFuzzer; main() stays that of the program

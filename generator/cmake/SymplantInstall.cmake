@@ -1,5 +1,8 @@
-# Installs the tool, the runtime and the CMake package for both.
+# Installs the tool, the runtime and the CMake package for both, as two components: symplant (the tool and what it reads) and
+# libsymplant-dev (what projects compile and link).
 include(CMakePackageConfigHelpers)
+set(tool COMPONENT symplant)
+set(development COMPONENT libsymplant-dev)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/symplant)
 set(targets symplant_tables symplant_engine symplant_plant symplant_condition symplant_json symplant_share symplant_exec symplant_link symplant_trace symplant_why symplant_scenario symplant_program symplant_panel symplant_host symplant_runtime)
@@ -9,33 +12,52 @@ endif()
 install(
   TARGETS ${targets}
   EXPORT symplantTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(EXPORT symplantTargets NAMESPACE symplant:: DESTINATION ${package_dir})
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${development}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ${development}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${tool})
+install(EXPORT symplantTargets NAMESPACE symplant:: DESTINATION ${package_dir} ${development})
 foreach(floor tables engine plant condition json share exec link trace why scenario program panel host)
   install(
     DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/${floor}
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant ${development}
     FILES_MATCHING
     PATTERN "*.hpp")
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/runtime/program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant)
+install(FILES ${PROJECT_SOURCE_DIR}/runtime/program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant ${development})
 install(
   DIRECTORY ${PROJECT_SOURCE_DIR}/templates
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant ${tool}
   PATTERN program EXCLUDE)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/program DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/program DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant ${tool})
 install(FILES ${PROJECT_SOURCE_DIR}/generator/description/plant.schema.json
               ${PROJECT_SOURCE_DIR}/generator/naming/naming.schema.json
               ${PROJECT_SOURCE_DIR}/generator/suite/suite.schema.json
               ${PROJECT_SOURCE_DIR}/generator/view/model.schema.json
-              ${PROJECT_SOURCE_DIR}/runtime/scenario/scenario.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/schema)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/generator/naming/profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/naming)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+              ${PROJECT_SOURCE_DIR}/runtime/scenario/scenario.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/schema ${tool})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/generator/naming/profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/naming ${tool})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/symplant ${tool})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libsymplant-dev ${development})
+
+# Manual pages and completion, which the built tool writes.
+if(TARGET symplant AND NOT CMAKE_CROSSCOMPILING)
+  set(share ${PROJECT_BINARY_DIR}/share)
+  add_custom_command(
+    OUTPUT ${share}/stamp
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${share}
+    COMMAND symplant man -o ${share}/man/man1
+    COMMAND symplant completion bash -o ${share}/bash-completion/completions/symplant
+    COMMAND symplant completion zsh -o ${share}/zsh/site-functions/_symplant
+    COMMAND ${CMAKE_COMMAND} -E touch ${share}/stamp
+    DEPENDS symplant
+    COMMENT "Writing manual pages and completion scripts"
+    VERBATIM)
+  add_custom_target(symplant_pages ALL DEPENDS ${share}/stamp)
+  install(DIRECTORY ${share}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR} ${tool})
+  install(DIRECTORY ${share}/bash-completion ${share}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR} ${tool})
+endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/generator/cmake/symplantConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/symplantConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/symplantConfig.cmake ${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake
-              generator/cmake/SymplantAddPlant.cmake generator/cmake/SymplantAddProgram.cmake DESTINATION ${package_dir})
+              generator/cmake/SymplantAddPlant.cmake generator/cmake/SymplantAddProgram.cmake DESTINATION ${package_dir} ${development})

@@ -12,4 +12,7 @@ rm -rf "$prefix"
 [[ -f $(find "$prefix" -path '*/symplant/program.h') ]] || fail "no interface of programs"
 [[ -f $prefix/share/symplant/program/strucpp.cpp && -f $prefix/share/symplant/program/matiec.cpp ]] || fail "nothing for compilers"
 [[ -n $(find "$prefix" -name LICENSE) ]] || fail "no licence"
+[[ -f $prefix/share/man/man1/symplant.1 && -f $prefix/share/man/man1/symplant-run.1 ]] || fail "no manual pages"
+(. "$prefix/share/bash-completion/completions/symplant" && complete -p symplant >/dev/null) || fail "no completion for bash"
+[[ $(sed -n 1p "$prefix/share/zsh/site-functions/_symplant") == "#compdef symplant" ]] || fail "no completion for zsh"
 if grep -rlF "$build_dir" "$prefix" --include='*.cmake' --include='*.hpp'; then fail "the package names the build's folder"; fi

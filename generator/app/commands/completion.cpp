@@ -3,10 +3,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <memory>
-#include <ostream>
 #include <string>
 
 #include "app/commands.hpp"
+#include "app/options.hpp"
 
 namespace symplant::app {
 namespace {
@@ -54,17 +54,26 @@ std::string zsh(const CLI::App& app) {
          command_names(app) + " " + long_options(app) + "\n    return\n  fi\n  case \"${words[2]}\" in\n" + cases(app) +
          "  esac\n  if [[ \"${words[CURRENT]}\" == -* ]]; then\n    compadd -- ${=options}\n  else\n    _files\n  "
          "fi\n}\n"
-         "compdef _symplant symplant\n";
+         "if [[ \"${funcstack[1]}\" == _symplant ]]; then  # a file of $fpath, loaded by its first use\n  _symplant "
+         "\"$@\"\nelse\n"
+         "  compdef _symplant symplant\nfi\n";
 }
 
 }  // namespace
 
 void add_completion(CLI::App& app, Context& context) {
-  auto shell = std::make_shared<std::string>();
+  struct Options {
+    std::string shell;
+    std::string output;
+  };
+  auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
-  command->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
-  command->footer("Examples:\n  source <(symplant completion bash)");
-  command->callback([shell, &app, &context] { context.out << (*shell == "bash" ? bash(app) : zsh(app)); });
+  command->add_option("SHELL", options->shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->add_option("-o,--output", options->output, "write it to this file")->type_name("FILE");
+  command->footer("Examples:\n  source <(symplant completion bash)\n  symplant completion zsh -o ~/.zfunc/_symplant");
+  command->callback([options, &app, &context] {
+    write_result(context, options->output, base::whole(options->shell == "bash" ? bash(app) : zsh(app)), {});
+  });
 }
 
 }  // namespace symplant::app

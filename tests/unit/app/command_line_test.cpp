@@ -5,7 +5,8 @@
 namespace symplant::test {
 namespace {
 
-const std::vector<std::string> kCommands{"check", "explain", "rules", "generate", "model", "map", "run", "completion"};
+const std::vector<std::string> kCommands{"check", "explain", "rules",      "generate", "model",
+                                         "map",   "run",     "completion", "man"};
 
 TEST_CASE("An unknown command is reported with the nearest one") {
   MemoryFileSystem files;
