@@ -5,13 +5,15 @@ set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix) # with std::thread
 set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
 
-# No DLL next to the program. Its names of files are UTF-8 (generator/base/windows).
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
-set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")
-set(CMAKE_CXX_FLAGS_INIT "-D_WIN32_WINNT=0x0A00 -DNOMINMAX -DWIN32_LEAN_AND_MEAN -DZIP_STATIC -DUTF8PROC_STATIC -Wa,-mbig-obj")
-set(CMAKE_C_FLAGS_INIT "-D_WIN32_WINNT=0x0A00")
+get_filename_component(project "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+set(libraries ${project}/build/windows-libraries/prefix)
 
-get_filename_component(libraries "${CMAKE_CURRENT_LIST_DIR}/../../build/windows-libraries/prefix" ABSOLUTE)
+# No DLL next to the program, and no byte that depends on the folder or the time of the build.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--no-insert-timestamp")
+set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")
+set(CMAKE_CXX_FLAGS_INIT "-ffile-prefix-map=${project}/= -D_WIN32_WINNT=0x0A00 -DNOMINMAX -DWIN32_LEAN_AND_MEAN -DZIP_STATIC -DUTF8PROC_STATIC -Wa,-mbig-obj")
+set(CMAKE_C_FLAGS_INIT "-ffile-prefix-map=${project}/= -D_WIN32_WINNT=0x0A00")
+
 set(CMAKE_FIND_ROOT_PATH ${libraries} /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
