@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
   }
   std::cerr.flush();
   std::fflush(nullptr);
+  symplant::host::restore_streams();
   if (kLeaksAreLookedFor) return code;
   std::_Exit(code);  // skips the destruction of the plant in `context`
 }

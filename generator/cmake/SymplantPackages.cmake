@@ -1,5 +1,5 @@
 # Debian packages of the two components, by CPack: symplant and libsymplant-dev. scripts/release makes what is packed.
-install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/symplant ${tool})
+install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/symplant ${tool} OPTIONAL)  # scripts/release makes it
 install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/symplant ${tool})
 
 set(CPACK_GENERATOR DEB)

@@ -41,9 +41,7 @@ std::string phase_text(const exec::PlcClockReading& clock) {
 }  // namespace
 
 bool can_draw(const RunOptions& options, const std::ostream& out) {
-  if (&out != &std::cout || uses_standard_output(options) || !is_terminal(Stream::output)) return false;
-  const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): no thread sets variables
-  return kind != nullptr && std::string_view(kind) != "dumb";
+  return &out == &std::cout && !uses_standard_output(options) && is_terminal(Stream::output) && can_redraw_lines();
 }
 
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded) {

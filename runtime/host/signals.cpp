@@ -3,6 +3,8 @@
 
 #include <csignal>
 
+#include "symplant/host/terminal.hpp"
+
 namespace symplant::host {
 namespace {
 
@@ -12,7 +14,7 @@ std::atomic<int> wishes{0};
 static_assert(std::atomic<bool>::is_always_lock_free &&
               std::atomic<int>::is_always_lock_free);  // required in a signal handler
 
-[[maybe_unused]] void hang_up(int) { stop.store(true); }
+void hang_up(int) { stop.store(true); }
 void request_stop(int signal) {
   std::signal(signal, request_stop);  // Windows handles a signal once
   wishes.fetch_add(1);
@@ -26,6 +28,7 @@ void catch_signals() {
   stop.store(false);
   wishes.store(0);
   status_asked.store(false);
+  on_closing([] { hang_up(0); });
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 #ifdef SIGHUP

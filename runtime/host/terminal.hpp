@@ -10,6 +10,9 @@ enum class Stream { input = 0, output = 1, error = 2 };
 
 bool is_terminal(Stream stream);
 
+/// Whether a line of a terminal can be drawn again.
+bool can_redraw_lines();
+
 /// Columns of the terminal of standard output; nothing is known: 0.
 std::size_t terminal_columns();
 
@@ -24,5 +27,9 @@ void write_error_now(std::string_view text);
 
 /// Call once, first: the standard streams carry bytes, and a terminal shows them as UTF-8.
 void set_up_streams();
+/// Calls `stop` when the window of the terminal is closed, if the system reports that otherwise than by a signal.
+void on_closing(void (*stop)());
+/// Call last: the terminal shows text of other programs as before.
+void restore_streams();
 
 }  // namespace symplant::host

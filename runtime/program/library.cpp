@@ -62,6 +62,7 @@ std::variant<std::unique_ptr<Library>, LoadError> Library::open(const std::strin
                                  error ? error.message() : std::string("it is not a file"))};
   }
   // A path without a slash would be searched for among the system's libraries.
+  const std::string folder = std::filesystem::absolute(path).parent_path().string();
   std::string file = std::filesystem::absolute(path).string();
   if (copied) {
     const auto copy = copy_of(path);
@@ -69,7 +70,7 @@ std::variant<std::unique_ptr<Library>, LoadError> Library::open(const std::strin
     file = *copy;
   }
   std::string why;
-  void* const handle = load_object(file, why);
+  void* const handle = load_object(file, folder, why);
   std::string remains = copied ? file : "";
   if (copied && (can_remove_loaded || handle == nullptr)) {
     std::filesystem::remove(std::exchange(remains, ""), error);

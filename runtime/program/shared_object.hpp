@@ -5,8 +5,9 @@
 
 namespace symplant::program {
 
-/// Loads a file with all that it needs; null: `fault` has the reason. `path` is absolute.
-void* load_object(const std::string& path, std::string& fault);
+/// Loads a file with all that it needs; null: `fault` has the reason. Both paths are absolute: Windows also looks in
+/// `folder` for what it needs.
+void* load_object(const std::string& path, const std::string& folder, std::string& fault);
 void unload_object(void* object);
 /// The address of an exported name; null: it exports none.
 void* exported(void* object, const char* name);

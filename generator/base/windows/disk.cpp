@@ -30,8 +30,19 @@ int last_fault() {
   return fault.default_error_condition().value();
 }
 
+/// Another program, such as a scanner of viruses, may read the file for a moment.
+bool is_momentary(DWORD fault) { return fault == ERROR_SHARING_VIOLATION || fault == ERROR_ACCESS_DENIED; }
+
 int rename(const std::string& from, const std::string& to, DWORD how) {
-  return MoveFileExW(fs::path(from).c_str(), fs::path(to).c_str(), how) != 0 ? 0 : last_fault();
+  constexpr int kAttempts = 10;
+  constexpr DWORD kPause = 50;  // ms
+  const fs::path source(from);
+  const fs::path target(to);
+  for (int attempt = 1; MoveFileExW(source.c_str(), target.c_str(), how) == 0; ++attempt) {
+    if (attempt == kAttempts || !is_momentary(GetLastError())) return last_fault();
+    Sleep(kPause);
+  }
+  return 0;
 }
 
 }  // namespace

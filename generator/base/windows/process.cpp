@@ -68,6 +68,26 @@ std::string quoted(const std::string& argument) {
   return text.append(slashes, '\\') + '"';
 }
 
+/// The program on the path, and not one in the working folder, where anyone may have put it; empty: there is none.
+std::wstring found_on_path(const std::string& program) {
+  const DWORD size = GetEnvironmentVariableW(L"PATH", nullptr, 0);
+  std::wstring path(size, L'\0');
+  path.resize(GetEnvironmentVariableW(L"PATH", path.data(), size));
+  std::array<wchar_t, 32'768> found{};
+  const std::wstring name = std::filesystem::path(program).wstring();
+  const DWORD length = SearchPathW(path.c_str(), name.c_str(), L".exe", found.size(), found.data(), nullptr);
+  return length < found.size() ? std::wstring(found.data(), length) : std::wstring();
+}
+
+/// A group of processes that ends with its handle: the program, and what it starts.
+Handle group_that_ends() {
+  Handle group(CreateJobObjectW(nullptr, nullptr));
+  JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
+  limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
+  SetInformationJobObject(group.get(), JobObjectExtendedLimitInformation, &limits, sizeof limits);
+  return group;
+}
+
 std::wstring command_line(const ProcessCall& call) {
   std::string text = quoted(call.program);
   for (const std::string& argument : call.arguments) text += " " + quoted(argument);
@@ -78,7 +98,7 @@ class Child {
  public:
   explicit Child(const ProcessCall& call) : call_(call) {}
   ~Child() {
-    if (process_.get() != nullptr) TerminateProcess(process_.get(), 1);
+    if (process_.get() != nullptr) end();
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -87,6 +107,8 @@ class Child {
     auto in = pipe_of_child();
     auto out = pipe_of_child();
     if (!in || !out) return failure(Kind::failed, call_, "has no pipes: " + last_fault());
+    const std::wstring file = found_on_path(call_.program);
+    if (file.empty()) return failure(Kind::absent, call_, "is not on the path");
     keep_back(in->write);
     keep_back(out->read);
     STARTUPINFOW how{};
@@ -94,13 +116,16 @@ class Child {
     how.dwFlags = STARTF_USESTDHANDLES;
     how.hStdInput = in->read.get();
     how.hStdOutput = out->write.get();
+    SetHandleInformation(nothing_.get(), HANDLE_FLAG_INHERIT, HANDLE_FLAG_INHERIT);
+    how.hStdError = nothing_.get();
     PROCESS_INFORMATION made{};
     std::wstring line = command_line(call_);
-    if (CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr, nullptr, &how, &made) ==
-        0) {
-      if (GetLastError() == ERROR_FILE_NOT_FOUND) return failure(Kind::absent, call_, "is not on the path");
+    if (CreateProcessW(file.c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW | CREATE_SUSPENDED, nullptr,
+                       nullptr, &how, &made) == 0) {
       return failure(Kind::failed, call_, "could not be started: " + last_fault());
     }
+    AssignProcessToJobObject(group_.get(), made.hProcess);
+    ResumeThread(made.hThread);
     CloseHandle(made.hThread);
     process_ = Handle(made.hProcess);
     in_ = std::move(in->write);
@@ -116,7 +141,7 @@ class Child {
     const bool ended = WaitForSingleObject(process_.get(), static_cast<DWORD>(call_.limit.count())) == WAIT_OBJECT_0;
     DWORD code = 0;
     GetExitCodeProcess(process_.get(), &code);
-    if (!ended) TerminateProcess(process_.get(), 1);
+    if (!ended) end();
     writer.join();
     reader.join();
     process_.close();
@@ -129,6 +154,8 @@ class Child {
   }
 
  private:
+  void end() { TerminateJobObject(group_.get(), 1); }
+
   void write() {
     std::string_view rest = call_.input;
     DWORD count = 0;
@@ -145,13 +172,16 @@ class Child {
     while (ReadFile(out_.get(), buffer.data(), buffer.size(), &count, nullptr) != 0 && count != 0) {
       output.append(buffer.data(), count);
       if (output.size() <= call_.most_output) continue;
-      TerminateProcess(process_.get(), 1);
+      end();
       return false;
     }
     return true;
   }
 
   const ProcessCall& call_;
+  Handle group_ = group_that_ends();
+  Handle nothing_{
+      CreateFileW(L"NUL", GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr, OPEN_EXISTING, 0, nullptr)};
   Handle in_;
   Handle out_;
   Handle process_;

@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include "symplant/exec/guard/thread_sanitizer.hpp"
 
 namespace symplant::host {
@@ -17,6 +19,11 @@ constexpr int kMostFiles = 64;  ///< outputs are opened first
 }  // namespace
 
 bool is_terminal(Stream stream) { return isatty(static_cast<int>(stream)) != 0; }
+
+bool can_redraw_lines() {
+  const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): no thread sets variables
+  return kind != nullptr && std::string_view(kind) != "dumb";
+}
 
 std::size_t terminal_columns() {
   winsize size{};
@@ -48,5 +55,9 @@ void write_error_now(std::string_view text) {
 }
 
 void set_up_streams() {}
+
+void on_closing(void (* /*stop*/)()) {}
+
+void restore_streams() {}
 
 }  // namespace symplant::host

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
+#include <system_error>
 
 #include "symplant/link/net/descriptors.hpp"
 #include "symplant/link/net/no_signals.hpp"
@@ -59,7 +59,7 @@ Server::Server(net::Descriptor listener, Responder& responder, ServerOptions opt
   options_.connections = std::max<std::size_t>(options_.connections, 1);
   net::make_room_for(options_.connections);
   if (!sockets_.add(wake_.socket(), {.read = true}) || !sockets_.add(listener_.get(), {.read = true})) {
-    throw std::runtime_error("a socket cannot be waited for: " + net::error_text(net::last_error()));
+    throw std::system_error(net::last_error(), std::generic_category(), "waiting for sockets");
   }
   const net::NoSignals blocked;
   thread_ = std::thread([this] { serve(); });

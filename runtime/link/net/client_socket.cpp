@@ -26,7 +26,7 @@ Ended ClientSocket::connect_to(const addrinfo& address, Deadline deadline) {
   socket_ = open_socket(address.ai_family, address.ai_socktype);
   if (!socket_) return failed(last_error());
   if (::connect(native(socket_.get()), address.ai_addr, static_cast<socklen_t>(address.ai_addrlen)) != 0 &&
-      !would_wait(last_error())) {
+      !is_connecting(last_error())) {
     return failed(last_error());
   }
   if (const Ended ended = wait_for({.write = true}, deadline); ended != Ended::done) return ended;

@@ -46,12 +46,19 @@ int last_error() noexcept;
 std::string error_text(int error);
 /// Whether the call would have to wait.
 bool would_wait(int error) noexcept;
+/// Whether connect() has begun, and goes on.
+bool is_connecting(int error) noexcept;
 
 /// Sockets that do not block, and that no child process inherits; nothing, with last_error(), on failure.
 Descriptor open_socket(int family, int type) noexcept;
 Descriptor accept_client(int listener) noexcept;
-/// A port that no other program listens on can be used at once, though connections of an earlier run still close.
+/// Before bind(): a port that no other program listens on can be used at once, though connections of an earlier run
+/// still close (Windows may need some minutes for them). No other program can listen on it, too.
 void take_port_soon(int socket) noexcept;
+/// Whether the error of bind() may mean that another program has the port.
+bool is_taken(int error) noexcept;
+/// What to do if the system does not permit a port.
+std::string how_to_get_port(std::uint16_t port);
 /// The pending error of a socket; 0: none.
 int pending_error(int socket) noexcept;
 

@@ -13,7 +13,7 @@ namespace symplant::program {
 const bool can_remove_loaded = true;
 const char* const how_to_compile = "compile it as a shared library (-shared -fPIC)";
 
-void* load_object(const std::string& path, std::string& fault) {
+void* load_object(const std::string& path, const std::string& /*folder*/, std::string& fault) {
   void* const object = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (object != nullptr) return object;
   const char* const why = ::dlerror();

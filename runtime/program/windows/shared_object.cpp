@@ -21,10 +21,14 @@ HMODULE module_of(void* object) { return static_cast<HMODULE>(object); }
 const bool can_remove_loaded = false;
 const char* const how_to_compile = "compile it as a DLL for 64-bit Windows (-shared -static)";
 
-void* load_object(const std::string& path, std::string& fault) {
+// Neither the working folder nor the one for temporary files is searched: anyone may put a DLL there.
+void* load_object(const std::string& path, const std::string& folder, std::string& fault) {
   SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOOPENFILEERRORBOX);  // no window for a DLL that is missing
-  HMODULE const object = LoadLibraryExW(fs::path(path).c_str(), nullptr, LOAD_WITH_ALTERED_SEARCH_PATH);
+  const DLL_DIRECTORY_COOKIE added = AddDllDirectory(fs::path(folder).make_preferred().c_str());
+  HMODULE const object =
+      LoadLibraryExW(fs::path(path).make_preferred().c_str(), nullptr, LOAD_LIBRARY_SEARCH_DEFAULT_DIRS);
   if (object == nullptr) fault = std::system_category().message(static_cast<int>(GetLastError()));
+  if (added != nullptr) RemoveDllDirectory(added);
   return object;
 }
 

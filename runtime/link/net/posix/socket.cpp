@@ -40,7 +40,8 @@ void close_socket(int socket) noexcept { ::close(socket); }
 
 int last_error() noexcept { return errno; }
 std::string error_text(int error) { return std::generic_category().message(error); }
-bool would_wait(int error) noexcept { return error == EAGAIN || error == EWOULDBLOCK || error == EINPROGRESS; }
+bool would_wait(int error) noexcept { return error == EAGAIN || error == EWOULDBLOCK; }
+bool is_connecting(int error) noexcept { return error == EINPROGRESS; }
 
 Descriptor open_socket(int family, int type) noexcept {
   return Descriptor(::socket(family, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
@@ -53,6 +54,15 @@ Descriptor accept_client(int listener) noexcept {
 void take_port_soon(int socket) noexcept {
   const int on = 1;
   ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+}
+
+bool is_taken(int error) noexcept { return error == EADDRINUSE; }
+
+std::string how_to_get_port(std::uint16_t port) {
+  constexpr int kFirstFree = 1024;  // ports below it need a privilege
+  if (port >= kFirstFree) return "give another port";
+  return "give one from 1024 on, or allow this program the lower ones by `sudo setcap cap_net_bind_service=+ep "
+         "PROGRAM`";
 }
 
 int pending_error(int socket) noexcept {

@@ -49,10 +49,20 @@ Descriptor prepared(SOCKET socket) noexcept {
   return Descriptor(static_cast<int>(socket));
 }
 
-int milliseconds_until(Deadline deadline) noexcept {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
-  return static_cast<int>(std::clamp<std::int64_t>(left, 0, INT_MAX));
+/// For select(): the time left, not negative.
+timeval time_left(Deadline deadline) noexcept {
+  using std::chrono::microseconds;
+  const auto left = std::chrono::ceil<microseconds>(deadline - std::chrono::steady_clock::now()).count();
+  const std::int64_t bounded = std::clamp<std::int64_t>(left, 0, std::int64_t{INT_MAX} * 1'000'000);
+  return {.tv_sec = static_cast<long>(bounded / 1'000'000), .tv_usec = static_cast<long>(bounded % 1'000'000)};
 }
+
+/// A set of few sockets for select().
+struct Sockets {
+  void add(int socket) noexcept { set.fd_array[set.fd_count++] = native(socket); }
+  bool has(int socket) noexcept { return FD_ISSET(native(socket), &set) != 0; }
+  fd_set set{};
+};
 
 }  // namespace
 
@@ -74,6 +84,7 @@ std::string error_text(int error) {
 }
 
 bool would_wait(int error) noexcept { return error == EAGAIN; }
+bool is_connecting(int error) noexcept { return error == EAGAIN; }
 
 Descriptor open_socket(int family, int type) noexcept {
   start_sockets();
@@ -86,6 +97,14 @@ Descriptor accept_client(int listener) noexcept { return prepared(::accept(nativ
 void take_port_soon(int socket) noexcept {
   const BOOL on = TRUE;
   ::setsockopt(native(socket), SOL_SOCKET, SO_EXCLUSIVEADDRUSE, reinterpret_cast<const char*>(&on), sizeof on);
+}
+
+// Another program's exclusive port may be reported as a lack of permission.
+bool is_taken(int error) noexcept { return error == EADDRINUSE || error == EACCES; }
+
+std::string how_to_get_port(std::uint16_t /*port*/) {
+  return "Windows keeps it for another program, or for Hyper-V, WSL or Docker (`netsh interface ipv4 show "
+         "excludedportrange protocol=tcp` lists these): give another port";
 }
 
 int pending_error(int socket) noexcept {
@@ -123,11 +142,18 @@ void Wakeup::wake() noexcept {
   send(socket(), {&one, 1});
 }
 
+// WSAPoll() of Windows before version 2004 does not report a connection that failed; select() does.
 Readiness wait_for(int wakeup, int socket, Wanted wanted, Deadline deadline) noexcept {
-  const auto events = static_cast<short>((wanted.read ? POLLIN : 0) | (wanted.write ? POLLOUT : 0));
-  std::array<WSAPOLLFD, 2> watched{WSAPOLLFD{native(wakeup), POLLIN, 0}, WSAPOLLFD{native(socket), events, 0}};
-  const int ready = ::WSAPoll(watched.data(), events == 0 ? 1 : 2, milliseconds_until(deadline));
-  return {watched[0].revents != 0, ready > 0 && watched[1].revents != 0};
+  Sockets read;
+  Sockets write;
+  Sockets failed;
+  read.add(wakeup);
+  if (wanted.read) read.add(socket);
+  if (wanted.write) write.add(socket);
+  if (wanted.write) failed.add(socket);
+  timeval left = time_left(deadline);
+  if (::select(0, &read.set, &write.set, &failed.set, &left) <= 0) return {};
+  return {read.has(wakeup), read.has(socket) || write.has(socket) || failed.has(socket)};
 }
 
 }  // namespace symplant::link::net

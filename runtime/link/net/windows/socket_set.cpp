@@ -14,13 +14,16 @@ short events_of(Wanted wanted) { return static_cast<short>((wanted.read ? POLLIN
 }  // namespace
 
 struct SocketSet::Parts {
-  WSAPOLLFD* find(int socket) {
-    const auto found =
-        std::find_if(watched.begin(), watched.end(), [&](const WSAPOLLFD& each) { return each.fd == native(socket); });
-    return found == watched.end() ? nullptr : &*found;
+  struct Watched {
+    int socket;
+    Wanted wanted;
+  };
+  auto find(int socket) {
+    return std::find_if(watched.begin(), watched.end(), [&](const Watched& each) { return each.socket == socket; });
   }
 
-  std::vector<WSAPOLLFD> watched;
+  std::vector<Watched> watched;
+  std::vector<WSAPOLLFD> polled;
   std::vector<Ready> ready;
 };
 
@@ -29,27 +32,39 @@ SocketSet::SocketSet() : parts_(std::make_unique<Parts>()) {}
 SocketSet::~SocketSet() = default;
 
 bool SocketSet::add(int socket, Wanted wanted) noexcept {
-  parts_->watched.push_back({native(socket), events_of(wanted), 0});
+  parts_->watched.push_back({socket, wanted});
   return true;
 }
 
 bool SocketSet::change(int socket, Wanted wanted) noexcept {
-  WSAPOLLFD* const found = parts_->find(socket);
-  if (found != nullptr) found->events = events_of(wanted);
-  return found != nullptr;
+  const auto found = parts_->find(socket);
+  if (found == parts_->watched.end()) return false;
+  found->wanted = wanted;
+  return true;
 }
 
 void SocketSet::remove(int socket) noexcept {
-  std::erase_if(parts_->watched, [&](const WSAPOLLFD& each) { return each.fd == native(socket); });
+  const auto found = parts_->find(socket);
+  if (found != parts_->watched.end()) parts_->watched.erase(found);
 }
 
+// A peer that has ended its half is reported in each call, wanted or not: only to one that reads. Of a socket of which
+// nothing is wanted, nothing is asked.
 std::span<const SocketSet::Ready> SocketSet::wait(int milliseconds) noexcept {
+  parts_->polled.clear();
   parts_->ready.clear();
-  if (::WSAPoll(parts_->watched.data(), static_cast<ULONG>(parts_->watched.size()), milliseconds) <= 0) return {};
-  for (const WSAPOLLFD& each : parts_->watched) {
-    if (each.revents == 0) continue;
-    parts_->ready.push_back({static_cast<int>(each.fd), (each.revents & (POLLIN | POLLHUP | POLLERR | POLLNVAL)) != 0,
-                             (each.revents & POLLOUT) != 0});
+  for (const Parts::Watched& each : parts_->watched) {
+    const bool is_idle = !each.wanted.read && !each.wanted.write;
+    parts_->polled.push_back({is_idle ? INVALID_SOCKET : native(each.socket), events_of(each.wanted), 0});
+  }
+  if (::WSAPoll(parts_->polled.data(), static_cast<ULONG>(parts_->polled.size()), milliseconds) <= 0) return {};
+  for (std::size_t i = 0; i < parts_->polled.size(); ++i) {
+    const short events = parts_->polled[i].revents;
+    const Parts::Watched& each = parts_->watched[i];
+    const bool has_failed = (events & (POLLERR | POLLNVAL)) != 0;
+    const bool can_read = has_failed || (each.wanted.read && (events & (POLLIN | POLLHUP)) != 0);
+    const bool can_write = (events & POLLOUT) != 0;
+    if (can_read || can_write) parts_->ready.push_back({each.socket, can_read, can_write});
   }
   return parts_->ready;
 }
