@@ -67,6 +67,7 @@ void build_commands(CLI::App& app, Context& context) {
   app.description("symplant makes running plants from PLC symbol lists, to test PLC programs against.");
   app.set_version_flag("--version", "symplant " + std::string(tables::version()));
   app.require_subcommand(1);
+  app.allow_windows_style_options(false);  // `/x` is a path everywhere
   app.footer(exit_codes() + "\nThe code that symplant generates is yours.");
   for (const auto add : kCommands) add(app, context);
 }

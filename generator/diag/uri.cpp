@@ -27,14 +27,24 @@ std::string percent_encoded(std::string_view bytes) {
   return text;
 }
 
+/// `/a`, and of Windows `C:/a` and `//server/share/a`.
+std::string absolute_uri(const fs::path& file) {
+  const std::string drive = file.root_name().generic_string();
+  const std::string rest = percent_encoded(file.generic_string().substr(drive.size()));
+  if (drive.empty()) return "file://" + rest;
+  if (drive.starts_with("//")) return "file:" + drive + rest;
+  return "file:///" + drive + rest;
+}
+
 }  // namespace
 
 std::string file_uri(std::string_view path, std::string_view folder) {
   fs::path file = fs::path(path).lexically_normal();
-  if (file.is_relative()) return percent_encoded(file.generic_string());
+  if (!file.has_root_directory()) return percent_encoded(file.generic_string());
+  if (!file.has_root_name()) file = fs::path(folder).root_name() / file;  // the drive, on Windows
   const fs::path inside = folder.empty() ? fs::path() : file.lexically_relative(fs::path(folder).lexically_normal());
   if (!inside.empty() && *inside.begin() != "..") return percent_encoded(inside.generic_string());
-  return "file://" + percent_encoded(file.generic_string());
+  return absolute_uri(file);
 }
 
 }  // namespace symplant::diag

@@ -7,8 +7,10 @@
 #include <windows.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace symplant::base::disk {
@@ -45,11 +47,23 @@ int rename(const std::string& from, const std::string& to, DWORD how) {
   return 0;
 }
 
+/// Whether a name means a device: `NUL`, `con`, in Windows 10 also `C:/x/con.txt`, and a pipe.
+bool is_device(const std::wstring& name) {
+  constexpr std::wstring_view kDevices = LR"(\\.\)";
+  std::array<wchar_t, kDevices.size() + MAX_PATH> full{};
+  const DWORD size = GetFullPathNameW(name.c_str(), full.size(), full.data(), nullptr);
+  return size < full.size() && std::wstring_view(full.data(), size).starts_with(kDevices);
+}
+
 }  // namespace
 
 About about(const std::string& path) {
-  struct _stat64 found {};
-  return ::_wstat64(fs::path(path).c_str(), &found) == 0 ? about(found) : About{.fault = errno};
+  const std::wstring name = fs::path(path).wstring();
+  if (is_device(name)) return {.kind = Kind::other};
+  WIN32_FILE_ATTRIBUTE_DATA found{};
+  if (GetFileAttributesExW(name.c_str(), GetFileExInfoStandard, &found) == 0) return About{.fault = last_fault()};
+  if ((found.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0) return {.kind = Kind::folder};
+  return {.kind = Kind::regular, .size = std::uint64_t{found.nFileSizeHigh} << 32U | found.nFileSizeLow};
 }
 
 About about(int file) {

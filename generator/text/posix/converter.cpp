@@ -81,11 +81,15 @@ class Converter {
   bool step(std::string_view& rest, char* out, std::size_t& room) {
     const char* in = rest.data();
     std::size_t left = rest.size();
-    const std::size_t result = call(&iconv, converter_, &in, &left, &out, &room);
-    const bool full = result == static_cast<std::size_t>(-1) && errno == E2BIG;
+    std::size_t result = call(&iconv, converter_, &in, &left, &out, &room);
     rest = rest.substr(rest.size() - left);
-    return full;
+    if (is_full(result)) return true;
+    // In cp1255 and cp1258 a letter is kept until it is known that no tone follows.
+    result = ::iconv(converter_, nullptr, nullptr, &out, &room);
+    return is_full(result);
   }
+
+  static bool is_full(std::size_t result) { return result == static_cast<std::size_t>(-1) && errno == E2BIG; }
 
   iconv_t converter_;
 };

@@ -1,4 +1,7 @@
 // Converts code pages by Windows, one character at a time.
+//
+// Differences from iconv of glibc: Hebrew points (cp1255) and Vietnamese tones (cp1258) stay characters that follow a
+// letter, which normal form C makes equal; the byte CA of cp1255 is U+05BA, which glibc does not know.
 #include "text/converter.hpp"
 
 #include <windows.h>
@@ -12,6 +15,7 @@
 namespace symplant::text {
 namespace {
 
+constexpr unsigned kShiftJis = 932;
 constexpr unsigned kGb18030 = 54936;
 
 unsigned code_page(Encoding encoding) {
@@ -49,7 +53,7 @@ class Page {
     std::array<wchar_t, 4> units{};
     const int count = MultiByteToWideChar(number_, MB_ERR_INVALID_CHARS, rest.data(), static_cast<int>(size),
                                           units.data(), static_cast<int>(units.size()));
-    if (count < 1 || is_unassigned(units[0])) return false;
+    if (count < 1 || is_unassigned(units[0], size)) return false;
     char32_t character = units[0];
     if (count == 2) character = 0x10000 + ((units[0] - 0xD800U) << 10U) + (units[1] - 0xDC00U);
     append_utf8(text, character);
@@ -58,10 +62,13 @@ class Page {
   }
 
  private:
-  /// Windows gives bytes without a meaning control characters, and in code pages of one byte characters for private
-  /// use.
-  bool is_unassigned(wchar_t unit) const {
-    return (unit >= 0x80 && unit < 0xA0) || (of_one_byte_ && unit >= 0xE000 && unit < 0xF900);
+  /// Windows gives bytes without a meaning control characters, characters for private use, and the byte A0 of cp932 a
+  /// blank. In two bytes, cp932 and GB 18030 have characters for private use.
+  bool is_unassigned(wchar_t unit, std::size_t bytes) const {
+    if (unit >= 0x80 && unit < 0xA0) return true;
+    const bool is_private = unit >= 0xE000 && unit < 0xF900;
+    if (bytes == 1) return is_private || (unit == 0xA0 && !of_one_byte_);
+    return is_private && number_ != kShiftJis && number_ != kGb18030;
   }
 
   unsigned number_;

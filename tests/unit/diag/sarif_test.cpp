@@ -213,5 +213,12 @@ TEST_CASE("A file's URI is encoded byte by byte, and relative if possible") {
   CHECK(diag::file_uri("/home/cider/a.csv", "/home/ci") == "file:///home/cider/a.csv");
   CHECK(diag::file_uri("/home/ci/a.csv", "") == "file:///home/ci/a.csv");
   CHECK(diag::file_uri("../a.csv", "/home/ci") == "../a.csv");
+#ifndef _WIN32
   CHECK(diag::file_uri("1:2 %?#\\\xED\x81\xB4\xFF.csv", "") == "1%3A2%20%25%3F%23%5C%ED%81%B4%FF.csv");
+#else
+  CHECK(diag::file_uri("C:\\ci\\x y\\a.csv", "C:/ci") == "x%20y/a.csv");
+  CHECK(diag::file_uri("C:\\ci\\a.csv", "D:/ci") == "file:///C:/ci/a.csv");
+  CHECK(diag::file_uri("\\x\\a.csv", "D:/ci") == "file:///D:/x/a.csv");
+  CHECK(diag::file_uri("\\\\server\\lists\\a.csv", "C:/ci") == "file://server/lists/a.csv");
+#endif
 }
