@@ -21,7 +21,8 @@ void request_stop(int signal) {
   stop.store(true);
 }
 #ifdef SIGBREAK
-/// Ctrl-Break, or the console's window is closed, which ends the process when this returns: the run has 5 s for its files.
+/// Ctrl-Break, or the console's window is closed, which ends the process when this returns: the run has 5 s for its
+/// files.
 void close_window(int) {
   stop.store(true);
   std::this_thread::sleep_for(std::chrono::seconds(5));

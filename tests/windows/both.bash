@@ -49,7 +49,7 @@ windows_does() {
   commands=$((commands + 1))
   local code=0
   (cd "$work/data" && timeout 60 wine "$windows" "${@:3}" >"$work/out" 2>&1) </dev/null || code=$?
-  if ((code != $1)) || ! grep -qF -- "$2" "$work/out"; then
+  if ((code != $1)) || [[ $(<"$work/out") != *"$2"* ]]; then
     echo "exit code $code, expected $1 and: $2" >>"$work/out"
     different "${*:3}" "$work/out"
   fi
@@ -59,6 +59,7 @@ different() { # CASE FILE: the difference
   failed+=("symplant $1")
   printf 'DIFFERENT: symplant %s\n' "$1"
   head -c 2000 "$2"
+  echo
 }
 
 summary() {
