@@ -1,9 +1,7 @@
 // The signals that a run handles.
 #include "symplant/host/signals.hpp"
 
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 namespace symplant::host {
 namespace {
@@ -20,14 +18,6 @@ void request_stop(int signal) {
   wishes.fetch_add(1);
   stop.store(true);
 }
-#ifdef SIGBREAK
-/// Ctrl-Break, or the console's window is closed, which ends the process when this returns: the run has 5 s for its
-/// files.
-void close_window(int) {
-  stop.store(true);
-  std::this_thread::sleep_for(std::chrono::seconds(5));
-}
-#endif
 [[maybe_unused]] void request_status(int) { status_asked.store(true); }
 
 }  // namespace
@@ -38,9 +28,6 @@ void catch_signals() {
   status_asked.store(false);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
-#ifdef SIGBREAK
-  std::signal(SIGBREAK, close_window);
-#endif
 #ifdef SIGHUP
   if (std::signal(SIGHUP, hang_up) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 #endif

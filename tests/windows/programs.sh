@@ -35,7 +35,16 @@ same program --check programs/drill.so examples/excell/excell.csv
 same test examples/excell/suite --program programs/cell.so --junit out/junit.xml --html out/page.html --jobs 1 -o out/results.jsonl
 same test examples/excell/suite --program programs/slow.so --junit out/junit.xml --html out/page.html --plants normal,fast
 same test examples/excell/suite --program programs/cell.so --jobs 1 --shard 1/2 -o out/part.jsonl
-same test --new examples/excell/suite --base cycles --program programs/cell.so --most 5
+
+# Proposed cases are written into the suite: each tool has a copy of it.
+cp -r "$work/data/examples/excell" "$work/new-linux"
+cp -r "$work/data/examples/excell" "$work/new-windows"
+propose=(test --new suite --base cycles --most 5 --program)
+(cd "$work/new-linux" && "$linux" "${propose[@]}" "$work/data/programs/cell.so" >out 2>&1) || true
+(cd "$work/new-windows" && wine "$windows" "${propose[@]}" "$work/data/programs/cell.dll" >out 2>&1) || true
+commands=$((commands + 1))
+diff -r "$work/new-linux" "$work/new-windows" >"$work/difference" || different "${propose[*]}" "$work/difference"
+
 same campaign examples/drill-station/plant.json --base examples/drill-station/two-parts.json --program programs/holes.so --csv out/faults.csv \
   --html out/page.html --junit out/junit.xml --jobs 1 -o out/results.jsonl
 
