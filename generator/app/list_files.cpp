@@ -30,10 +30,9 @@ std::vector<fs::path> matching(const std::vector<fs::path>& folders, const std::
 }  // namespace
 
 std::vector<std::string> list_files(const std::string& path, const base::FileSystem& files) {
-  const fs::path below_root = fs::path(path).relative_path();
-  if (!text::is_pattern(below_root.generic_string())) return {path};
-  std::vector<fs::path> found{fs::path(path).root_path()};
-  for (const fs::path& part : below_root) found = matching(found, part.generic_string(), files);
+  if (!text::is_pattern(path)) return {path};
+  std::vector<fs::path> found{fs::path()};
+  for (const fs::path& part : fs::path(path)) found = matching(found, part.generic_string(), files);
   std::vector<std::string> paths;
   for (const fs::path& file : found) {
     if (files.exists(file.generic_string())) paths.push_back(file.generic_string());

@@ -27,13 +27,11 @@ std::string percent_encoded(std::string_view bytes) {
   return text;
 }
 
-/// `/a`, and of Windows `C:/a` and `//server/share/a`.
+/// `/a`, and of Windows `C:/a`.
 std::string absolute_uri(const fs::path& file) {
   const std::string drive = file.root_name().generic_string();
   const std::string rest = percent_encoded(file.generic_string().substr(drive.size()));
-  if (drive.empty()) return "file://" + rest;
-  if (drive.starts_with("//")) return "file:" + drive + rest;
-  return "file:///" + drive + rest;
+  return (drive.empty() ? "file://" : "file:///" + drive) + rest;
 }
 
 }  // namespace

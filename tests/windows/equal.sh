@@ -3,47 +3,10 @@
 # by byte: standard output, messages, exit code, files. usage: equal.sh SOURCE LINUX-TOOL WINDOWS-TOOL [CASE-PATTERN]
 # Needs Wine (wine64) and the compiler of mingw-w64. SYMPLANT_CORPUS: a folder of real symbol lists, which are read, too.
 set -euo pipefail
-source=$(realpath "$1") linux=$(realpath "$2") windows=$(realpath "$3") pattern=${4-}
+# shellcheck source=tests/windows/both.bash
+. "$(dirname "${BASH_SOURCE[0]}")/both.bash"
 
-command -v wine >/dev/null || { echo "skipped: Wine is not installed"; exit 77; }
-work=$(mktemp -d)
-trap 'WINEPREFIX="$work/wine" wineserver -k >/dev/null 2>&1 || true; rm -rf "$work"' EXIT
-export WINEPREFIX="$work/wine" WINEDEBUG=-all WINEDLLOVERRIDES="mscoree=;mshtml=" NO_COLOR=1 TZ=UTC
-mkdir "$work/data" "$work/linux" "$work/windows"
-cp -r "$source/examples" "$source/tests/golden" "$work/data"
 if [[ -n ${SYMPLANT_CORPUS-} ]]; then cp -r "$SYMPLANT_CORPUS" "$work/data/corpus"; fi
-wine "$windows" --version >/dev/null
-
-commands=0 failed=()
-
-run_in() { # FOLDER TOOL...: ARGUMENTS of the case, from a fresh copy of nothing but links to the data
-  local folder=$1
-  shift
-  mkdir -p "$folder/files"
-  (
-    cd "$folder/files"
-    ln -s "$work/data"/* .
-    set +e
-    "$@" >../out 2>../err </dev/null
-    echo "$?" >../code
-    find . -maxdepth 1 -type l -delete
-  )
-}
-
-# same ARGUMENT...: one command. Files that it makes have names below out/.
-same() {
-  [[ -z $pattern || "$*" == *$pattern* ]] || return 0
-  commands=$((commands + 1))
-  rm -rf "$work/linux/"* "$work/windows/"*
-  run_in "$work/linux" "$linux" "$@"
-  run_in "$work/windows" wine "$windows" "${@//.so/.dll}"
-  sed -i 's/\.dll\b/.so/g' "$work/windows/out" "$work/windows/err"
-  if ! diff -r "$work/linux" "$work/windows" >"$work/difference" 2>&1; then
-    failed+=("symplant $*")
-    printf 'DIFFERENT: symplant %s\n' "$*"
-    head -c 2000 "$work/difference"
-  fi
-}
 
 for list in data/golden/read/*/* data/golden/check/*/* data/corpus/*/* data/corpus/*; do
   [[ -f $work/$list ]] || continue
@@ -79,5 +42,4 @@ for scenario in "$work"/data/examples/*/*.json "$work"/data/examples/gallery/*/*
   same run "$plant" --scenario "${scenario#"$work/data/"}" --trace out/trace.jsonl --vcd out/run.vcd --findings out/findings.json --junit out/junit.xml
 done
 
-printf '%d commands, %d of them different\n' "$commands" "${#failed[@]}"
-((commands > 0 && ${#failed[@]} == 0))
+summary

@@ -63,6 +63,12 @@ TEST_CASE("cp949 is windows-949: 8C 63 is U+B620, 5C is a backslash") {
   CHECK(decoded("\xC5\xAC\xB7\xA5\xC7\xC1_\xC0\xFC\xC1\xF8", Encoding::cp949) == "클램프_전진");
 }
 
+TEST_CASE("The last character of a text in cp1255 or cp1258 is kept, whether a tone could follow it or not") {
+  CHECK(decoded("\xC3", Encoding::cp1258) == "\xC4\x82");
+  CHECK(decoded("a\xF5 b|", Encoding::cp1258) == "a\xC6\xA1 b|");
+  CHECK(decoded("\xE0", Encoding::cp1255) == "\xD7\x90");
+}
+
 TEST_CASE("Each code page decodes its characters, and ASCII unchanged") {
   std::string ascii;
   for (char c = ' '; c <= '~'; ++c) ascii += c;

@@ -38,6 +38,7 @@ std::optional<PortOwner> owner_of_port(const sockaddr& address) {
     const MIB_TCPROW_OWNER_PID& row = table.table[i];
     if (static_cast<u_short>(row.dwLocalPort) != wanted.sin_port) continue;
     if (!collides(row.dwLocalAddr, wanted.sin_addr.s_addr)) continue;
+    if (row.dwOwningPid == 0) return std::nullopt;
     return PortOwner{program_of(row.dwOwningPid), row.dwOwningPid, row.dwOwningPid == GetCurrentProcessId()};
   }
   return std::nullopt;
