@@ -62,7 +62,7 @@ class MalfunctionWriter {
   /// Some of the events that it forces have what they show when it starts.
   void hold(GivenEffect& given) {
     for (auto& [name, value] : given.force) {
-      const auto is_it = [&name = name](const model::Symbol& symbol) { return symbol.name() == name; };
+      const auto is_it = [&forced = name](const model::Symbol& symbol) { return symbol.name() == forced; };
       const auto symbol = std::find_if(model_.symbols.begin(), model_.symbols.end(), is_it);
       if (symbol == model_.symbols.end() || symbol->direction == tables::Direction::operation) continue;
       if (dice_.percent(35)) value = {std::nullopt, "hold", "`\"hold\"`", true};
