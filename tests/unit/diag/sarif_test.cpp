@@ -10,6 +10,7 @@
 #include "support/findings.hpp"
 
 using namespace symplant;
+using test::about;
 using nlohmann::json;
 
 namespace {
