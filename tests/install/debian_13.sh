@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The README's two commands on a fresh Debian 13, in a folder made by debootstrap. usage: debian_13.sh SOURCE
+# The README's two commands on a fresh Debian 13, in a folder made by debootstrap, and the second one with clang, too.
+# usage: debian_13.sh SOURCE
 # Needs root, debootstrap and Debian's package server; without them it is skipped (77).
 set -euo pipefail
 source=$1
@@ -18,9 +19,10 @@ cp /etc/resolv.conf "$root/etc/resolv.conf"
 mkdir "$root/symplant"
 tar -C "$source" --exclude=./build --exclude=./.git -c . | tar -C "$root/symplant" -x --no-same-owner
 
-run() { # COMMAND: one of the README's, as root of the new system
+run() { # COMMAND: as root of the new system
   echo "== $1 on Debian $(cat "$root/etc/debian_version")"
   chroot "$root" env -i ${http_proxy:+http_proxy="$http_proxy"} HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 bash -c "cd /symplant && $1"
 }
 run scripts/demo
 run scripts/test
+run "scripts/test --clang"
