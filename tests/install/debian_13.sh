@@ -11,7 +11,7 @@ command -v debootstrap >/dev/null || { echo "skipped: debootstrap is not install
 [[ ${UNSHARED-} == yes ]] || UNSHARED=yes exec unshare --mount "$0" "$@"
 
 root=$(mktemp -d)
-trap 'umount --recursive "$root/proc" "$root/sys" "$root/dev"; rm -rf "$root"' EXIT
+trap 'umount --recursive "$root/proc" "$root/sys" "$root/dev" && rm -rf --one-file-system "$root"' EXIT # only without mounts
 debootstrap --variant=minbase --include=ca-certificates trixie "$root" >"$root.log" || { cat "$root.log"; exit 1; }
 rm "$root.log"
 for folder in proc sys dev; do mount --rbind "/$folder" "$root/$folder"; done
