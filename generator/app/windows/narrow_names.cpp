@@ -52,7 +52,7 @@ extern "C" std::size_t mbrtowc(wchar_t* to, const char* from, std::size_t size, 
     if (!is_continuation(from[i])) return fail();
     value = value << 6U | (static_cast<std::uint8_t>(from[i]) & 0x3FU);
   }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};  // of a character with so many bytes
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};  // of a character by its number of bytes
   if (value < kLeast[bytes] || value > 0x10FFFF || (value >= 0xD800 && value < 0xE000)) return fail();
   if (value < 0x10000) {
     if (to != nullptr) *to = static_cast<wchar_t>(value);
