@@ -15,7 +15,7 @@ trap 'umount --recursive "$root/proc" "$root/sys" "$root/dev" && rm -rf --one-fi
 debootstrap --variant=minbase --include=ca-certificates trixie "$root" >"$root.log" || { cat "$root.log"; exit 1; }
 rm "$root.log"
 for folder in proc sys dev; do mount --rbind "/$folder" "$root/$folder"; done
-cp /etc/resolv.conf "$root/etc/resolv.conf"
+cp /etc/resolv.conf /etc/hosts "$root/etc" # debootstrap makes no hosts, and links use the name localhost
 mkdir "$root/symplant"
 tar -C "$source" --exclude=./build --exclude=./.git -c . | tar -C "$root/symplant" -x --no-same-owner
 
