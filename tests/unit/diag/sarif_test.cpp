@@ -10,8 +10,8 @@
 #include "support/findings.hpp"
 
 using namespace symplant;
-using test::about;
 using nlohmann::json;
+using test::about;
 
 namespace {
 
