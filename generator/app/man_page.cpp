@@ -60,7 +60,10 @@ std::string other_options(const std::string& verb, const std::set<CLI::Option*>&
   std::set<std::string> names;
   for (const CLI::Option* other : others) names.insert(roff_bold(other->get_name()));
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? " " + verb + " " : ", ") + name;
+  for (const std::string& name : names) {
+    text += text.empty() ? " " + verb + " " : ", ";
+    text += name;
+  }
   return text.empty() ? "" : text + ".";
 }
 
