@@ -60,5 +60,5 @@ int main(int argc, char** argv) {
   std::fflush(nullptr);
   symplant::host::restore_streams();
   if (kLeaksAreLookedFor) return code;
-  std::_Exit(code);  // skips the destruction of the plant in `context`
+  symplant::host::end_process(code);  // skips the destruction of the plant in `context`
 }

@@ -22,7 +22,7 @@ constexpr int kLooks = 3;  ///< a slow reader takes something in between
 
 [[noreturn]] void end_at_once(std::string_view why) {
   write_error_now(why);
-  std::_Exit(kEnvironment);
+  end_process(kEnvironment);
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ void write_error_now(std::string_view text);
 void set_up_streams();
 /// Calls `stop` when the window of the terminal is closed, if the system reports that otherwise than by a signal.
 void on_closing(void (*stop)());
+/// Ends the process without the destruction of anything, after the streams are flushed.
+[[noreturn]] void end_process(int code);
 /// Call last: the terminal shows text of other programs as before.
 void restore_streams();
 

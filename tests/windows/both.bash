@@ -20,6 +20,7 @@ run_in() { # FOLDER TOOL...: ARGUMENTS of the case, from a fresh copy of nothing
   (
     cd "$folder/files" || exit
     ln -s "$work/data"/* .
+    mkdir out
     set +e
     timeout 60 "$@" >../out 2>../err </dev/null
     echo "$?" >../code
@@ -27,7 +28,7 @@ run_in() { # FOLDER TOOL...: ARGUMENTS of the case, from a fresh copy of nothing
   )
 }
 
-# same ARGUMENT...: one command. Files that it makes have names below out/. A program NAME.so is NAME.dll on Windows.
+# same ARGUMENT...: one command, which ends without an error of the environment on Linux, so that it shows something. Files that it makes have names below out/. A program NAME.so is NAME.dll on Windows.
 same() {
   [[ -z $pattern || "$*" == *$pattern* ]] || return 0
   commands=$((commands + 1))
@@ -40,6 +41,8 @@ same() {
     's/ time="[0-9.e-]+"//g; s/"seconds":"?[0-9.e-]+"?//g; s/(\.so, )[0-9a-f]{16}/\1/g; s|\.\./linux/files/||' {} +
   if ! diff -r "$work/linux" "$work/windows" >"$work/difference" 2>&1; then
     different "$*" "$work/difference"
+  elif [[ $(<"$work/linux/code") == 3 && $1 != doctor ]]; then
+    different "$* does nothing on Linux" "$work/linux/err"
   fi
 }
 

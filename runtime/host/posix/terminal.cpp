@@ -58,6 +58,8 @@ void set_up_streams() {}
 
 void on_closing(void (* /*stop*/)()) {}
 
+void end_process(int code) { std::_Exit(code); }
+
 void restore_streams() {}
 
 }  // namespace symplant::host

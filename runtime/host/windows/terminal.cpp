@@ -74,6 +74,12 @@ void on_closing(void (*stop)()) {
   SetConsoleCtrlHandler(closing, TRUE);
 }
 
+// Unlike ExitProcess(), it does not wait for anything that a thread that it ended may have held.
+void end_process(int code) {
+  TerminateProcess(GetCurrentProcess(), static_cast<UINT>(code));
+  for (;;) Sleep(INFINITE);
+}
+
 void restore_streams() {
   if (output_before == 0) return;
   SetConsoleOutputCP(output_before);
