@@ -2,7 +2,6 @@
 #include "symplant/host/last_resort.hpp"
 
 #include <chrono>
-#include <cstdlib>
 #include <string_view>
 
 #include "symplant/host/exit_codes.hpp"
