@@ -38,7 +38,7 @@ same() {
   find "$work/windows" -type f -exec sed -i 's/\.dll\b/.so/g' {} +
   # How long a run took, the hash of a program, and the folder behind the links to the data, are no results.
   find "$work/linux" "$work/windows" -type f -exec sed -Ei \
-    's/ time="[0-9.e-]+"//g; s/"seconds":"?[0-9.e-]+"?//g; s/(\.so, )[0-9a-f]{16}/\1/g; s|\.\./linux/files/||' {} +
+    's/ time="[0-9.e-]+"//g; s/"seconds":"?[0-9.e-]+"?//g; s/(\.so, )[0-9a-f]{16}/\1/g; s/"digest":"[0-9a-f]{16}"//g; s|\.\./linux/files/||' {} +
   if ! diff -r "$work/linux" "$work/windows" >"$work/difference" 2>&1; then
     different "$*" "$work/difference"
   elif [[ $(<"$work/linux/code") == 3 && $1 != doctor ]]; then
