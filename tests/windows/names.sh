@@ -25,7 +25,7 @@ same check /missing/plant.json
 deep=$(printf 'a%.0s' {1..120})
 deep=out/$deep/$deep/$deep
 same generate examples/cell/plant.json -o "$deep"
-same run examples/cell/plant.json --until 5s --trace "$deep/trace.jsonl"
+same model examples/cell/plant.json --format json -o "$deep/model.json"
 
 # Ends of lines.
 for file in cell/plant.json cell/symbols.csv excell/excell.csv excell/figure6.json; do sed 's/$/\r/' "examples/$file" >"bytes/${file##*/}"; done
