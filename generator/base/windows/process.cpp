@@ -68,7 +68,7 @@ std::string quoted(const std::string& argument) {
   return text.append(slashes, '\\') + '"';
 }
 
-/// The program on the path, and not one in the working folder, where anyone may have put it; empty: there is none.
+/// The program on the path, and not one in the working folder, where anyone may have put it; empty: not found.
 std::wstring found_on_path(const std::string& program) {
   const DWORD size = GetEnvironmentVariableW(L"PATH", nullptr, 0);
   std::wstring path(size, L'\0');

@@ -13,6 +13,9 @@ enum class AfterAccept {
   pause,     ///< wait: the system has no descriptor or memory left; closing a client may not help
 };
 
+/// Whether the error of an accept() means this client only.
+bool concerns_client(int error) noexcept;
+
 /// By last_error() of accept_client(). A network error comes from the client's side and affects only that client.
 AfterAccept after_accept(int error) noexcept;
 

@@ -10,6 +10,28 @@
 
 namespace symplant::link::net {
 
+namespace {
+
+constexpr int kSilentSeconds = 10;
+constexpr int kBetweenProbesSeconds = 5;
+constexpr int kProbes = 3;
+constexpr int kUnacknowledgedSeconds = 25;
+
+void set(int socket, int level, int option, int value) noexcept {
+  ::setsockopt(native(socket), level, option, reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+}  // namespace
+
+void prepare_peer(int socket) noexcept {
+  set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
+  set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(socket, IPPROTO_TCP, kKeepIdle, kSilentSeconds);
+  set(socket, IPPROTO_TCP, kKeepInterval, kBetweenProbesSeconds);
+  set(socket, IPPROTO_TCP, kKeepCount, kProbes);
+  set(socket, IPPROTO_TCP, kLongestSilence, kUnacknowledgedSeconds * kSilenceUnits);
+}
+
 std::string peer_address(int socket) {
   sockaddr_storage storage{};
   socklen_t size = sizeof storage;

@@ -16,12 +16,8 @@ constexpr rlim_t kOtherFiles = 32;  ///< ample for all descriptors of the proces
 
 }  // namespace
 
-AfterAccept after_accept(int error) noexcept {
+bool concerns_client(int error) noexcept {
   switch (error) {
-    case EAGAIN:
-      return AfterAccept::serve;
-    case EMFILE:
-      return AfterAccept::give_way;
     case EINTR:
     case ECONNABORTED:
     case EPERM:  // a firewall
@@ -33,9 +29,9 @@ AfterAccept after_accept(int error) noexcept {
     case EHOSTDOWN:
     case EHOSTUNREACH:
     case ENONET:
-      return AfterAccept::again;
+      return true;
     default:
-      return AfterAccept::pause;
+      return false;
   }
 }
 

@@ -5,20 +5,8 @@
 
 namespace symplant::link::net {
 
-AfterAccept after_accept(int error) noexcept {
-  switch (error) {
-    case EAGAIN:
-      return AfterAccept::serve;
-    case EMFILE:
-      return AfterAccept::give_way;
-    case EINTR:
-    case ECONNABORTED:
-    case ECONNRESET:
-    case ENETDOWN:
-      return AfterAccept::again;
-    default:
-      return AfterAccept::pause;
-  }
+bool concerns_client(int error) noexcept {
+  return error == EINTR || error == ECONNABORTED || error == ECONNRESET || error == ENETDOWN;
 }
 
 void make_room_for(std::size_t /*clients*/) {}
