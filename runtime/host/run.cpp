@@ -112,7 +112,7 @@ bool read_resumed(const Stage& stage, const RunOptions& options, const scenario:
   return true;
 }
 
-/// Writes the state at the end, if that is asked for. Returns the error; empty if there is none.
+/// Writes the state at the end, if that is asked for. Returns the error; empty without one.
 std::string save_end(const Stage& stage, const RunOptions& options) {
   if (options.save.empty()) return "";
   return trace::write_snapshot(options.save, stage.plant.tables().name, trace::Snapshot::of(stage.plant));

@@ -17,7 +17,7 @@ using ActiveMalfunctions = std::span<const History::Malfunction>;
 /// "malfunction `jam`".
 std::string malfunction_words(std::uint32_t malfunction, const PlantNames& names);
 
-/// "malfunction `jam`, malfunction `rust`": those that disable a unit; empty if there are none. This function and the
+/// "malfunction `jam`, malfunction `rust`": those that disable a unit; empty without any. This function and the
 /// next are O(active malfunctions * log of the units of one).
 std::string disabling_malfunctions(std::uint32_t unit, const PlantNames& names, ActiveMalfunctions active);
 
@@ -35,11 +35,11 @@ std::string braking_malfunctions(std::uint32_t track, const PlantNames& names, A
 /// malfunctions * parameters of one).
 std::string holding_malfunction(std::uint32_t value, const PlantNames& names, ActiveMalfunctions active);
 
-/// "malfunction `wire`": the one that started last of those that override a symbol; empty if there is none.
+/// "malfunction `wire`": the one that started last of those that override a symbol; empty without one.
 /// O(active malfunctions * symbols of one).
 std::string overriding_malfunction(std::uint32_t symbol, const PlantNames& names, ActiveMalfunctions active);
 
-/// "malfunction `cable`": those that cut the link of a controller; empty if there are none. O(active malfunctions).
+/// "malfunction `cable`": those that cut the link of a controller; empty without any. O(active malfunctions).
 std::string cutting_malfunctions(std::uint32_t controller, const PlantNames& names, ActiveMalfunctions active);
 
 /// Collects the malfunctions and forces that explain a finding, so that the program of the PLC need not be its cause.
