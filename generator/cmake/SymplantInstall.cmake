@@ -38,20 +38,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/generator/naming/profiles DESTINATION ${
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/symplant ${tool})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libsymplant-dev ${development})
 
-# Manual pages and completion, which the built tool writes.
+# Manual pages and completion, which the tool writes after it is linked (generator/app).
 if(TARGET symplant AND NOT CMAKE_CROSSCOMPILING)
   set(share ${PROJECT_BINARY_DIR}/share)
-  add_custom_command(
-    OUTPUT ${share}/stamp
-    COMMAND ${CMAKE_COMMAND} -E rm -rf ${share}
-    COMMAND symplant man -o ${share}/man/man1
-    COMMAND symplant completion bash -o ${share}/bash-completion/completions/symplant
-    COMMAND symplant completion zsh -o ${share}/zsh/site-functions/_symplant
-    COMMAND ${CMAKE_COMMAND} -E touch ${share}/stamp
-    DEPENDS symplant
-    COMMENT "Writing manual pages and completion scripts"
-    VERBATIM)
-  add_custom_target(symplant_pages ALL DEPENDS ${share}/stamp)
   install(DIRECTORY ${share}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR} ${tool})
   install(DIRECTORY ${share}/bash-completion ${share}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR} ${tool})
 endif()
