@@ -4,7 +4,6 @@
 #include <charconv>
 #include <concepts>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -23,8 +22,7 @@ class RowWriter {
   explicit RowWriter(base::TextSink& sink) : sink_(&sink) { buffer_.resize(kHandedOn); }
 
   RowWriter& text(std::string_view text) {
-    std::memcpy(room(text.size()), text.data(), text.size());
-    filled_ += text.size();
+    filled_ += text.copy(room(text.size()), text.size());  // unlike memcpy, also of a text without an address
     return *this;
   }
   template <std::integral Number>
