@@ -1,12 +1,23 @@
 // The layout, comments and alarms of a plant for its panel.
 #include "app/panel_view.hpp"
 
+#include <filesystem>
+
 #include "elements/alarm/resolve.hpp"
 #include "model/layout.hpp"
+#include "model/plan_shapes.hpp"
 
 namespace symplant::app {
+namespace {
 
-PanelView::PanelView(const model::PlantModel& plant) {
+std::string folder_of(std::string_view file) {
+  const std::string folder = std::filesystem::path(file).parent_path().generic_string();
+  return folder.empty() ? "." : folder;
+}
+
+}  // namespace
+
+PanelView::PanelView(const model::PlantModel& plant, std::string_view plant_file) : folder_(folder_of(plant_file)) {
   std::size_t length = 0;
   for (const model::Symbol& symbol : plant.symbols) length += symbol.row->comment.size();
   comments_.reserve(length);  // so that no text moves
@@ -20,6 +31,9 @@ PanelView::PanelView(const model::PlantModel& plant) {
   for (const model::Alarm& alarm : model::alarms_by_output(plant)) {
     alarms_.push_back({alarm.symbol, alarm.value, alarm.priority});
   }
+  shapes_ = model::plan_shapes(plant);
+  plan_ = plant.description->scene.plan;
+  view3d_ = plant.description->scene.view3d;
   if (!model::has_layout(plant)) return;
   const model::Layout layout = model::layout_of(plant);
   for (const model::Station& station : layout.stations) {

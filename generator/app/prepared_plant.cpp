@@ -68,7 +68,7 @@ PreparedPlant::PreparedPlant(Compiled compiled, const std::string& plant_file)
     : tables_(std::move(compiled.tables)),
       rows_(tables_.tables()),
       description_(compiled.plant.description),
-      view_(compiled.plant),
+      view_(compiled.plant, plant_file),
       programs_(*description_, plant_file),
       controllers_(std::move(compiled.plant.links)),
       more_(more(compiled.plant)),

@@ -20,9 +20,11 @@
 #include "elements/malfunction/given.hpp"
 #include "elements/material/given.hpp"
 #include "elements/requirement/given.hpp"
+#include "elements/scene/given.hpp"
 #include "elements/signal/given.hpp"
 #include "elements/times/given.hpp"
 #include "elements/value/given.hpp"
+#include "symplant/tables/shape.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -138,6 +140,7 @@ struct GivenView {
   std::int32_t x = -1;  ///< in its station, in grid units from 0; -1: the page chooses
   std::int32_t y = -1;
   std::string group = {};  ///< the frame in which it is shown, instead of its station; empty: its station
+  std::optional<tables::Shape> shape = {};  ///< in the plan; nothing: guessed
 };
 
 /// Patterns of rows, by name or address, that are I/O although their address is internal or missing.
@@ -199,6 +202,7 @@ struct Description {
   std::vector<ProgramDescription> programs;
   GivenCheck check;
   std::vector<GivenView> view;
+  GivenScene scene;
 };
 
 /// The kind of a fault; each has a rule (description_rules.hpp).

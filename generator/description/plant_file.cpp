@@ -14,6 +14,7 @@
 #include "elements/malfunction/entry.hpp"
 #include "elements/material/entry.hpp"
 #include "elements/requirement/entry.hpp"
+#include "elements/scene/entry.hpp"
 #include "elements/signal/entry.hpp"
 #include "elements/times/entry.hpp"
 #include "elements/value/entry.hpp"
@@ -98,6 +99,7 @@ class PlantFileReader {
     }
     read_check();
     read_view();
+    file_.description.scene = scene_of(root_, faults_);
     return std::move(file_);
   }
 
@@ -218,6 +220,7 @@ class PlantFileReader {
       }
       given.group = text_or_empty(entry, "group");
       check_text(given.group, Pointer("/view") / std::string_view(device), faults_);
+      given.shape = tables::shape_of_name(text_or_empty(entry, "shape"));
       file_.description.view.push_back(std::move(given));
     }
   }

@@ -12,6 +12,7 @@
 #include "elements/link/rows.hpp"
 #include "elements/malfunction/rows.hpp"
 #include "elements/material/rows.hpp"
+#include "elements/scene/rows.hpp"
 #include "elements/value/functions.hpp"
 #include "emit/accessors.hpp"
 #include "emit/behaviour_view.hpp"
@@ -125,6 +126,15 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
         {{{"alarm_view_count", std::to_string(alarms.size())}, {"alarm_view_rows", alarm_view_rows(alarms, plant)}},
          {}});
   }
+  view.lists["shapes"];
+  if (std::string rows = shape_rows(plant); !rows.empty()) {
+    view.lists["shapes"].push_back({{{"shape_rows", std::move(rows)}}, {}});
+  }
+  view.lists["plan"];
+  view.lists["view3d"];
+  const description::GivenScene& scene = plant.description->scene;
+  if (!scene.plan.empty()) view.lists["plan"].push_back({{{"plan_rows", json_rows(scene.plan)}}, {}});
+  if (!scene.view3d.empty()) view.lists["view3d"].push_back({{{"view3d_rows", json_rows(scene.view3d)}}, {}});
   texts["controller_count"] = std::to_string(plant.links.size());
   texts["place_arrays"] = place_arrays(plant);
   texts["link_settings_rows"] = link_settings_rows(plant);

@@ -13,6 +13,7 @@
 #include "elements/material/entries.hpp"
 #include "elements/material/resolve.hpp"
 #include "elements/requirement/resolve.hpp"
+#include "elements/scene/resolve.hpp"
 #include "elements/signal/resolve.hpp"
 #include "elements/times/resolve.hpp"
 #include "elements/value/resolve.hpp"
@@ -218,6 +219,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   resolve_alarms(plant, faults);
   resolve_links(plant, links, faults);
   check_view(plant, faults);
+  check_scene(plant, faults);
   return derived;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "symplant/panel/web/query.hpp"
+#include "symplant/panel/web/scene_file.hpp"
 
 namespace symplant::panel {
 namespace {
@@ -25,7 +26,9 @@ void LiveSource::put_description(std::string& json, Role role) {
 
 std::optional<Reply> LiveSource::get(std::string_view path, const std::map<std::string, std::string>& query,
                                      const Sender& sender, const Answered& later) {
+  if (std::optional<Reply> file = scene_file(path, files_)) return file;  // without the mutex: it may take long
   const std::lock_guard guard(mutex_);
+  if (path == "layout") return Reply{Reply::Kind::now, {200, scene_.layout()}};
   if (path == "chart") return chart(query);
   if (path == "utilization") return utilization(query, sender.role);
   if (path == "utilization.csv") {
@@ -80,7 +83,9 @@ std::optional<Reply> LiveSource::session_file(std::string_view kind) {
 
 void LiveSource::post(std::string_view path, std::string_view body, const Sender& sender, const Answered& later) {
   const std::lock_guard guard(mutex_);
-  path == "check" ? later(desk_.check(body, sender)) : desk_.request(body, sender, later);
+  if (path == "check") return later(desk_.check(body, sender));
+  if (path == "layout") return later(desk_.save_layout(body, sender));
+  desk_.request(body, sender, later);
 }
 
 /// Puts the members of the status before the brace at the end.

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "symplant/panel/operate/desk.hpp"
+#include "symplant/panel/scene/files.hpp"
+#include "symplant/panel/scene/scene.hpp"
 #include "symplant/panel/web/routes.hpp"
 #include "symplant/trace/plant_names.hpp"
 
@@ -19,8 +21,9 @@ namespace symplant::panel {
 class LiveSource final : public Source {
  public:
   /// `describe` makes the members that follow from the tables, for a role. The others must outlive it.
-  LiveSource(Desk& desk, std::mutex& mutex, const trace::PlantNames& names, std::function<std::string(Role)> describe)
-      : desk_(desk), mutex_(mutex), names_(names), describe_(std::move(describe)) {}
+  LiveSource(Desk& desk, std::mutex& mutex, const trace::PlantNames& names, const Scene& scene, const SceneFiles& files,
+             std::function<std::string(Role)> describe)
+      : desk_(desk), mutex_(mutex), names_(names), scene_(scene), files_(files), describe_(std::move(describe)) {}
 
   void put_description(std::string& json, Role role) override;
   bool acts() const override { return desk_.acts(); }
@@ -44,6 +47,8 @@ class LiveSource final : public Source {
   Desk& desk_;
   std::mutex& mutex_;
   const trace::PlantNames& names_;
+  const Scene& scene_;
+  const SceneFiles& files_;
   std::function<std::string(Role)> describe_;
   std::string status_;
   bool is_due_ = false;  ///< changes() must not be empty

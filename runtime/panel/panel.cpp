@@ -6,6 +6,8 @@
 
 #include "symplant/panel/live_source.hpp"
 #include "symplant/panel/operate/desk.hpp"
+#include "symplant/panel/scene/files.hpp"
+#include "symplant/panel/scene/scene.hpp"
 #include "symplant/panel/web/open_port.hpp"
 #include "symplant/panel/web/routes.hpp"
 #include "symplant/panel/web/server.hpp"
@@ -19,12 +21,32 @@ struct Panel::Parts {
         plant(std::move(of)),
         access(std::move(granted)),
         guard(plant.log),
-        desk({plant.names,     plant.plant,      plant.recorder,      plant.history,   plant.utilization,
-              plant.explainer, plant.behaviours, plant.carried,       plant.exercises, plant.scenario,
-              plant.player,    plant.programs,   plant.scenario_name, options.files,   plant.seed,
-              plant.cycle,     plant.with_plc,   plant.by_plc_clock,  plant.paced,     !options.view_only,
-              plant.resumed,   plant.view}),
-        source(desk, mutex, plant.names, [this](Role role) { return description_of(plant, role); }),
+        scene(plant.names, plant.view, options.files),
+        files({options.files, std::string(plant.view.folder)}),
+        desk({plant.names,
+              plant.plant,
+              plant.recorder,
+              plant.history,
+              plant.utilization,
+              plant.explainer,
+              plant.behaviours,
+              plant.carried,
+              plant.exercises,
+              plant.scenario,
+              plant.player,
+              plant.programs,
+              plant.scenario_name,
+              options.files,
+              plant.seed,
+              plant.cycle,
+              plant.with_plc,
+              plant.by_plc_clock,
+              plant.paced,
+              !options.view_only,
+              plant.resumed,
+              plant.view,
+              scene}),
+        source(desk, mutex, plant.names, scene, files, [this](Role role) { return description_of(plant, role); }),
         routes(source, access) {}
 
   static std::string description_of(const PanelPlant& plant, Role role) {
@@ -50,6 +72,8 @@ struct Panel::Parts {
   const Access access;
   Guard guard;
   std::mutex mutex;
+  Scene scene;
+  const SceneFiles files;
   Desk desk;
   LiveSource source;
   Routes routes;

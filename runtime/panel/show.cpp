@@ -18,7 +18,7 @@ std::optional<link::LinkError> show(const PanelOptions& options, trace::ReadTrac
   auto opened = open_port(options);
   if (auto* error = std::get_if<link::LinkError>(&opened)) return std::move(*error);
   auto& open = std::get<OpenPort>(opened);
-  Recording recording(std::move(trace), names, view, model_hash);
+  Recording recording(std::move(trace), names, view, model_hash, SceneFiles({options.files, std::string(view.folder)}));
   Routes routes(recording, open.access);
   Guard guard(std::move(log));
   const Server server(std::move(open.listener), routes, recording, guard, options.patience, [] {});

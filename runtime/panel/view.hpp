@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "symplant/tables/alarm_priority.hpp"
+#include "symplant/tables/shape.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::panel {
@@ -32,10 +33,14 @@ struct AlarmView {
 
 /// What names and the description give. Without a layout, stations follow from the devices' paths.
 struct View {
-  std::span<const DeviceView> devices = {};  ///< by unit; empty: none
-  std::string_view stations = {};            ///< a station: its line, then its process, each ended by a NUL
-  std::span<const SymbolView> symbols = {};  ///< by symbol; empty: no comments
-  std::span<const AlarmView> alarms = {};    ///< in the order of the description
+  std::span<const DeviceView> devices = {};    ///< by unit; empty: none
+  std::string_view stations = {};              ///< a station: its line, then its process, each ended by a NUL
+  std::span<const SymbolView> symbols = {};    ///< by symbol; empty: no comments
+  std::span<const AlarmView> alarms = {};      ///< in the order of the description
+  std::span<const tables::Shape> shapes = {};  ///< by unit; empty: all are `device`
+  std::string_view plan = {};                  ///< `plan` of the description, as JSON; empty: not given
+  std::string_view view3d = {};                ///< `view3d`, the same
+  std::string_view folder = {};  ///< where pictures and models are searched besides --panel-files; empty: nowhere
 };
 
 }  // namespace symplant::panel

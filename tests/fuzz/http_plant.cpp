@@ -78,8 +78,9 @@ struct LivePlant {
         history(names),
         utilization(names, history),
         explainer(names),
+        scene(names, {}, ""),
         desk(setup(names, carried, exercises)),
-        source(desk, mutex, names, [&names](panel::Role role) { return description_of(names, role); }) {
+        source(desk, mutex, names, scene, files, [&names](panel::Role role) { return description_of(names, role); }) {
     recorder.attach(plant);
     desk.plant_operator().advance_to(0);
     drain();
@@ -109,7 +110,8 @@ struct LivePlant {
             .paced = true,
             .acts = true,
             .resumed = "",
-            .view = {}};
+            .view = {},
+            .scene = scene};
   }
   static std::string description_of(const trace::PlantNames& names, panel::Role role) {
     std::string json;
@@ -145,6 +147,8 @@ struct LivePlant {
   trace::Utilization utilization;
   why::Explainer explainer;
   std::mutex mutex;
+  panel::Scene scene;
+  const panel::SceneFiles files{{}};
   panel::Desk desk;
   panel::LiveSource source;
 };

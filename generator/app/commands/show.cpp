@@ -109,7 +109,7 @@ void show(ShowOptions options, Context& context) {
   std::optional<trace::ReadTrace> trace = read_shown(options, compiled->plant, names, model_hash, context);
   if (!trace || !is_of_plant(context, options, *trace, model_hash)) return;
   const tables::Time length = trace->end - trace->begin;
-  const PanelView view(compiled->plant);
+  const PanelView view(compiled->plant, options.plant);
   host::catch_signals();
   const auto begun = [&](const std::string& link) {
     context.out << fmt::format("{}: {} of plant time; Ctrl-C ends\npanel: {}\n", options.trace, trace::seconds(length),

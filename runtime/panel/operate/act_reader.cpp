@@ -52,7 +52,7 @@ struct NamedCommand {
 };
 constexpr NamedCommand kNamed[] = {
     {"snapshot", Kind::snapshot}, {"save", Kind::save},       {"restore", Kind::restore}, {"forget", Kind::forget},
-    {"exercise", Kind::exercise}, {"session", Kind::session}, {"message", Kind::message},
+    {"exercise", Kind::exercise}, {"session", Kind::session}, {"message", Kind::message}, {"camera", Kind::camera},
 };
 /// An act whose value is the name of an alarm, or a list of names.
 constexpr NamedCommand kOfAlarms[] = {
@@ -201,6 +201,10 @@ struct ActReader::Parts {
       if (value.is_string()) act.name = value.get<std::string>();
       if (each.kind == Kind::message) {
         if (!is_message(act.name)) error = kMessageForm;
+        return act;
+      }
+      if (each.kind == Kind::camera) {
+        if (!value.is_string()) error = "`camera` is the name of a camera, or \"\" for the overview";
         return act;
       }
       if (!is_file_name(act.name) && each.kind != Kind::exercise) {

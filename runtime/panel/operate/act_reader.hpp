@@ -35,6 +35,7 @@ struct Act {
     count_again,  ///< of utilization
     join,
     message,
+    camera,
     acknowledge,
     shelve,
     unshelve,
@@ -43,7 +44,7 @@ struct Act {
   Kind kind = Kind::step;
   scenario::Step step;
   bool releases_all = false;        ///< of a step: all forces, of which there may be none
-  std::string name;                 ///< of a snapshot, exercise or session; the text of a message
+  std::string name;                 ///< of a snapshot, exercise, session or camera; the text of a message
   double speed = 1;                 ///< 0: as fast as possible
   std::vector<std::string> alarms;  ///< to acknowledge (empty: all), to shelve or to unshelve
   tables::Time shelved_for = 0;     ///< plant time

@@ -29,6 +29,7 @@
 #include "symplant/panel/picture/chart.hpp"
 #include "symplant/panel/picture/picture.hpp"
 #include "symplant/panel/role.hpp"
+#include "symplant/panel/scene/scene.hpp"
 #include "symplant/panel/training/messages.hpp"
 #include "symplant/panel/training/training.hpp"
 #include "symplant/panel/view.hpp"
@@ -76,7 +77,8 @@ class Desk {
     bool paced;           ///< the speed can be changed
     bool acts;            ///< clients may act
     std::string resumed;  ///< the name of the snapshot with which the run began; empty: none
-    View view = {};
+    View view;
+    Scene& scene;
   };
 
   explicit Desk(Setup setup);
@@ -132,6 +134,8 @@ class Desk {
   const Training& training() const { return training_; }
   /// Sets what gives the states of the run's links, for explanations. Null: all are live.
   void set_links(std::function<std::vector<exec::LinkState>()> states) { link_states_ = std::move(states); }
+  /// The answer to POST /api/v1/layout.
+  Answer save_layout(std::string_view body, const Sender& sender);
   /// The scenario that the plant plays; null: none. It lives as long as the desk, or until another one is played.
   const scenario::Scenario* playing() const { return playing_; }
   /// Real speed, for the clock of the stream.
@@ -275,6 +279,8 @@ class Desk {
   std::uint64_t sent_played_ = 0;
   std::uint64_t sent_training_ = 0;
   std::uint64_t sent_messages_ = 0;
+  std::uint64_t sent_layout_ = 0;
+  std::uint64_t sent_camera_ = 0;
   const Exercise* sent_of_ = nullptr;
   std::string sent_clock_;
   tables::Time last_backtrack_ = 0;

@@ -64,6 +64,12 @@ Answer Desk::session_file(std::string_view kind) {
   return {200, session_.scenario("session.start.snapshot", operator_.now())};
 }
 
+Answer Desk::save_layout(std::string_view body, const Sender& sender) {
+  if (!sees_all(sender.role)) return error_answer(403, kOnlyTrainer);
+  if (ended_) return error_answer(503, "the run has ended");
+  return setup_.scene.save(body);
+}
+
 /// Writes the files of a session: next to a PLC without the scenario. Returns why not, or an empty text.
 std::string Desk::save_session(const std::string& name) {
   std::string error = write_file(snapshots_.path(name, ".session.json"), session_json());

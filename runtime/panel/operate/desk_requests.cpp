@@ -85,6 +85,8 @@ std::string members_of(const Act& act) {
       return "\"join\":true";
     case Kind::message:
       return named("message");
+    case Kind::camera:
+      return named("camera");
     case Kind::session:
       return named("session");
     case Kind::acknowledge:
@@ -132,6 +134,12 @@ std::string Desk::refusal(const Act& act) {
       std::string error;
       snapshots_.find(act.name, setup_.plant.model_hash(), block_, error);
       return error;
+    }
+    case Kind::camera: {
+      if (setup_.scene.has_camera(act.name)) return "";
+      const std::string_view nearest = setup_.scene.nearest_camera(act.name);
+      return fmt::format("`view3d` of plant.json has no camera `{}`{}", act.name,
+                         nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
     }
     case Kind::acknowledge:
     case Kind::shelve:
@@ -257,6 +265,7 @@ void Desk::order(const Act& act, const std::shared_ptr<Group>& group) {
     case Kind::count_again:
     case Kind::join:
     case Kind::message:
+    case Kind::camera:
     case Kind::acknowledge:
     case Kind::shelve:
     case Kind::unshelve:
@@ -292,6 +301,7 @@ void Desk::at_once(const Act& act, const std::shared_ptr<Group>& group) {
     group->error = kTooManyTrainees;
   }
   if (act.kind == Kind::message) messages_.add(operator_.now(), act.name);
+  if (act.kind == Kind::camera) setup_.scene.switch_camera(act.name);
   if (!group->error.empty()) return;
   const std::string members = members_of(act);
   const std::size_t waiting = alarms_.waiting();

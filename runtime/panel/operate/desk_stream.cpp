@@ -91,6 +91,9 @@ std::string Desk::picture(Role role) {
   }
   put_key(json, "allowed");
   allowed_.put(json);
+  put(json, ",\"layout\":{}", setup_.scene.revision());
+  put_key(json, "camera");
+  setup_.scene.put_camera(json);
   return json + "}";
 }
 
@@ -150,6 +153,14 @@ std::string Desk::changes(Role role) {
     put_key(json, "allowed");
     allowed_.put(json);
   }
+  if (setup_.scene.revision() != sent_layout_) {
+    put_key(json, "layout");
+    put(json, "{}", setup_.scene.revision());
+  }
+  if (setup_.scene.camera_switches() != sent_camera_) {
+    put_key(json, "camera");
+    setup_.scene.put_camera(json);
+  }
   if (json.empty()) return json;
   return beat() + "," + json + "}";
 }
@@ -169,6 +180,8 @@ void Desk::forget_changes() {
   sent_allowed_ = allowed_.version();
   sent_messages_ = messages_.count();
   sent_training_ = training_.version();
+  sent_layout_ = setup_.scene.revision();
+  sent_camera_ = setup_.scene.camera_switches();
 }
 
 std::string Desk::beat() const {

@@ -41,8 +41,7 @@ void put_stations(std::string& json, const Stations& stations) {
   for (const Station& station : stations.stations) {
     put_comma(json);
     json += '{';
-    const std::string_view between = station.line.empty() || station.process.empty() ? "" : " ";
-    put_member(json, "name", std::string(station.line).append(between).append(station.process));
+    put_member(json, "name", station.name());
     put_member(json, "line", station.line);
     put_member(json, "process", station.process);
     json += '}';
@@ -57,6 +56,7 @@ void put_device(std::string& json, std::uint32_t unit, const trace::PlantNames& 
   put_member(json, "name", names.unit(unit));
   put_member(json, "label", stations.labels[unit]);
   put(json, ",\"station\":{}", stations.of_unit[unit]);
+  put_member(json, "shape", tables::shape_name(view.shapes.empty() ? tables::Shape::device : view.shapes[unit]));
   put_key(json, "states");
   json += '[';
   for (const std::string_view state : names.states(unit)) {
@@ -314,6 +314,10 @@ void put_plant(std::string& json, const trace::PlantNames& names, const View& vi
   }
   json += ']';
   put_programs(json, names);
+  if (!view.view3d.empty()) {
+    put_key(json, "view3d");
+    json += view.view3d;
+  }
 }
 
 }  // namespace symplant::panel

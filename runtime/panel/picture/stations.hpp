@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,12 @@ namespace symplant::panel {
 struct Station {
   std::string_view line;
   std::string_view process;
+
+  /// As clients see it.
+  std::string name() const {
+    const std::string_view between = line.empty() || process.empty() ? "" : " ";
+    return std::string(line).append(between).append(process);
+  }
 };
 
 /// The stations of a plant and those of its devices.

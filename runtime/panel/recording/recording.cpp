@@ -8,17 +8,21 @@
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/panel/recording/reconstruct.hpp"
 #include "symplant/panel/web/query.hpp"
+#include "symplant/panel/web/scene_file.hpp"
 
 namespace symplant::panel {
 
-Recording::Recording(trace::ReadTrace trace, const trace::PlantNames& names, const View& view, std::uint64_t model_hash)
+Recording::Recording(trace::ReadTrace trace, const trace::PlantNames& names, const View& view, std::uint64_t model_hash,
+                     SceneFiles files)
     : names_(names),
       records_(reconstruct(std::move(trace.records), names)),
       begin_(trace.begin),
       end_(trace.end),
       at_(trace.begin),
       at_end_(names),
-      chart_(names, at_end_) {
+      chart_(names, at_end_),
+      scene_(names, view, ""),
+      files_(std::move(files)) {
   for (const trace::Record& record : records_) {
     chart_.apply(record);
     at_end_.apply(record);
@@ -51,12 +55,15 @@ std::string Recording::picture_at(tables::Time time) {
   std::string json = "{";
   put(json, R"("rev":{},"t":{},"clock":{{"state":"frozen","speed":1,"real_speed":0}})", next_, at_);
   picture_->put_all(json, at_, Role::trainer);
-  json += R"(,"findings":[],"requirements":[],"acts":[],"snapshots":[],"exercise":null,"links":[],"cycle":null)";
+  json +=
+      R"(,"findings":[],"requirements":[],"acts":[],"snapshots":[],"exercise":null,"links":[],"cycle":null,"layout":0,"camera":null)";
   return json + "}";
 }
 
 std::optional<Reply> Recording::get(std::string_view path, const std::map<std::string, std::string>& query,
                                     const Sender& /*sender*/, const Answered& /*later*/) {
+  if (std::optional<Reply> file = scene_file(path, files_)) return file;
+  if (path == "layout") return Reply{Reply::Kind::now, {200, scene_.layout()}};
   if (path == "chart") {
     ChartWish wish;
     if (!read_chart(query, names_, wish)) return Reply{Reply::Kind::now, error_answer(400, kChartForm)};

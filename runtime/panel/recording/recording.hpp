@@ -10,6 +10,8 @@
 
 #include "symplant/panel/picture/chart.hpp"
 #include "symplant/panel/picture/picture.hpp"
+#include "symplant/panel/scene/files.hpp"
+#include "symplant/panel/scene/scene.hpp"
 #include "symplant/panel/view.hpp"
 #include "symplant/panel/web/routes.hpp"
 #include "symplant/trace/history.hpp"
@@ -23,7 +25,8 @@ namespace symplant::panel {
 class Recording final : public Source {
  public:
   /// `names` must outlive it. O(records * log(records)).
-  Recording(trace::ReadTrace trace, const trace::PlantNames& names, const View& view, std::uint64_t model_hash);
+  Recording(trace::ReadTrace trace, const trace::PlantNames& names, const View& view, std::uint64_t model_hash,
+            SceneFiles files = SceneFiles({}));
 
   void put_description(std::string& json, Role /*role*/) override { json += "," + description_; }
   bool acts() const override { return false; }
@@ -51,6 +54,8 @@ class Recording final : public Source {
   trace::History at_end_;  ///< for the chart
   Chart chart_;
   std::string description_;
+  Scene scene_;
+  SceneFiles files_;
 };
 
 }  // namespace symplant::panel

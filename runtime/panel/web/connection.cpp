@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "symplant/link/net/peer.hpp"
+#include "symplant/panel/scene/scene.hpp"
 #include "symplant/panel/web/gzip.hpp"
 #include "symplant/panel/web/request.hpp"
 #include "symplant/panel/web/response_head.hpp"
@@ -122,10 +123,22 @@ void Connection::read() {
   all.splice(all.end(), all, std::find(all.begin(), all.end(), shared_from_this()));
   parser_.emplace();
   parser_->header_limit(kLongestHeader);
-  parser_->body_limit(kLongestBody);
+  parser_->body_limit(kLongestLayout);
   stream_.expires_after(shared_.patience);  // for the whole request
+  http::async_read_header(stream_, buffer_, *parser_,
+                          [self = shared_from_this()](Error error, std::size_t) { self->header_read(error); });
+}
+
+/// The rest of the request, whose limit depends on its target.
+void Connection::header_read(Error error) {
+  if (state_ == State::closed) return;
+  if (error || parser_->is_done()) return read_done(error);
+  if (parser_->get().target() != boost::beast::string_view(kLayoutTarget.data(), kLayoutTarget.size())) {
+    if (parser_->content_length().value_or(0) > kLongestBody) return read_done(http::error::body_limit);
+    parser_->body_limit(kLongestBody);
+  }
   http::async_read(stream_, buffer_, *parser_,
-                   [self = shared_from_this()](Error error, std::size_t) { self->read_done(error); });
+                   [self = shared_from_this()](Error failed, std::size_t) { self->read_done(failed); });
 }
 
 void Connection::read_done(Error error) {
@@ -135,7 +148,8 @@ void Connection::read_done(Error error) {
   before_ = acknowledged();
   state_ = State::answering;
   if (error == http::error::header_limit) return refuse(error_answer(431, "the header is over 8 KiB"));
-  if (error == http::error::body_limit) return refuse(error_answer(413, "the body is over 64 KiB"));
+  if (error == http::error::body_limit)
+    return refuse(error_answer(413, "the body is over 64 KiB, or that of a layout over 1 MiB"));
   if (error && !is_malformed(error)) return close();
   if (error) return refuse(error_answer(400, "this is not a request of HTTP/1.1"));
   const Message& message = parser_->get();
@@ -167,7 +181,7 @@ void Connection::answer(const Request& request) {
 void Connection::reply(Reply found) {
   if (state_ == State::closed) return;
   const std::size_t size = found.content != nullptr ? found.content->plain()->size() : found.answer.body.size();
-  const bool by_encoding = size >= kLeastPacked;
+  const bool by_encoding = size >= kLeastPacked && found.packable;
   const bool packed = by_encoding && accepts_gzip_;
   Bytes body;
   const bool is_made = shared_.guard.run("an answer", [&] {

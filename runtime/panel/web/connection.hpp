@@ -40,6 +40,7 @@ class Connection final : public Client, public std::enable_shared_from_this<Conn
   enum class State { reading, answering, streaming, closed };
 
   void read();
+  void header_read(Error error);
   void read_done(Error error);
   void answer(const Request& request);
   void reply(Reply found);

@@ -25,6 +25,7 @@ std::string text_of(const ResponseHead& head) {
   std::string text = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\n", head.status,
                                  std::string_view(reason.data(), reason.size()), head.content_type);
   text += kForAll;
+  if (head.content_type == "image/svg+xml") text += "Content-Security-Policy: sandbox\r\n";  // it may have scripts
   if (head.packed) text += "Content-Encoding: gzip\r\n";
   if (head.by_encoding) text += "Vary: Accept-Encoding\r\n";
   if (!head.file_name.empty()) {

@@ -114,7 +114,7 @@ Reply Routes::get(const Request& request, const Answered& later) {
 
 Reply Routes::post(const Request& request, const Answered& later) {
   const std::string_view path = request.target;
-  if (path != "/api/v1/acts" && path != "/api/v1/check") return nothing_there();
+  if (path != "/api/v1/acts" && path != "/api/v1/check" && path != kLayoutTarget) return nothing_there();
   if (!request.content_type.starts_with("application/json")) {
     return error_reply(400, "the Content-Type of an act is application/json");
   }

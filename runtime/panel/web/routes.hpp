@@ -16,6 +16,9 @@
 
 namespace symplant::panel {
 
+/// The target of requests whose bodies may be up to kLongestLayout bytes long.
+inline constexpr std::string_view kLayoutTarget = "/api/v1/layout";
+
 struct Request {
   std::string_view method;
   std::string_view target;  ///< path and query
@@ -38,6 +41,7 @@ struct Reply {
   Answer answer = {};
   std::string_view content_type = "application/json";
   std::shared_ptr<Content> content = {};  ///< the same for all clients; may be null
+  bool packable = true;                   ///< `answer` may be sent as gzip
   std::string file_name = {};             ///< the client stores the answer under this name; empty: it shows it
   Role role = Role::viewer;               ///< of a stream: its client's
   bool has_token = false;                 ///< of a stream: its client has a token

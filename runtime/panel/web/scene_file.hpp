@@ -1,0 +1,15 @@
+// The pictures and models of the panel over HTTP.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "symplant/panel/scene/files.hpp"
+#include "symplant/panel/web/routes.hpp"
+
+namespace symplant::panel {
+
+/// The answer to a GET of `files` or `files/NAME`; nothing for another path. O(the file).
+std::optional<Reply> scene_file(std::string_view path, const SceneFiles& files);
+
+}  // namespace symplant::panel
