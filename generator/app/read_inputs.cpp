@@ -11,6 +11,7 @@
 #include "app/list_files.hpp"
 #include "description/description_rules.hpp"
 #include "elements/malfunction/file.hpp"
+#include "elements/scene/file.hpp"
 #include "naming/load.hpp"
 #include "read/loading.hpp"
 #include "symplant/json/location.hpp"
@@ -124,6 +125,7 @@ class InputReader {
       description::add_findings(included.file, included.faults, diagnostics_);
     }
     inputs_.faults = std::move(reading.faults);
+    if (reading.file) check_model_of(reading.file->description.scene);
     const bool has_lists = reading.file && read_lists(reading.file->symbols);
     const bool has_naming = reading.file && read_naming(naming_of(*reading.file));
     if (has_lists && has_naming) {
@@ -134,6 +136,16 @@ class InputReader {
     }
     description::add_findings(*inputs_.source, inputs_.faults, diagnostics_);
     return false;
+  }
+
+  /// The model may be in the folder of --panel-files instead, which is known at run time only.
+  void check_model_of(const description::GivenScene& scene) {
+    if (scene.model.empty() || scene.model.find_first_of("/\\") != std::string::npos) return;
+    const std::string path = (fs::path(inputs_.source->folder("/view3d/model")) / scene.model).generic_string();
+    if (!files_.exists(path)) return;
+    progress_.stage("reading " + path);
+    const auto bytes = files_.read(path);
+    if (bytes) description::check_model(*bytes, scene, inputs_.faults);
   }
 
   description::OpenedFile open_included(const std::string& path) {

@@ -106,6 +106,19 @@ std::string links() {
 { "url": "modbus-tcp-server://127.0.0.1:502/../../etc?a=\u001b" } ])");
 }
 
+std::string layout() {
+  return plant("\"plan\": { \"devices\": { " + numbered("\"L_P_D", "\": { \"x\": 1e4, \"y\": -1e4 }", 100'000) +
+               " }, \"frames\": { " + numbered("\"F", "\": { \"x\": 1e308, \"y\": 0 }", 1'000) + " } }");
+}
+std::string layout_names() {
+  return plant(R"("plan": { "devices": { "L_P_AGV": { "x": 1, "y": 2, "group": "*/ \"{{x}}\\ %n \u202e??/" } } },
+"view3d": { "cameras": { "*/ \"{{x}}\\ ??/": { "from": [0, 0, 0], "to": [1, 1, 1] } } })");
+}
+std::string scene_bindings() {
+  return plant("\"view3d\": { \"model\": \"/etc/passwd\", \"nodes\": { " +
+               numbered("\"X", R"(": { "node": "../../x", "turn": { "by": "no.value", "axis": "y" } })", 20'000) +
+               " } }");
+}
 std::string deep_condition() {
   return guarded(std::string(1'000'000, '(') + "LEVEL = 1" + std::string(1'000'000, ')'));
 }
@@ -193,6 +206,9 @@ constexpr std::array kPlants{
     Input{kPlant, "malfunctions called `*/`, `int`, bidi characters, and 20,000 `x`", malfunction_names},
     Input{kPlant, "20,000 rules to be ignored", settings, true},
     Input{kPlant, "links that lead nowhere", links},
+    Input{kPlant, "a layout of 100,000 devices that the plant has not", layout, true},
+    Input{kPlant, "groups and cameras called `*/`, `{{x}}`, `\\\\`", layout_names},
+    Input{kPlant, "a model `/etc/passwd`, and 20,000 bindings to values that are not there", scene_bindings},
     Input{kPlant, "a condition of a million parentheses", deep_condition, true},
     Input{kPlant, "a condition of 256 parentheses", nested_condition},
     Input{kPlant, "a condition of 100,000 parts", long_condition, true},

@@ -43,6 +43,8 @@ class SceneReader {
 
   void read_view3d(const Json& view) {
     scene_.view3d = view.dump();
+    scene_.model = text_or_empty(view, "model");
+    check_text(scene_.model, Pointer("/view3d/model"), faults_);
     const Json* const nodes = member(view, "nodes");
     if (nodes == nullptr || !nodes->is_object()) return;
     for (const auto& [name, entry] : nodes->items()) {
@@ -51,6 +53,9 @@ class SceneReader {
   }
 
   void read_node(const std::string& name, const Json& entry, const std::string& here) {
+    if (std::string path = text_or_empty(entry, "node"); !path.empty()) {
+      scene_.nodes.push_back({std::move(path), json::child(here, "node")});
+    }
     if (entry.contains("from") || entry.contains("to")) {
       scene_.names.push_back({Kind::location, name, {}, here});
     }

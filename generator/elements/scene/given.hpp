@@ -22,13 +22,19 @@ struct SceneName {
   std::string pointer;  ///< JSON pointer to it in the description
 };
 
+/// A node of the model that something in `view3d` is bound to.
+struct SceneNode {
+  std::string path;
+  std::string pointer;  ///< JSON pointer to it in the description
+};
+
 struct GivenScene {
   std::string plan;    ///< the object as JSON; empty: not given
   std::string view3d;  ///< the same
   std::vector<SceneName> names;
   std::vector<std::string> groups;  ///< that devices of `plan` name
-
-  bool empty() const { return plan.empty() && view3d.empty(); }
+  std::string model;                ///< a file name; empty: no model
+  std::vector<SceneNode> nodes;
 };
 
 }  // namespace symplant::description

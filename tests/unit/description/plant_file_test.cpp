@@ -185,7 +185,7 @@ TEST_CASE("A place in `view` without `y`, below 0 or too far is rejected") {
   CHECK_THAT(shape(R"("view": {"D": {"x": 0.5, "y": 0}})"),
              Catch::Matchers::StartsWith("/view/D/x" + expected + "`0.5`"));
   CHECK(shape(R"("view": {"D": 3})") ==
-        "/view/D: expected an object with `x` and `y`, or `group`, but found the number `3`");
+        "/view/D: expected an object with `x` and `y`, `group`, or `shape`, but found the number `3`");
 }
 
 TEST_CASE("A frame in `view` has a name that can be shown") {
@@ -194,7 +194,49 @@ TEST_CASE("A frame in `view` has a name that can be shown") {
   CHECK_THAT(shape(R"("view": {"D": {"group": "two\nlines"}})"),
              Catch::Matchers::ContainsSubstring("control character"));
   CHECK(shape(R"("view": {"D": {"grp": "Safety"}})") ==
-        "/view/D/grp: the key `grp` is unknown here; the known keys are `group`, `x`, `y`");
+        "/view/D/grp: the key `grp` is unknown here; the known keys are `group`, `shape`, `x`, `y`");
+}
+
+TEST_CASE("`view` gives the shape of a device in the plan") {
+  const auto file = sound(R"("view": {"L1_A_D1": {"shape": "gripper"}, "L1_A_D2": {"x": 1, "y": 2}})");
+  CHECK(file.description.view[0].shape == tables::Shape::gripper);
+  CHECK_FALSE(file.description.view[1].shape);
+  CHECK_THAT(shape(R"("view": {"D": {"shape": "griper"}})"),
+             Catch::Matchers::StartsWith("/view/D/shape: expected one of `button`, `clamp`"));
+}
+
+TEST_CASE("`plan` and `view3d` are kept as they are, with the names in them") {
+  const auto file = sound(R"("plan": {"frames": {"L1 A": {"x": 0, "y": 0}}, "devices": {"D": {"group": "Safety"}},
+    "locations": {"CV1": {"x": 1.5, "y": -2, "turn": 90, "length": 8}}}, "view3d": {"model": "cell.glb",
+    "nodes": {"D": {"node": "Cell/D", "P2": {"move": [2.4, 0, 0]}}, "free": {"node": "X", "turn": {"by": "T.a", "axis": "y"}},
+    "CV1": {"node": "CV", "from": [0, 0, 0], "to": [3, 0, 0]}}})");
+  const description::GivenScene& scene = file.description.scene;
+  CHECK(
+      scene.plan ==
+      R"({"devices":{"D":{"group":"Safety"}},"frames":{"L1 A":{"x":0,"y":0}},"locations":{"CV1":{"length":8,"turn":90,"x":1.5,"y":-2}}})");
+  CHECK_THAT(scene.view3d, Catch::Matchers::StartsWith(R"({"model":"cell.glb","nodes":)"));
+  CHECK(scene.groups == std::vector<std::string>{"Safety"});
+  std::string names;
+  for (const description::SceneName& name : scene.names) {
+    names += name.pointer + ": " + name.name + (name.state.empty() ? "" : " in " + name.state) + "\n";
+  }
+  CHECK(names ==
+        "/plan/devices/D: D\n/plan/locations/CV1: CV1\n/plan/frames/L1 A: L1 A\n/view3d/nodes/CV1: CV1\n"
+        "/view3d/nodes/D/P2: D in P2\n/view3d/nodes/free/turn/by: T.a\n");
+}
+
+TEST_CASE("A position in `plan` that is too far, a turn that is none, and a node without a path are rejected") {
+  CHECK_THAT(shape(R"("plan": {"frames": {"S": {"x": 10001, "y": 0}}})"),
+             Catch::Matchers::StartsWith("/plan/frames/S/x: expected a number from -10000 to 10000"));
+  CHECK_THAT(shape(R"("plan": {"frames": {"S": {"x": 0}}})"), Catch::Matchers::StartsWith("/plan/frames/S"));
+  CHECK_THAT(shape(R"("plan": {"devices": {"D": {"x": 0, "y": 0, "turn": 45}}})"),
+             Catch::Matchers::StartsWith("/plan/devices/D/turn: expected one of `0`, `90`"));
+  CHECK_THAT(shape(R"("plan": {"devices": {"two\nlines": {}}})"),
+             Catch::Matchers::ContainsSubstring("control character"));
+  CHECK_THAT(shape(R"("view3d": {"nodes": {"D": {"P1": {"move": [0, 0, 0]}}}})"),
+             Catch::Matchers::StartsWith("/view3d/nodes/D"));
+  CHECK_THAT(shape(R"("view3d": {"nodes": {"D": {"node": "N", "P1": {"move": [0, 0]}}}})"),
+             Catch::Matchers::StartsWith("/view3d/nodes/D/P1/move: expected an array of three numbers"));
 }
 
 TEST_CASE("A duration is exact, uniform between two values, or normal around a mean") {

@@ -122,6 +122,8 @@ inline std::unique_ptr<const Everything> everything() {
   add_malfunctions(made->plant);
   description::Description places = *made->plant.description;
   places.view = {{"L_P_MC", 3, 1, ""}, {"L_P_AGV2", -1, -1, "to \"move\"?\?/\\"}};
+  places.scene.plan = R"({"devices":{"L_P_MC":{"group":"to \"move\"??/ 전진 // */","x":1.5,"y":-2}}})";
+  places.scene.view3d = R"({"cameras":{"gate":{"from":[5,3,5],"to":[0,0,0]}},"model":"cell.glb"})";
   made->plant.description = std::make_shared<const description::Description>(std::move(places));
   return made;
 }

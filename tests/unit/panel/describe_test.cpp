@@ -36,5 +36,16 @@ TEST_CASE("Without a view no symbol of the description has a comment") {
   }
 }
 
+TEST_CASE("A device of the description has its shape, and `view3d` is as plant.json gives it") {
+  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "START_I_PUSH"});
+  CHECK(described(tables, {}).at("devices").at(0).at("shape") == "device");
+  CHECK_FALSE(described(tables, {}).contains("view3d"));
+  const std::vector<tables::Shape> shapes{tables::Shape::vehicle, tables::Shape::button};
+  const Json plant = described(tables, {.shapes = shapes, .view3d = R"({"model":"cell.glb"})"});
+  CHECK(plant.at("devices").at(0).at("shape") == "vehicle");
+  CHECK(plant.at("devices").at(1).at("shape") == "button");
+  CHECK(plant.at("view3d") == Json::parse(R"({"model":"cell.glb"})"));
+}
+
 }  // namespace
 }  // namespace symplant::test
