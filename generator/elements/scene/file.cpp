@@ -49,7 +49,7 @@ class ModelReader {
       if (auto path = path_of(node)) {
         if (!path->empty()) reading.paths.push_back(std::move(*path));
       } else {
-        reading.error = "its nodes are nested more than 64 deep, or in a circle";
+        return {{}, "its nodes are nested more than 64 deep, or in a circle"};
       }
     }
     return reading;

@@ -16,7 +16,7 @@ std::string shape_rows(const model::PlantModel& plant) {
   if (std::all_of(shapes.begin(), shapes.end(), is_plain)) return {};
   RowWriter rows;
   for (std::size_t unit = 0; unit < shapes.size(); ++unit) {
-    rows.text("    Shape::").text(tables::shape_name(shapes[unit])).text(",  // ");
+    rows.text("    symplant::tables::Shape::").text(tables::shape_name(shapes[unit])).text(",  // ");
     rows.comment(plant.units[unit].path).text("\n");
   }
   return rows.take();

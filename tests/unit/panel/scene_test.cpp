@@ -94,7 +94,7 @@ TEST_CASE("Only the trainer saves a layout and switches the camera") {
   const HttpAnswer unknown = files.bench.post(R"({"camera":"gaet"})");
   CHECK(unknown.status == 422);
   CHECK(contains(unknown.body, "did you mean `gate`?"));
-  CHECK(files.bench.post(R"({"camera":3})").status == 400);
+  CHECK(files.bench.post(R"({"camera":3})").status == 422);
 }
 
 TEST_CASE("Pictures and models are read by their plain names, and no other file") {

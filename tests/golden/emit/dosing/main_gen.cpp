@@ -40,6 +40,13 @@ constexpr std::array<symplant::panel::SymbolView, 17> kSymbols{{
     {"filled so far"},  // L1_DOSE_SCALE2_I_BATCHES
 }};
 
+// What the devices look like in the panel's plan.
+constexpr symplant::tables::Shape kShapes[] = {
+    symplant::tables::Shape::tank,  // L1_DOSE_HOPPER
+    symplant::tables::Shape::device,  // L1_DOSE_SCALE1
+    symplant::tables::Shape::device,  // L1_DOSE_SCALE2
+};
+
 }  // namespace
 
 // The link that the program opens if it is started without --link; the build sets it (LINK_DEFAULT).
@@ -56,6 +63,7 @@ int main(int argc, char** argv) {
                                              .ignored = kIgnored,
                                              .view = {
                                                  .symbols = kSymbols,
+                                                 .shapes = kShapes,
                                              }};
   return symplant::host::run_plant(argc, argv, program);
 }

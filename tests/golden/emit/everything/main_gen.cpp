@@ -31,6 +31,22 @@ constexpr char kStations[] =
     "L\0" "P\0"
     "\0" "to \042move\042\077\077/\134\0";
 
+// What the devices look like in the panel's plan.
+constexpr symplant::tables::Shape kShapes[] = {
+    symplant::tables::Shape::vehicle,  // L_P_AGV
+    symplant::tables::Shape::machine,  // L_P_MC
+    symplant::tables::Shape::cylinder,  // L_P_STOPPER
+    symplant::tables::Shape::vehicle,  // L_P_AGV2
+};
+
+// `plan` of the plant's description.
+constexpr char kPlan[] =
+    "{\042devices\042:{\042L_P_MC\042:{\042group\042:\042to \134\042move\134\042\077\077/ \354\240\204\354\247\204 // */\042,\042x\042:1.5,\042y\042:-2}}}";
+
+// `view3d` of the plant's description.
+constexpr char kView3d[] =
+    "{\042cameras\042:{\042gate\042:{\042from\042:[5,3,5],\042to\042:[0,0,0]}},\042model\042:\042cell.glb\042}";
+
 }  // namespace
 
 // The link that the program opens if it is started without --link; the build sets it (LINK_DEFAULT).
@@ -48,6 +64,9 @@ int main(int argc, char** argv) {
                                              .view = {
                                                  .devices = kDevices,
                                                  .stations = {kStations, sizeof kStations - 1},
+                                                 .shapes = kShapes,
+                                                 .plan = {kPlan, sizeof kPlan - 1},
+                                                 .view3d = {kView3d, sizeof kView3d - 1},
                                              }};
   return symplant::host::run_plant(argc, argv, program);
 }

@@ -31,6 +31,12 @@ constexpr std::array<symplant::panel::SymbolView, 8> kSymbols{{
     {"Machine start work"},  // EXLINE_MB_MC_O_RUN2
 }};
 
+// What the devices look like in the panel's plan.
+constexpr symplant::tables::Shape kShapes[] = {
+    symplant::tables::Shape::vehicle,  // EXLINE_MB_AGV
+    symplant::tables::Shape::machine,  // EXLINE_MB_MC
+};
+
 }  // namespace
 
 // The link that the program opens if it is started without --link; the build sets it (LINK_DEFAULT).
@@ -47,6 +53,7 @@ int main(int argc, char** argv) {
                                              .ignored = kIgnored,
                                              .view = {
                                                  .symbols = kSymbols,
+                                                 .shapes = kShapes,
                                              }};
   return symplant::host::run_plant(argc, argv, program);
 }
