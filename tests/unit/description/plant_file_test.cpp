@@ -225,7 +225,7 @@ TEST_CASE("`plan` and `view3d` are kept as they are, with the names in them") {
         "/view3d/nodes/D/P2: D in P2\n/view3d/nodes/free/turn/by: T.a\n");
 }
 
-TEST_CASE("A position in `plan` that is too far, a turn that is none, and a node without a path are rejected") {
+TEST_CASE("A position in `plan` that is too far, an unknown turn, and a node without a path are rejected") {
   CHECK_THAT(shape(R"("plan": {"frames": {"S": {"x": 10001, "y": 0}}})"),
              Catch::Matchers::StartsWith("/plan/frames/S/x: expected a number from -10000 to 10000"));
   CHECK_THAT(shape(R"("plan": {"frames": {"S": {"x": 0}}})"), Catch::Matchers::StartsWith("/plan/frames/S"));
