@@ -25,6 +25,8 @@ if(SYMPLANT_SANITIZE)
   target_link_options(symplant_options INTERFACE -fsanitize=${SYMPLANT_SANITIZE})
 endif()
 
+set(SYMPLANT_HOT_FLOORS base text diag address read name pairing model json tables condition engine plant exec link trace why share)
+
 # symplant_floor(NAME SOURCES a.cpp ... [FLOORS below ...] [LIBRARIES private ...])
 # Makes the target symplant_NAME with the alias symplant::NAME.
 function(symplant_floor NAME)
@@ -40,6 +42,10 @@ function(symplant_floor NAME)
   endif()
   target_link_libraries(symplant_${NAME} PUBLIC ${ARG_FLOORS} PRIVATE $<BUILD_INTERFACE:symplant_options>
                                                                       ${ARG_LIBRARIES})
+  # Under the sanitizers, optimizing takes most of the compile time; only these layers see long inputs or run for long.
+  if(SYMPLANT_SANITIZE AND NOT NAME IN_LIST SYMPLANT_HOT_FLOORS)
+    target_compile_options(symplant_${NAME} PRIVATE -O0)
+  endif()
   if(SYMPLANT_FUZZ)  # coverage for libFuzzer; main() stays that of the program
     target_compile_options(symplant_${NAME} PRIVATE -fsanitize=fuzzer-no-link)
     target_link_options(symplant_${NAME} INTERFACE $<BUILD_INTERFACE:-fsanitize=fuzzer-no-link>)
