@@ -45,17 +45,29 @@ export const neighbor = (cells, from, key) => {
   return best;
 };
 
-const levels = (name) => name.split("_").slice(0, 2).join("_");
+/// The station whose line and process begin a name; null if there is none.
+export const stationFinder = ({stations}) => {
+  const known = new Map(stations.map(({line, process}, index) => [line + "_" + process, index]));
+  return (name) => known.get(name.split("_").slice(0, 2).join("_")) ?? null;
+};
 
 /// The stations of a track or place, by the names of its sensors and of itself.
-export const stationsOf = (location, plant) => {
-  const found = new Set();
+export const stationsOf = (location, plant, find = stationFinder(plant)) => {
   const names = location.sensors.map(({symbol}) => plant.symbols[symbol].name);
-  for (const name of [...names, location.name]) {
-    const station = plant.stations.findIndex(({line, process}) => line + "_" + process === levels(name));
-    if (station >= 0) found.add(station);
-  }
-  return [...found];
+  return [...new Set([...names, location.name].map(find).filter((station) => station !== null))];
+};
+
+/// The symbols that a person operates and that are in no device, by station; null for those whose names are of no station.
+export const operatedSymbols = (plant) => {
+  const find = stationFinder(plant);
+  const found = new Map();
+  plant.symbols.forEach(({operator, device, name}, index) => {
+    if (!operator || device !== null) return;
+    const station = find(name);
+    if (found.has(station)) found.get(station).push(index);
+    else found.set(station, [index]);
+  });
+  return found;
 };
 
 /// The devices of each station, and last those in none, as { station, devices }.

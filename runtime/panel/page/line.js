@@ -1,9 +1,9 @@
 // The line view: stations with their devices, tracks and places. A large plant shows its stations as small tiles first.
 import {make, select} from "./dom.js";
-import {groupDevices, stationsOf} from "./layout.js";
+import {groupDevices, operatedSymbols, stationsOf} from "./layout.js";
 import {stationAddress} from "./links_to.js";
 import {Material} from "./material.js";
-import {OperatorPanel, operatedSymbols} from "./operator_panel.js";
+import {OperatorPanel} from "./operator_panel.js";
 import {Overview} from "./overview.js";
 import {STATUSES} from "./status.js";
 import {TileGrid} from "./tile_grid.js";

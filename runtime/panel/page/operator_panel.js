@@ -10,21 +10,6 @@ import {isOn, value} from "./words.js";
 
 const kMost = 200;  // the I/O view has them all
 
-const stationName = (name) => name.split("_").slice(0, 2).join("_");
-
-/// The symbols that a person operates and that are in no device, by station; null for those whose names are of no station.
-export const operatedSymbols = ({symbols, stations}) => {
-  const known = new Map(stations.map(({line, process}, index) => [line + "_" + process, index]));
-  const found = new Map();
-  symbols.forEach(({operator, device, name}, index) => {
-    if (!operator || device !== null) return;
-    const station = known.get(stationName(name)) ?? null;
-    if (found.has(station)) found.get(station).push(index);
-    else found.set(station, [index]);
-  });
-  return found;
-};
-
 /// A button, selector or lamp: its comment or name, its state, and its controls if a person can set it.
 class Entry {
   constructor(app, index, result) {

@@ -4,7 +4,7 @@ import {test} from "node:test";
 import {commentOf, commonWords, deviceTitle} from "../../../runtime/panel/page/comments.js";
 import {Holds} from "../../../runtime/panel/page/holds.js";
 import {Names} from "../../../runtime/panel/page/names.js";
-import {operatedSymbols} from "../../../runtime/panel/page/operator_panel.js";
+import {operatedSymbols} from "../../../runtime/panel/page/layout.js";
 import {contactState, isContact, isSettable, mayOperateContact, otherState, setAct, stateAct, writerText} from "../../../runtime/panel/page/person.js";
 import {mayOperate} from "../../../runtime/panel/page/rights.js";
 import {spanOf} from "../../../runtime/panel/page/set_point.js";
