@@ -82,6 +82,13 @@ export class Api {
   why(name, signal) { return this.get("why?name=" + encodeURIComponent(name), signal); }
   at(t) { return this.get("at?t=" + Math.round(t)); }
 
+  /// The positions that were given: { revision, plan }.
+  layout() { return this.get("layout"); }
+  /// All see the plan; the answer is { file }, null without a folder.
+  saveLayout(plan) { return this.post("layout", {plan}); }
+  /// The names of the pictures and models of the folder of --panel-files.
+  async files() { return (await this.get("files")).files; }
+
   async file(path) { return (await this.request("/api/v1/" + path)).blob(); }
   session(kind) { return this.file("session/" + kind); }
 

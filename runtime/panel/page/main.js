@@ -14,6 +14,7 @@ import {followPlant} from "./follow_plant.js";
 import {Frames} from "./frames.js";
 import {refreshHolds} from "./hold_button.js";
 import {Holds} from "./holds.js";
+import {LayoutState} from "./layout_state.js";
 import {MessageBand} from "./message_band.js";
 import {Names} from "./names.js";
 import {Notice} from "./notice.js";
@@ -78,6 +79,7 @@ const makeApp = (api, plant, rights) => {
     return selection?.kind === "device" ? selection.name : null;
   };
   app.chart = new ChartModel(app);
+  app.layout = new LayoutState(app);
   app.holds = new Holds(app, notice, sessionStorage);
   app.holds.changed = refreshHolds;
   app.holds.listen(window);
@@ -88,9 +90,9 @@ const makeApp = (api, plant, rights) => {
 const choose = (app, {kind, name}) => {
   const before = location.hash;
   const isStation = kind === "station";
-  if (isStation) app.router.view("line", {station: name});
+  if (isStation) app.router.view("plan", {station: name});
   else app.router.select(kind, name);
-  const focus = () => document.querySelector(isStation ? "#main .frame h2" : "#details h2")?.focus();
+  const focus = () => document.querySelector(isStation ? "#main .board" : "#details h2")?.focus();
   if (location.hash === before) focus();
   else addEventListener("hashchange", focus, {once: true});
 };
@@ -107,6 +109,7 @@ const makeKeys = (app, bar, search, views) => new Shortcuts([
 const makeReceiver = (app, parts) => {
   app.store.listen((change) => {
     app.clock.set(app.store.t, app.store.clock, change.jumped);
+    app.layout.change(change);
     const statusChanged = app.statuses.update(change);
     if (change.all || change.keys.has("allowed")) refreshActs();
     for (const part of parts) part.change?.(change, statusChanged);

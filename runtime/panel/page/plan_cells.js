@@ -45,7 +45,7 @@ export const assignCells = (wants, columns, x, rows, order) => {
 
 const key = (x, y) => Math.floor(x / kPitch) + "," + Math.floor(y / kPitch);
 
-/// Places for things of which some have a given center ([x, y], else null): the others fill free cells in `columns` columns. `isFree(x, y)`: whether
+/// Centers for things of which some have a given center ([x, y], else null): the others fill free cells in `columns` columns. `isFree(x, y)`: whether
 /// a symbol may be there.
 export const fillCells = (given, columns, x, y, isFree = () => true) => {
   const near = new Map();

@@ -1,13 +1,14 @@
 // What the fragment of the address says: the view, what is shown in it, and what is selected. Names, not indexes, so that
 // a link is still right after a restart.
 
+const kFirst = "plan";
 const kSelections = ["device", "symbol", "location", "requirement", "value", "why"];
 
 export class Router {
   /// `changed(route)` is called at once, and each time the fragment changes.
   constructor(changed) {
     this.changed = changed;
-    this.route = {view: "line"};
+    this.route = {view: kFirst};
     addEventListener("hashchange", () => this.read());
     document.addEventListener("click", (event) => this.clicked(event));
   }
@@ -26,7 +27,7 @@ export class Router {
   read() {
     const wanted = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
     const route = wanted.view ? wanted : {...this.withoutSelection(), ...wanted};
-    if (!route.view) route.view = "line";
+    if (!route.view) route.view = kFirst;
     this.route = route;
     if (location.hash.slice(1) !== this.text(route)) history.replaceState(null, "", "#" + this.text(route));
     this.changed(route);

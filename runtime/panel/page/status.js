@@ -20,6 +20,11 @@ export const STATUSES = [
 ];
 export const rank = Object.fromEntries(STATUSES.map(({key}, index) => [key, index]));
 
+const kColors = {rest: "waits", contact: "waits", commanded: "waits", waits: "waits", frozen: "malfunction"};
+
+/// The name of a status's color in the style sheet; its tint is called NAME-tint, but "waits" has none.
+export const colorOf = (key) => kColors[key] ?? key;
+
 export class Statuses {
   constructor(store, names) {
     this.store = store;

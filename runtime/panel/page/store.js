@@ -11,7 +11,7 @@ export const VALUE = {held: 1};
 const kMostFindings = 1000;
 const kMostActs = 1000;
 const kMostMessages = 50;
-const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "scenario", "exercise", "allowed", "training"];  // replaced if they change
+const kWhole = ["clock", "malfunctions", "links", "cycle", "snapshots", "scenario", "exercise", "allowed", "training", "layout", "camera"];  // replaced if they change
 
 const kJumps = ["reset", "restore", "exercise"];  // acts after which plant time may be any
 
@@ -41,7 +41,7 @@ export class Store {
     this.requirements = [];
     this.alarms = new AlarmState();
     Object.assign(this, {rev: -1, t: 0, forced: 0, clock: {state: "frozen", speed: 1, real_speed: 0, until: null},
-      malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, allowed: null, training: null, findings: [], acts: [],
+      malfunctions: [], links: [], cycle: null, snapshots: [], scenario: null, exercise: null, allowed: null, training: null, layout: null, camera: null, findings: [], acts: [],
       messages: []});
     this.valuesOfDevice = new Map();
     (plant.values ?? []).forEach(({device}, index) => {

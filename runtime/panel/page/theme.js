@@ -1,7 +1,8 @@
 // Colors of the style sheet, for what is drawn on a canvas.
 
 const kNames = ["back", "side", "text", "soft", "line", "accent", "belt", "ink", "on", "stop", "moving", "finding", "blocked",
-  "hatch", "mark", "transfer", "trend0", "trend1", "trend2", "trend3", "trend4", "trend5",
+  "hatch", "mark", "transfer", "waits", "stopped", "disabled", "malfunction", "moving-tint", "stopped-tint", "disabled-tint", "blocked-tint", "malfunction-tint",
+  "finding-tint", "trend0", "trend1", "trend2", "trend3", "trend4", "trend5",
   "kind0", "kind1", "kind2", "kind3", "kind4", "kind5", "kind6", "kind7", "on-kind"];
 
 /// `matches`: nothing moves that is only decoration.

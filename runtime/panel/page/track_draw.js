@@ -1,11 +1,11 @@
-// Draws a track on a canvas: the belt to scale, its parts, sensors, stops and transfers.
+// Draws a track on a canvas: the belt to scale, its parts, sensors, stops and transfers. What begins with `paint` draws on what is there, for the plan.
 import {kindColor} from "./kinds.js";
 import {ticks} from "./layout.js";
 import {kFont, theme} from "./theme.js";
 import {length as lengthText} from "./words.js";
 
-const kSide = 14;
-const kBeltHeight = 22;
+export const kSide = 14;
+export const kBeltHeight = 22;
 const kMotorBand = 11;      // pixels below the belt, for its motors
 const kMotorRadius = 4.5;
 const kRollRadius = 60000;  // um, of a roller: what a motor drives turns as fast as it would
@@ -43,11 +43,9 @@ export const measureNames = (context, sensors) => {
 /// The sensor at a point of the strip, or undefined.
 export const sensorAt = (form, sensors, x, y) => y > form.belt ? undefined : sensors.find(({mark}) => Math.abs(mark - x) < 8);
 
-/// The belt, its drives, ticks, transfers: what stays.
-export const drawBelt = (context, track, width, form, transfers) => {
+/// The belt, and where one drive ends and the next begins.
+export const paintBelt = (context, track, width, {belt}) => {
   const color = theme();
-  const {belt} = form;
-  context.clearRect(0, 0, width, form.height);
   context.fillStyle = color.belt;
   context.fillRect(kSide, belt, width - 2 * kSide, kBeltHeight);
   context.strokeStyle = color.ink;
@@ -61,6 +59,14 @@ export const drawBelt = (context, track, width, form, transfers) => {
     context.stroke();
     context.setLineDash([]);
   }
+};
+
+/// The belt, its drives, ticks, transfers: what stays.
+export const drawBelt = (context, track, width, form, transfers) => {
+  const color = theme();
+  const {belt} = form;
+  context.clearRect(0, 0, width, form.height);
+  paintBelt(context, track, width, form);
   for (const at of ticks(0, track.length, Math.max(2, width / 110))) {
     const x = xOf(track, width, at);
     context.fillStyle = color.line;
@@ -127,15 +133,24 @@ const drawMotor = (context, x, y, speed, seconds) => {
   context.fill();
 };
 
-/// The motor of each drive below the belt: filled and turning while it runs, with an arrow. `seconds` is plant time.
-export const drawMotors = (context, still, track, width, {belt}, speeds, seconds) => {
+/// Brings back what is on the picture of drawBelt in a band of the strip.
+const restore = (context, still, width, top, height) => {
   const ratio = still.width / width;
+  context.clearRect(0, top, width, height);
+  context.drawImage(still, 0, top * ratio, still.width, height * ratio, 0, top, width, height);
+};
+
+/// The motor of each drive below the belt: filled and turning while it runs, with an arrow. `seconds` is plant time.
+export const paintMotors = (context, track, width, {belt}, speeds, seconds) => {
   const top = belt + kBeltHeight + 1;
-  context.clearRect(0, top, width, kMotorBand);
-  context.drawImage(still, 0, top * ratio, still.width, kMotorBand * ratio, 0, top, width, kMotorBand);
   context.lineWidth = 1.5;
   track.drives.forEach(({from}, drive) => drawMotor(context, xOf(track, width, from) + 16, top + kMotorBand / 2, speeds[drive] ?? 0, seconds));
   context.lineWidth = 1;
+};
+
+export const drawMotors = (context, still, track, width, form, speeds, seconds) => {
+  restore(context, still, width, form.belt + kBeltHeight + 1, kMotorBand);
+  paintMotors(context, track, width, form, speeds, seconds);
 };
 
 /// Stops are bars across the belt, filled while they hold.
@@ -150,14 +165,10 @@ const drawStops = (context, track, width, {belt}, stops) => {
   });
 };
 
-/// The parts, each with its kind as far as it fits. `still` is the picture of drawBelt. `seconds` is plant time.
-export const drawParts = (context, still, track, width, form, {parts, kinds, speeds, stops, seconds}) => {
+/// The parts, each with its kind as far as it fits. `seconds` is plant time. `write(text, x, y, color)` writes in the middle of a part.
+export const paintParts = (context, track, width, form, {parts, kinds, speeds, stops, seconds}, writeOn = (...args) => write(context, ...args)) => {
   const color = theme();
   const {belt} = form;
-  const ratio = still.width / width;
-  const top = belt - 1;
-  context.clearRect(0, top, width, kBeltHeight + 2);
-  context.drawImage(still, 0, top * ratio, still.width, (kBeltHeight + 2) * ratio, 0, top, width, kBeltHeight + 2);
   drawDrives(context, track, width, form, speeds, seconds);
   const scale = scaleOf(track, width);
   context.strokeStyle = color.ink;
@@ -169,18 +180,26 @@ export const drawParts = (context, still, track, width, form, {parts, kinds, spe
     context.strokeRect(left + .5, belt + 3.5, long - 1, kBeltHeight - 7);
     context.font = "11px " + kFont;
     const text = cut(context, kinds[kind].name, long - 4) || cut(context, String(number), long - 2);
-    if (text.length > 1 || long < 30) write(context, text, left + long / 2, belt + kBeltHeight / 2, color["on-kind"]);
+    if (text.length > 1 || long < 30) writeOn(text, left + long / 2, belt + kBeltHeight / 2, color["on-kind"]);
   }
   drawStops(context, track, width, form, stops);
 };
 
-/// Sensors above the belt: a filled triangle is on, an empty one off. Its tip is at the position, its base where it has room.
+/// `still` is the picture of drawBelt.
+export const drawParts = (context, still, track, width, form, what) => {
+  restore(context, still, width, form.belt - 1, kBeltHeight + 2);
+  paintParts(context, track, width, form, what);
+};
+
 export const drawMarks = (context, still, track, width, form, sensors) => {
+  restore(context, still, width, 0, form.belt - 1);
+  paintMarks(context, track, width, form, sensors);
+};
+
+/// Sensors above the belt: a filled triangle is on, an empty one off. Its tip is at the position, its base where it has room.
+export const paintMarks = (context, track, width, form, sensors) => {
   const color = theme();
   const {belt} = form;
-  const ratio = still.width / width;
-  context.clearRect(0, 0, width, belt - 1);
-  context.drawImage(still, 0, 0, still.width, (belt - 1) * ratio, 0, 0, width, belt - 1);
   for (const {at, mark, shown, left, on, forced} of sensors) {
     context.beginPath();
     context.moveTo(xOf(track, width, at), belt - 1);

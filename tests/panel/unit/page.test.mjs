@@ -50,7 +50,7 @@ test("Every imported name is exported by its module and used", () => {
   for (const name of modules) {
     for (const [, names, from] of text(name).matchAll(/import \{([^}]*)\} from "\.\/([a-z_]+\.js)"/g)) {
       for (const [imported, local = imported] of names.split(",").map((part) => part.trim().split(" as "))) {
-        assert.match(text(from), new RegExp("export (const|class) " + imported + "\\b"), name + " imports " + imported);
+        assert.match(text(from), new RegExp("export ((const|class) |\\{[^}]*\\b)" + imported + "\\b"), name + " imports " + imported);
         const uses = text(name).match(new RegExp("(?<![-.])\\b" + local + "\\b", "g")).length;
         assert.ok(uses > 1, name + " does not use " + local);
       }

@@ -1,0 +1,62 @@
+// What a symbol shows of its device's state: how far a rod is out, whether a motor runs. Names of states are words of the plant; what no
+// word says follows from the order of the states. Without elements.
+import {partOf, hasRange} from "./value_words.js";
+
+const kOne = /^(OUT|ADV|EXT|FRONT|FORWARD|FWD|CLOSE|CLOSED|CLAMP|CLAMPED|GRIP|LOCK|LOCKED|SHUT|UP|TOP|RUN|ON|PUSH|PRESSED|SEEN|FULL|IN_WORK)\d*$/;
+const kZero = /^(BACK|RET|HOME|OPEN|OPENED|UNCLAMP|RELEASE|FREE|UNLOCK|DOWN|BOTTOM|STOP|STOPPED|OFF|IDLE|NOT_.*)\d*$/;
+const kOpens = new Set(["door", "valve"]);  // 1: open
+
+/// Where a state is between the two ends of a device, 0 to 1.
+export const amountOf = (device, state) => {
+  const {states, shape} = device;
+  const name = states[state] ?? "";
+  const side = kOne.test(name) ? 1 : kZero.test(name) ? 0 : states.length > 1 ? state / (states.length - 1) : 0;
+  const isOfOpening = /^(NOT_)?(OPEN|CLOSE|SHUT)/.test(name);
+  return kOpens.has(shape) && isOfOpening ? 1 - side : side;
+};
+
+/// Angle of a turntable, in turns: each state is its part of the whole turn.
+const turnOf = ({states}, state) => state / Math.max(1, states.length);
+
+/// { amount, turn, on }: the amount at plant time `now`, during a move between those of both states.
+export const motionOf = (store, index, now) => {
+  const device = store.plant.devices[index];
+  const state = store.state[index];
+  const target = store.target[index];
+  const from = amountOf(device, state);
+  if (target === state || target < 0) return {amount: from, turn: turnOf(device, state), on: from >= .5};
+  const {done} = store.progress(index, now);
+  let way = turnOf(device, target) - turnOf(device, state);
+  if (way < -.5) way += 1;
+  return {amount: from + (amountOf(device, target) - from) * done, turn: turnOf(device, state) + way * done, on: from >= .5};
+};
+
+const kRuns = new Set(["motor", "conveyor", "pump", "machine"]);
+
+/// Whether a device's symbol turns although its state stays.
+export const runs = (store, index) => {
+  const device = store.plant.devices[index];
+  return kRuns.has(device.shape) && store.state[index] === store.target[index] && device.states.length > 1 && /^(RUN|ON|FORWARD|FWD|UP|DOWN|LEFT|RIGHT|FAST|SLOW|CW|CCW)\d*$/
+    .test(device.states[store.state[index]] ?? "");
+};
+
+/// The values that are shown at each device: its own, and those whose name begins with its label ("hoist.height" of PORT_C1_HOIST).
+export const valuesByDevice = (plant) => {
+  const labels = new Map();
+  plant.devices.forEach(({label}, device) => {
+    const key = label.toLowerCase();
+    labels.set(key, labels.has(key) ? null : device);
+  });
+  const found = new Map();
+  plant.values.forEach(({name, device}, value) => {
+    const of = device ?? labels.get(name.split(/[.[]/)[0].toLowerCase()) ?? null;
+    if (of !== null) found.set(of, [...found.get(of) ?? [], value]);
+  });
+  return found;
+};
+
+/// How full a tank is, 0 to 1, by the first of its values that has a range; null without one.
+export const levelOf = (store, values) => {
+  const value = (values ?? []).find((at) => hasRange(store.plant.values[at]));
+  return value === undefined ? null : partOf(store.plant.values[value], store.numbers[value]);
+};
