@@ -1,7 +1,7 @@
 // The cells of a frame: devices, and symbols that a person operates, in rows and columns. Pure functions, without elements.
 
 export const kPitch = 2;   // grid units between two cells: a symbol of one unit with its label
-export const kHead = 1;    // above the first row, for the name of the frame
+export const kHead = 1.5;    // above the first row, for the name of the frame
 export const kSide = .5;   // left and right of the cells
 export const kFoot = .5;   // below the last row
 

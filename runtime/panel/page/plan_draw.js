@@ -4,15 +4,17 @@ import {kFont, theme} from "./theme.js";
 import {kBeltHeight, kSide, paintBelt} from "./track_draw.js";
 
 export const kNear = 26;   // pixels for a grid unit, from which on names of things are written
-export const kMiddle = 13;  // from which on symbols have a shape
+export const kMiddle = 11;  // from which on symbols have a shape
 const kJoinWidth = .5;
 
-/// A text cut to a width, with "…" at its end.
+/// A text cut to a width, with "…" in its middle, since names differ at their ends; "" if less than three letters have room.
 export const cutText = (context, text, width) => {
   if (context.measureText(text).width <= width) return text;
-  let length = Math.min(text.length, Math.floor(width / 4));
-  while (length > 0 && context.measureText(text.slice(0, length) + "…").width > width) --length;
-  return length === 0 ? "" : text.slice(0, length) + "…";
+  for (let length = Math.min(text.length - 1, Math.floor(width / 4)); length >= 3; --length) {
+    const cut = text.slice(0, Math.ceil(length / 2)) + "…" + text.slice(text.length - Math.floor(length / 2));
+    if (context.measureText(cut).width <= width) return cut;
+  }
+  return "";
 };
 
 /// The size of texts next to symbols, in pixels.
@@ -48,7 +50,8 @@ const paintFrame = (context, camera, frame, status) => {
   const {key, letter} = STATUSES[status ?? 0];
   const [x, y] = camera.toScreen([frame.x, frame.y]).map(Math.round);
   const [w, h] = [frame.w * camera.scale, frame.h * camera.scale].map(Math.round);
-  const isUrgent = status !== null && key !== "rest" && colorOf(key) !== "waits" && key !== "moving";
+  const isCalm = status === null || colorOf(key) === "waits";
+  const isUrgent = !isCalm && key !== "moving";
   context.fillStyle = isUrgent ? color[colorOf(key) + "-tint"] : color.side;
   context.globalAlpha = .8;
   context.fillRect(x, y, w, h);
@@ -59,16 +62,16 @@ const paintFrame = (context, camera, frame, status) => {
   context.lineWidth = 1;
   if (w < 24) return;
   const size = Math.max(11, Math.min(16, camera.scale * .8));
-  const badge = status === null || w < 60 ? 0 : size + 6;
+  const badge = isCalm || w < 50 ? 0 : size + 4;
   context.font = "600 " + size + "px " + kFont;
   context.textAlign = "left";
   context.textBaseline = "middle";
-  const room = w - 10 - badge;
+  const room = w - 8 - badge;
   const process = frame.name.split(" ").slice(1).join(" ") || frame.name;
   const text = context.measureText(frame.name).width <= room ? frame.name : process;
-  const head = Math.max(camera.scale * .5, size * .75) + 1;
+  const head = Math.max(size * .65, Math.min(camera.scale * .65, 18)) + 1;
   context.fillStyle = color.text;
-  context.fillText(cutText(context, text, room), x + 5, y + head);
+  context.fillText(cutText(context, text, room), x + 4, y + head);
   if (badge > 0) paintBadge(context, letter, color[colorOf(key)], x + w - badge - 1, y + head - size / 2 - 1, size + 2);
 };
 
@@ -148,7 +151,7 @@ const paintName = (context, camera, placed, name) => {
   if (placed.turn % 180 === 0) {
     const left = placed.turn === 0 ? x : x - along;
     context.textAlign = "left";
-    context.fillText(cutText(context, name, along * .6), left + 12 + .35 * scale, y + (placed.turn === 0 ? .72 : -.72) * scale);
+    context.fillText(cutText(context, name, along * .6), left + (placed.turn === 0 ? 1.4 : .2) * scale, y + (placed.turn === 0 ? .72 : -.72) * scale);
   } else {
     context.save();
     context.translate(x, y);

@@ -160,7 +160,7 @@ const joinCost = (nodes, edges, boxes) => {
 /// What a size costs on a screen of this shape (width / height): how large it is, but little below what is legible on any screen.
 export const sizeCost = (shape, w, h) => {
   const size = Math.max(w / shape, h);
-  return Math.max(size, kLegible) + .1 * size;
+  return Math.max(size, kLegible) + .05 * size;
 };
 
 /// Places boxes { w, h, axis } (axis: the height at which parts come and go if an edge does not say otherwise) with the edges

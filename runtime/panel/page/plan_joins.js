@@ -35,9 +35,11 @@ const sideOf = ({width, turn}, [x, y], [px, py]) => {
 const endOf = (placed, length, at, isFrom, far) => {
   if (placed.kind === "place") return meet(placed, far);
   const point = pointOn(placed, at, length);
-  const isAtEnd = isFrom ? at >= kNearEnd * length : at <= (1 - kNearEnd) * length;
-  if (!isAtEnd) return sideOf(placed, point, far);
   const [dx, dy] = directionOf(placed.turn);
+  const ahead = ((far[0] - point[0]) * dx + (far[1] - point[1]) * dy) * (isFrom ? 1 : -1);
+  const isAtEnd = isFrom ? at >= length : at <= 0;
+  const isNearEnd = (isFrom ? at >= kNearEnd * length : at <= (1 - kNearEnd) * length) && ahead > kStub;
+  if (!isAtEnd && !isNearEnd) return sideOf(placed, point, far);
   return {point, out: isFrom ? [dx, dy] : [-dx, -dy]};
 };
 

@@ -13,6 +13,8 @@ export {pointOn, slotOf} from "./plan_joins.js";
 const kScreen = 1.7;      // width / height of what a plan should fill
 const kShapes = [.15, .3, .5, .8, 1.2, 1.8, 2.6];  // of the devices of a station
 const kMargin = 1;
+const kShapeCost = .02;   // of stations that are narrower or wider than
+const kUsual = 1.2;
 const kRowCost = .04;     // a further shelf is worth it only if the plan gets larger by this part
 
 /// From coordinates in a box to those of the plan; `mirrored`: x runs to the left.
@@ -113,7 +115,7 @@ const arrange = (plant, plan, model) => {
     for (const wide of shelfWidths(boxes)) {
       const placed = shelves(boxes, wide);
       const rows = new Set(placed.at.map(([, y]) => y)).size;
-      const cost = (sizeCost(kScreen, placed.w, placed.h) + joins) * (1 + kRowCost * rows);
+      const cost = (sizeCost(kScreen, placed.w, placed.h) + joins) * (1 + kRowCost * rows + kShapeCost * Math.abs(Math.log(shape / kUsual)));
       if (cost < least - 1e-9) [best, least] = [{boxes, placed}, cost];
     }
   }

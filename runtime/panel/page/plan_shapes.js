@@ -39,7 +39,7 @@ const moving = (c, {color}, draw) => {
 const spoke = (c, p, r, x = 0, y = 0) => moving(c, p, () => line(c, [x - Math.cos(p.spin) * r, y - Math.sin(p.spin) * r], [x + Math.cos(p.spin) * r, y + Math.sin(p.spin) * r]));
 
 const cylinder = (c, p) => {
-  const tip = .02 + .4 * p.amount;
+  const tip = .12 + .34 * p.amount;
   moving(c, p, () => {
     line(c, [-.2, 0], [tip, 0]);
     line(c, [tip, -.16], [tip, .16]);

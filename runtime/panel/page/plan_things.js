@@ -57,7 +57,7 @@ export const paintDevice = (context, camera, app, index, placed, values, now) =>
   const spins = store.moves(index) || runs(store, index);
   const motion = Object.assign(motionOf(store, index, now), {spin: spins ? spinAt(now) : .8, level: device.shape === "tank" ? levelOf(store, values) : null});
   const name = colorOf(key);
-  const active = name === "waits" ? (motion.on ? color.on : color.accent) : color[name];
+  const active = name === "waits" ? (motion.on ? color.on : color.ink) : color[name];
   drawShape(context, device.shape, {x, y, turn: placed.turn}, scale * .92, {ink: name === "waits" ? color.ink : color[name], color: active,
     fill: color[name + "-tint"] ?? color.back}, motion, (store.flags[index] & DEVICE.disabled) !== 0);
   const badge = Math.max(9, Math.min(18, scale * .34));

@@ -8,6 +8,7 @@ const kLeast = 4;           // lengths of belts
 const kMost = 20;
 const kMedian = 7;          // of belts in one station
 const kBranchGap = 2.5;     // between two tracks that hang from a belt
+const kPlaceEdge = .5;      // above and below a place, for its sensors and its name
 const kMostSlots = 12;      // of a place that are drawn
 
 /// How a place is drawn: its columns and rows of slots.
@@ -66,7 +67,7 @@ export const setBranches = ({locations, passes}, boxOf) => {
 const boxOf = ({location, length, branches}) => {
   if (location.kind === "place") {
     const {columns, rows} = slotsOf(location);
-    return {w: Math.max(columns, 2), h: rows + 1, axis: rows / 2, left: 0};
+    return {w: Math.max(columns, 2), h: rows + 2 * kPlaceEdge + .5, axis: rows / 2 + kPlaceEdge, left: 0};
   }
   const xs = branches.map(({at}) => at / location.length * length);
   const left = Math.max(0, 1 - Math.min(...xs, 1));
@@ -113,6 +114,6 @@ export const emitTrack = (into, index, x, y, length, out) => {
 
 const emitPlace = (into, index, location, wide, out) => {
   const {columns, rows} = slotsOf(location);
-  const [x, y] = into.corner((wide - columns) / 2, 0, columns);
+  const [x, y] = into.corner((wide - columns) / 2, kPlaceEdge, columns);
   out.locations[index] = {kind: "place", x, y, w: columns, h: rows, columns};
 };
