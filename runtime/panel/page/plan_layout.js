@@ -2,7 +2,7 @@
 // gave. Pure and deterministic, without elements. Time: O(k * (n log n + p)) for n devices, tracks and places, p passes of parts, and k shapes of
 // stations that are tried.
 import {bareBlock, gridBlock, longBlock, measureLong, stationBlock} from "./plan_blocks.js";
-import {kPitch} from "./plan_cells.js";
+import {kFoot, kPitch, kSide} from "./plan_cells.js";
 import {layered, sizeCost} from "./plan_flow.js";
 import {joinsOf} from "./plan_joins.js";
 import {modelOf} from "./plan_model.js";
@@ -122,6 +122,15 @@ const arrange = (plant, plan, model) => {
   return best;
 };
 
+/// A frame reaches to the right and down as far as its tracks and places do that begin in it.
+const enclose = (frame, rects) => {
+  for (const {x, y, w, h} of rects) {
+    if (x < frame.x || y < frame.y) continue;
+    frame.w = Math.max(frame.w, x + w + kSide - frame.x);
+    frame.h = Math.max(frame.h, y + h + kFoot - frame.y);
+  }
+};
+
 const makeOut = (plant, frames) => {
   const out = {frames: frames.map(() => null), devices: new Array(plant.devices.length), operators: [], locations: new Array(plant.locations.length)};
   const frameOf = new Map(frames.flatMap(({things}, frame) => things.map((thing) => [thing, frame])));
@@ -163,6 +172,7 @@ const putGiven = (plant, plan, model, out) => {
       return at ? [at.x, at.y] : null;
     }, isFree);
     block.emit(makeInto(1, given.x, given.y), out);
+    enclose(out.frames[frame], model.locations.filter((location) => location.given && location.home === frame).map(({index}) => rectOf(out.locations[index])));
     fixed.push(...things.map(({device}) => device).filter((device) => device !== undefined).map((device) => [out.devices[device].x, out.devices[device].y]));
   });
 };

@@ -113,6 +113,7 @@ export const modelOf = (plant, plan) => {
     frame.isPlain = frame.given !== null || frame.station === null || frame.things.some(({device}) => device !== undefined && plan.devices?.[plant.devices[device].name]?.x !== undefined);
   }
   const locations = plant.locations.map((location, index) => ({index, location, given: plan.locations?.[location.name] ?? null,
+    home: along[index].size === 1 ? frameOfStation([...along[index].keys()][0]) : null,
     along: new Map([...along[index]].map(([station, at]) => [frameOfStation(station), at]).filter(([frame]) => !frames[frame].isPlain))}));
   return {frames, loose, locations, passes, acts};
 };

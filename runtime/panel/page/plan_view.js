@@ -32,7 +32,8 @@ export class PlanView {
     this.board.addEventListener("blur", () => this.mark());
     new ResizeObserver(() => this.resize()).observe(this.board);
     onTheme(() => this.moved());
-    app.layout.listen(() => this.place());
+    app.layout.listen(() => { if (!this.edit?.isOn) this.place(); });
+    app.planView = this;  // for tests and the console
     this.place();
   }
 
@@ -156,7 +157,7 @@ export class PlanView {
     const thing = pick(this.app.plant, this.placed, point);
     const name = thing ? nameOf(this.app, this.placed, thing) : null;
     const comment = thing?.kind === "device" ? this.app.names.commentOf(this.app.plant.devices[thing.index]) : thing?.kind === "symbol" ? this.app.plant.symbols[thing.index].comment : "";
-    setAttribute(this.board, "title", name && [name, comment].filter((text) => text).join("\n"));
+    setAttribute(this.board, "title", name && [describe(this.app, thing) || name, comment].filter((text) => text).join("\n"));
     this.board.classList.toggle("on-thing", thing !== null && thing.kind !== "frame");
   }
 

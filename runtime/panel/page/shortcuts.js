@@ -1,6 +1,7 @@
 // Keys of the page, and the help that lists them. Keys of one letter can be switched off.
 import {button, make, table} from "./dom.js";
 import {kChartKeys} from "./chart_input.js";
+import {kPlanKeys} from "./plan_input.js";
 
 const kOffKey = "symplant keys off";
 
@@ -40,6 +41,7 @@ export class Shortcuts {
     dialog.append(make("h2", {id: "help-title", tabindex: -1, autofocus: true}, "Keys"),
       table("Keys of the page", ["Key", "Does"], [...rows(this.keys), ...rows([["?", "show this help"],
         ["Tab", "to the next control; arrow keys move within tiles and lists"]])]),
+      make("h2", {}, "Keys of the plan, while it has the focus"), table("Keys of the plan", ["Key", "Does"], rows(kPlanKeys)),
       make("h2", {}, "Keys of the chart, while it has the focus"), table("Keys of the chart", ["Key", "Does"], rows(kChartKeys)),
       make("label", {class: "check"}, box, "Keys of one letter act"),
       make("div", {class: "row end"}, button("Close", close, {class: "primary"})));

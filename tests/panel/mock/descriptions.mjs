@@ -32,6 +32,7 @@ const addSymbol = (plant, devices, name, address, type, initial, list) => {
 /// States, targets of operations and drivers of events, once all symbols are known.
 const finish = (plant) => {
   for (const device of plant.devices) {
+    device.shape = "device";
     if (device.states.length === 1) device.states.unshift("NOT_" + device.states[0]);
     for (const operation of device.operations) {
       const to = device.states.indexOf(plant.symbols[operation.symbol].name.split("_").pop());

@@ -228,7 +228,7 @@ export class MockPlant {
   }
 
   picture() {
-    return {alarms: this.alarmList(), rev: this.rev, t: this.t, clock: this.clock, devices: this.devices.map((_, index) => this.entry(index)), symbols: this.symbols.map((_, index) => this.symbolEntry(index)),
+    return {layout: 1, camera: null, alarms: this.alarmList(), rev: this.rev, t: this.t, clock: this.clock, devices: this.devices.map((_, index) => this.entry(index)), symbols: this.symbols.map((_, index) => this.symbolEntry(index)),
       tracks: this.tracks.map((_, rank) => this.trackEntry(rank)), places: this.places, malfunctions: this.malfunctions, findings: this.findings,
       requirements: this.requirements, links: this.linkStates(), cycle: this.cycle(), acts: this.acts.slice(-200),
       snapshots: this.snapshots.map(({name, t, kind, file}) => ({name, t, kind, file})), exercise: this.exercise?.view(this) ?? null};

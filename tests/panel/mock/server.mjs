@@ -109,6 +109,8 @@ export const startServer = async ({name, port = 0, activity, viewOnly = false, e
   const api = {
     plant: () => description,
     picture,
+    layout: () => ({revision: 1, plan: {}}),
+    files: () => ({files: []}),
     why: (query) => why(plant, query.get("name")),
     chart: (query) => chart(plant, query),
     utilization: (query) => utilization(plant, query),

@@ -66,12 +66,13 @@ export const kEveryday = [
     };
     await search("under20 robot1");
     await until("the focus on the heading", async () => /^H2 BODY_UNDER20_ROBOT1/.test(await tag()) || await tag());
-    await page.keyboard.press("2");
+    await page.keyboard.press("3");
     await page.getByRole("table", {name: "Symbols"}).waitFor();
     await search("under20 robot1");  // what is selected already
     await until("the focus again", async () => /^H2 BODY_UNDER20_ROBOT1/.test(await tag()) || await tag());
     await search("body under10");
-    await until("the focus on the station", async () => /^H2 BODY UNDER10/.test(await tag()) || await tag());
+    await until("the focus on the station", async () => /^DIV/.test(await tag()) || await tag());
+    assert.match(await page.evaluate(() => location.hash), /view=plan&station=BODY\+UNDER10/);
     await page.keyboard.press("p");
     await bandOf(page).waitFor();
   }],
@@ -91,7 +92,7 @@ export const kEveryday = [
     await page.keyboard.press("/");
     await page.keyboard.press("Escape");
     assert.equal(await focused(), "main");
-    await page.keyboard.press("2");
+    await page.keyboard.press("3");
     await page.getByRole("table", {name: "Symbols"}).waitFor();
   }],
   ["a kind of part has one color: in the legend, on tracks, in places and in details", "material", async ({page, view, server}) => {

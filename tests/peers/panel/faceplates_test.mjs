@@ -269,7 +269,7 @@ const step = async (what, page, run) => {
 const atPlant = async () => {
   const plant = await startPlant();
   const page = await browser.page();
-  await page.goto(plant.link);
+  await page.goto(plant.link + "&view=line");
   await ready(page);
   for (const [what, run] of kSteps) if (!await step(what, page, () => run(page))) break;
   await page.close();
@@ -281,7 +281,7 @@ const atServer = async (what, test) => {
   const server = await startServer({name: "operated", deny: (path) => path === "acts" ? net.status : 0, delay: () => net.delay});
   const page = await browser.page(kExpected);
   await page.route("**/*", (route) => net.lost && route.request().url().includes("/api/") ? route.abort() : route.fallback());
-  await page.goto(server.link);
+  await page.goto(server.link + "&view=line");
   await ready(page);
   await step(what, page, () => test(page, server, net));
   await page.close();

@@ -38,6 +38,8 @@ const setSymbol = async (page, name, label) => {
 export const kSteps = [
   ["the overview shows the stations of the line", async ({page, link}) => {
     await page.goto(link);
+    await page.getByRole("application", {name: "Plan of the plant"}).waitFor();
+    await open(page, "Tiles");
     await page.getByRole("region", {name: "Stations"}).waitFor();
     assert.ok(await page.getByRole("region", {name: "Stations"}).getByRole("link").count() >= 40);
     assert.ok(!page.url().includes("token"), "the token is still in the address bar");

@@ -9,7 +9,7 @@ import {Browser} from "./browser.mjs";
 import {kSteps} from "./journey.mjs";
 import {startBodyShop} from "./plants.mjs";
 
-const kViews = ["view=line", "view=line&station=BODY UNDER10&device=BODY_UNDER10_CLAMP1", "view=io&symbol=BODY_UNDER10_CLAMP1_I_CLOSE", "view=chart", "view=alarms", "view=findings",
+const kViews = ["view=plan", "view=plan&station=BODY UNDER10&device=BODY_UNDER10_CLAMP1", "view=line", "view=line&station=BODY UNDER10&device=BODY_UNDER10_CLAMP1", "view=io&symbol=BODY_UNDER10_CLAMP1_I_CLOSE", "view=chart", "view=alarms", "view=findings",
   "view=links", "view=malfunctions", "view=exercises", "view=session", "view=utilization"];
 
 const [playwright, axe, symplant] = process.argv.slice(2);

@@ -121,7 +121,7 @@ const kTests = [
       await page.setViewportSize({width: 1024, height: 700});
       await page.goto(server.link);
       await ready(page);
-      for (const hash of ["view=line", "view=io", "view=alarms", "view=findings", "view=malfunctions", "view=exercises", "view=session"]) {
+      for (const hash of ["view=plan", "view=line", "view=io", "view=alarms", "view=findings", "view=malfunctions", "view=exercises", "view=session"]) {
         await view(page, hash);
         await noFaults(page, hash);
       }
@@ -142,10 +142,10 @@ const kTests = [
       await page.goto(server.link);
       await ready(page);
       assert.equal(await page.getByText("only shows").count(), 1);
-      for (const hash of ["view=line&device=EXLINE_MB_AGV", "view=io&symbol=EXLINE_MB_AGV_I_P1", "view=malfunctions", "view=session", "view=exercises"]) {
+      for (const hash of ["view=plan&device=EXLINE_MB_AGV", "view=line&device=EXLINE_MB_AGV", "view=io&symbol=EXLINE_MB_AGV_I_P1", "view=malfunctions", "view=session", "view=exercises"]) {
         await view(page, hash);
         const names = await page.getByRole("button").allInnerTexts();
-        for (const name of names) assert.match(name, /^(\?|✕|Ask again|Show in chart|Skip to the view|Download .*|Trainee|Trainer)$/, hash);
+        for (const name of names) assert.match(name, /^(\?|✕|\+|−|Whole plant|Ask again|Show in chart|Skip to the view|Download .*|Trainee|Trainer)$/, hash);
       }
       await noFaults(page, "only shows");
     });
@@ -209,7 +209,7 @@ const kTests = [
       await page.keyboard.press("Enter");
       await page.getByRole("complementary", {name: "Details"}).getByRole("heading", {name: /BODY_UNDER20_ROBOT1/}).first().waitFor();
       await page.evaluate(() => document.activeElement.blur());
-      await page.keyboard.press("2");
+      await page.keyboard.press("3");
       await page.getByRole("table", {name: "Symbols"}).waitFor();
       const seen = new Set();
       for (let i = 0; i < 80; ++i) {
@@ -260,7 +260,7 @@ const kTests = [
         const symbol = server.plant.description.symbols[0].name;
         const device = server.plant.description.devices[0].name;
         await page.evaluate(() => symplant.chart.addDevice(0));
-        for (const hash of ["view=line", "view=line&device=" + device, "view=io&symbol=" + symbol, "view=chart", "view=findings", "view=links", "view=session"]) {
+        for (const hash of ["view=plan", "view=plan&device=" + device, "view=line", "view=line&device=" + device, "view=io&symbol=" + symbol, "view=chart", "view=findings", "view=links", "view=session"]) {
           await view(page, hash);
           await noFaults(page, name + " " + width + " " + hash);
         }
@@ -273,7 +273,7 @@ for (const [what, name, check] of [...kCases, ...kEveryday]) kTests.push([what, 
   const setWidth = (width) => page.setViewportSize({width, height: 700});
   await page.emulateMedia({colorScheme: "light", reducedMotion: "reduce"});
   await setWidth(1280);
-  await page.goto(server.link);
+  await page.goto(server.link + "&view=line");
   await ready(page);
   await check({page, server, setWidth, view: (hash) => view(page, hash)});
 })]);

@@ -87,7 +87,7 @@ for (let i = 0; i < 3; ++i) {
   const {server, page} = await open("large");
   await page.setViewportSize({width: 1280, height: 800});
   console.log("10,000 devices, 10,667 motions/s, overview: " + await measure(page));
-  for (const name of ["I/O", "Findings", "Line"]) console.log("  " + name + " is drawn " + await response(page, name) + " after the click");
+  for (const name of ["I/O", "Findings", "Tiles", "Plan"]) console.log("  " + name + " is drawn " + await response(page, name) + " after the click");
   await page.evaluate(() => symplant.router.view("line", {station: symplant.plant.stations[3].name}));
   console.log("one station: " + await measure(page));
   await page.evaluate(() => symplant.router.view("io"));

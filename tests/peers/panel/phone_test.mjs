@@ -20,7 +20,7 @@ const fragments = () => page.evaluate(() => {
   const {plant} = symplant;
   const lists = {device: plant.devices, symbol: plant.symbols, location: plant.locations, requirement: plant.requirements, value: plant.values};
   const of = (fragment) => new URLSearchParams(fragment).toString();
-  return [...[...document.querySelectorAll("#views a")].map(({hash}) => hash.slice(1)), of({view: "line", station: plant.stations[0].name}),
+  return [...[...document.querySelectorAll("#views a")].map(({hash}) => hash.slice(1)), of({view: "plan", station: plant.stations[0].name}), of({view: "line", station: plant.stations[0].name}),
     ...Object.entries(lists).filter(([, list]) => list.length > 0).map(([kind, [{name}]]) => of({view: "line", [kind]: name}))];
 });
 

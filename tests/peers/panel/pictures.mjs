@@ -46,7 +46,15 @@ const withPlant = async (args, use) => {
 
 await withPlant(["run", "examples/body-shop/plant.json", "--scenario", "examples/body-shop/cycle.json"], async () => {
   await time(5);
+  await picture("plan");
+  await view("view=line");
   await picture("line");
+});
+await withPlant(["run", "examples/sorting/plant.json", "--scenario", "examples/sorting/by-hand.json"], async () => {
+  await time(6.2);
+  await act({freeze: true});
+  await page.waitForTimeout(700);
+  await picture("plan-sorting");
 });
 await withPlant(["run", "examples/oven/plant.json"], async () => {
   await page.setViewportSize({width: 1120, height: 840});
@@ -95,12 +103,14 @@ await withPlant(["run", "examples/body-shop/plant.json", "--exercise", kExercise
   await picture("exercise");
 });
 await withPlant(["run", "examples/gallery/machining/plant.json", "--scenario", "examples/gallery/machining/scenario.json"], async () => {
+  await view("view=line");
   await time(15.2);
   await picture("material");
 });
 const trace = join(work, "machining.jsonl");
 execFileSync(symplant, ["run", "examples/gallery/machining/plant.json", "--scenario", "examples/gallery/machining/scenario.json", "--trace", trace], {cwd: kProject});
 await withPlant(["show", trace, "examples/gallery/machining/plant.json"], async () => {
+  await view("view=line");
   await page.getByRole("slider").fill("4000");
   await page.waitForTimeout(700);
   await picture("recording");

@@ -106,7 +106,7 @@ try {
   await trainer.getByRole("textbox", {name: "Message"}).fill("Which valve did not open?\nSay it before you act.");
   await trainer.getByRole("button", {name: "Send"}).click();
   for (const page of [anna, ben]) {
-    await page.getByRole("navigation", {name: "Views"}).getByRole("link", {name: "Line", exact: true}).click();
+    await page.getByRole("navigation", {name: "Views"}).getByRole("link", {name: "Tiles", exact: true}).click();
     await page.getByRole("log", {name: "Messages of the trainer"}).getByText("Which valve did not open?").waitFor();
   }
   await check(ben, "message");

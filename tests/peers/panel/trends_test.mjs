@@ -166,10 +166,10 @@ const kSteps = [
       await tank.stop();
     }
   }],
-  ["no fault in the chart and the line, in light and dark", async () => {
+  ["no fault in the chart, the tiles and the plan, in light and dark", async () => {
     for (const colorScheme of ["light", "dark"]) {
       await page.emulateMedia({colorScheme, reducedMotion: "reduce"});
-      for (const name of ["Chart", "Line"]) {
+      for (const name of ["Chart", "Tiles", "Plan"]) {
         await view(name);
         await page.waitForTimeout(600);
         assert.deepEqual(await browser.faults(page), [], colorScheme + ", " + name);
