@@ -5,6 +5,9 @@ export const kHead = 1.5;    // above the first row, for the name of the frame
 export const kSide = .5;   // left and right of the cells
 export const kFoot = .5;   // below the last row
 
+/// The cell of a symbol with its texts and badges.
+export const cellOf = ({x, y}) => ({x: x - kPitch / 2, y: y - .55, w: kPitch, h: kPitch});
+
 /// The width of a frame with so many columns.
 export const widthOf = (columns) => columns * kPitch + 2 * kSide;
 

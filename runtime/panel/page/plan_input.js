@@ -84,7 +84,7 @@ export class PlanInput {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const {camera} = this.view;
     if (event.key in kZooms) camera.step(kZooms[event.key]);
-    else if (event.key === "0") this.view.whole();
+    else if (event.key === "0") this.view.toWhole();
     else if (event.shiftKey && event.key in kArrows) camera.pan(...kArrows[event.key].map((part) => part * kPan));
     else return;
     event.preventDefault();

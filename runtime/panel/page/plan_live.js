@@ -1,12 +1,10 @@
 // The layer of the plan that follows the plant. Only what changed or moves is drawn again, in its own cell, unless cells lie over each other.
 import {runs, valuesByDevice} from "./plan_motion.js";
+import {cellOf} from "./plan_cells.js";
 import {rectOf} from "./plan_layout.js";
 import {kMiddle} from "./plan_draw.js";
 import {paintDevice, paintOperator, paintPlace, paintTrack} from "./plan_things.js";
 import {reducedMotion} from "./theme.js";
-
-/// The cell of a symbol with its texts and badges.
-export const cellOf = ({x, y}) => ({x: x - 1, y: y - .55, w: 2, h: 2});
 
 /// The band of a track with sensors and motors, or a place with its sensors.
 const bandOf = (placed) => {

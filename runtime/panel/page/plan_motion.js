@@ -2,17 +2,22 @@
 // word says follows from the order of the states. Without elements.
 import {partOf, hasRange} from "./value_words.js";
 
-const kOne = /^(OUT|ADV|EXT|FRONT|FORWARD|FWD|CLOSE|CLOSED|CLAMP|CLAMPED|GRIP|LOCK|LOCKED|SHUT|UP|TOP|RUN|ON|PUSH|PRESSED|SEEN|FULL|IN_WORK)\d*$/;
-const kZero = /^(BACK|RET|HOME|OPEN|OPENED|UNCLAMP|RELEASE|FREE|UNLOCK|DOWN|BOTTOM|STOP|STOPPED|OFF|IDLE|NOT_.*)\d*$/;
+const kOne = /^(OUT|ADV|EXT|FRONT|FORWARD|FWD|CLOSE|CLOSED|SHUT|CLAMP|CLAMPED|GRIP|LOCK|LOCKED|UP|TOP|RUN|ON|PUSH|PRESSED|SEEN|FULL)\d*$/;
+const kZero = /^(BACK|RET|HOME|OPEN|OPENED|UNCLAMP|RELEASE|FREE|UNLOCK|DOWN|BOTTOM|STOP|STOPPED|OFF|IDLE)\d*$/;
+const kOpening = /^(NOT_)?(OPEN|OPENED|CLOSE|CLOSED|SHUT)\d*$/;
 const kOpens = new Set(["door", "valve"]);  // 1: open
 
+/// 0 or 1 by a word; null without one. NOT_X is the other end of X, or 0 if X is no known word.
+const sideOf = (name) => {
+  if (name.startsWith("NOT_")) return 1 - (sideOf(name.slice(4)) ?? 1);
+  return kOne.test(name) ? 1 : kZero.test(name) ? 0 : null;
+};
+
 /// Where a state is between the two ends of a device, 0 to 1.
-export const amountOf = (device, state) => {
-  const {states, shape} = device;
+export const amountOf = ({states, shape}, state) => {
   const name = states[state] ?? "";
-  const side = kOne.test(name) ? 1 : kZero.test(name) ? 0 : states.length > 1 ? state / (states.length - 1) : 0;
-  const isOfOpening = /^(NOT_)?(OPEN|CLOSE|SHUT)/.test(name);
-  return kOpens.has(shape) && isOfOpening ? 1 - side : side;
+  const side = sideOf(name) ?? (states.length > 1 ? state / (states.length - 1) : 0);
+  return kOpens.has(shape) && kOpening.test(name) ? 1 - side : side;
 };
 
 /// Angle of a turntable, in turns: each state is its part of the whole turn.

@@ -1,5 +1,6 @@
 // The things of a plan: which is under a pointer, which has the focus, and what a screen reader says of it. Without elements.
 import {neighbor} from "./layout.js";
+import {cellOf} from "./plan_cells.js";
 import {pointOn, rectOf} from "./plan_layout.js";
 import {STATUSES} from "./status.js";
 import {stateText} from "./tile.js";
@@ -52,7 +53,7 @@ export const boxOf = (placed, {kind, index}) => {
   if (kind === "frame") return placed.frames[index];
   if (kind === "location") return rectOf(placed.locations[index]);
   const at = kind === "device" ? placed.devices[index] : placed.operators.find(({symbol}) => symbol === index);
-  return at ? {x: at.x - .6, y: at.y - .6, w: 1.2, h: 1.2} : null;
+  return at ? cellOf(at) : null;
 };
 
 /// The thing to which an arrow key leads; the first thing without a focus.

@@ -4,14 +4,15 @@ import {button, make, select, setAttribute, setText} from "./dom.js";
 import {kindLegend} from "./kinds.js";
 import {Background} from "./plan_background.js";
 import {Camera} from "./plan_camera.js";
-import {drawStill} from "./plan_draw.js";
+import {drawStill, kNear} from "./plan_draw.js";
 import {PlanEdit} from "./plan_edit.js";
 import {PlanInput} from "./plan_input.js";
-import {cellOf, PlanLive} from "./plan_live.js";
+import {PlanLive} from "./plan_live.js";
 import {boxOf, describe, nameOf, nextThing, pick, thingsOf} from "./plan_pick.js";
 import {rank} from "./status.js";
 import {fitCanvas, onTheme, theme} from "./theme.js";
 
+const kAround = 6;    // grid units around what was selected elsewhere
 const kPause = 250;  // ms between two drawings of frames for their statuses
 
 export class PlanView {
@@ -47,7 +48,7 @@ export class PlanView {
     }, {"aria-label": label, title: label});
     return make("div", {class: "row tools"}, plant.stations.length > 1 ? this.choice : null,
       make("span", {class: "row", role: "group", "aria-label": "Zoom"}, zoom("Further away", "−", () => this.camera.step(-1)), zoom("Closer", "+", () => this.camera.step(1)),
-        zoom("Whole plant", "Whole plant", () => this.whole())), this.edit?.button ?? null, kindLegend(plant));
+        zoom("Whole plant", "Whole plant", () => this.toWhole())), this.edit?.button ?? null, kindLegend(plant));
   }
 
   /// Shows a text above the plan; a click removes it.
@@ -65,7 +66,7 @@ export class PlanView {
     this.live.place(this.placed);
     this.background.show(this.plan.background);
     this.things = thingsOf(this.placed);
-    if (this.camera.isWhole) this.camera.whole(this.placed.bounds);
+    if (this.camera.isWhole && !this.edit?.isOn) this.whole();
     this.moved();
   }
 
@@ -87,6 +88,12 @@ export class PlanView {
 
   whole() { this.camera.whole(this.placed.bounds); }
 
+  /// From a station, too.
+  toWhole() {
+    if (this.shownStation !== "") this.app.router.view("plan");
+    else this.whole();
+  }
+
   show({station = ""}) {
     if (this.shownStation !== station) {
       this.shownStation = station;
@@ -97,24 +104,22 @@ export class PlanView {
     this.moved();
   }
 
-  /// What is selected has the focus, and is seen.
+  /// What was selected elsewhere has the focus, and is near enough to be read.
   focusSelected() {
     const selection = this.app.router.selection();
     const index = selection && ["device", "symbol", "location"].includes(selection.kind) ? this.app.names.index(selection.kind, selection.name) : null;
     if (index === null || !boxOf(this.placed, {kind: selection.kind, index})) return;
-    if (this.focused?.kind !== selection.kind || this.focused.index !== index) this.focus({kind: selection.kind, index});
+    if (this.focused?.kind === selection.kind && this.focused.index === index) return;
+    const box = boxOf(this.placed, {kind: selection.kind, index});
+    if (this.camera.scale < kNear && selection.kind !== "location") this.camera.show({x: box.x - kAround, y: box.y - kAround, w: box.w + 2 * kAround, h: box.h + 2 * kAround}, kNear);
+    this.focus({kind: selection.kind, index});
   }
 
   focus(thing) {
     this.focused = thing;
-    if (this.camera.follow(this.focusCell())) this.moved();
+    if (this.camera.follow(boxOf(this.placed, thing))) this.moved();
     this.mark();
     this.say();
-  }
-
-  focusCell() {
-    const {kind, index} = this.focused;
-    return kind === "device" ? cellOf(this.placed.devices[index]) : boxOf(this.placed, this.focused);
   }
 
   say() { if (this.focused && document.activeElement === this.board) setText(this.said, describe(this.app, this.focused)); }
@@ -188,7 +193,7 @@ export class PlanView {
     this.overDirty = false;
     const context = this.contexts[2];
     context.clearRect(0, 0, this.camera.wide, this.camera.high);
-    if (this.focused && (document.activeElement === this.board || this.app.router.selection())) this.outline(context, this.focusCell(), 2);
+    if (this.focused && (document.activeElement === this.board || this.app.router.selection())) this.outline(context, boxOf(this.placed, this.focused), 2);
     this.edit?.draw(context);
   }
 
