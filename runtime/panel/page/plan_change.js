@@ -1,5 +1,5 @@
 // Changes of a plan (what layout.json has): moving, turning, grouping. Pure functions, without elements. A plan is never changed: each returns a new one.
-import {rectOf} from "./plan_layout.js";
+import {rectOf} from "./plan_geometry.js";
 
 const kStep = .5;
 const kHead = 1.5;   // from the corner of a new group to its first device

@@ -1,20 +1,9 @@
 // The paths on which parts pass from one track or place to another. Pure functions, without elements.
+import {pointOn} from "./plan_geometry.js";
 import {passesOf} from "./plan_model.js";
 
 const kStub = .75;     // how far a path goes straight on before it turns
 const kNearEnd = .85;  // of a track: parts that leave from here on leave at its end
-
-/// [x, y] of a position in micrometers on a track; `length` is that of the track in micrometers.
-export const pointOn = ({x, y, length: drawn, turn}, at, length) => {
-  const along = at / length * drawn;
-  return [x + [1, 0, -1, 0][turn / 90] * along, y + [0, 1, 0, -1][turn / 90] * along];
-};
-
-/// [x, y] of the middle of slot i of a place; further parts are in the last one.
-export const slotOf = ({x, y, w, h, columns}, i) => {
-  const at = Math.min(i, columns * h - 1);
-  return [x + (at % columns + .5) * w / columns, y + Math.floor(at / columns) + .5];
-};
 
 const directionOf = (turn) => [[1, 0], [0, 1], [-1, 0], [0, -1]][turn / 90];
 

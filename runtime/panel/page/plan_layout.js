@@ -2,13 +2,14 @@
 // gave. Pure and deterministic, without elements. Time: O(k * (n log n + p)) for n devices, tracks and places, p passes of parts, and k shapes of
 // stations that are tried.
 import {bareBlock, gridBlock, longBlock, measureLong, stationBlock} from "./plan_blocks.js";
-import {kFoot, kPitch, kSide} from "./plan_cells.js";
 import {layered, sizeCost} from "./plan_flow.js";
+import {boundsOf, makeInto} from "./plan_geometry.js";
+import {putGiven} from "./plan_given.js";
 import {joinsOf} from "./plan_joins.js";
 import {modelOf} from "./plan_model.js";
 import {shelves, shelfWidths} from "./plan_pack.js";
-import {kBelt, setBranches, setLengths, slotsOf} from "./plan_tracks.js";
-export {pointOn, slotOf} from "./plan_joins.js";
+import {setBranches, setLengths} from "./plan_tracks.js";
+export {overlaps, pointOn, rectOf, slotOf} from "./plan_geometry.js";
 
 const kScreen = 1.7;      // width / height of what a plan should fill
 const kShapes = [.15, .3, .5, .8, 1.2, 1.8, 2.6];  // of the devices of a station
@@ -16,14 +17,6 @@ const kMargin = 1;
 const kShapeCost = .02;   // of stations that are narrower or wider than
 const kUsual = 1.2;
 const kRowCost = .04;     // a further shelf is worth it only if the plan gets larger by this part
-
-/// From coordinates in a box to those of the plan; `mirrored`: x runs to the left.
-const makeInto = (sign, at, top) => ({
-  mirrored: sign < 0,
-  point: (x, y) => [at + sign * x, top + y],
-  corner: (x, y, w) => [sign > 0 ? at + x : at - x - w, top + y],
-  inside: (x, y, w, mirrored) => makeInto(mirrored ? -sign : sign, at + sign * (mirrored ? x + w : x), top + y),
-});
 
 /// Which tracks run along several stations, and what else belongs to which station: { long: [{ index, stations }], own: by frame, bare }.
 const divide = (model) => {
@@ -122,15 +115,6 @@ const arrange = (plant, plan, model) => {
   return best;
 };
 
-/// A frame reaches to the right and down as far as its tracks and places do that begin in it.
-const enclose = (frame, rects) => {
-  for (const {x, y, w, h} of rects) {
-    if (x < frame.x || y < frame.y) continue;
-    frame.w = Math.max(frame.w, x + w + kSide - frame.x);
-    frame.h = Math.max(frame.h, y + h + kFoot - frame.y);
-  }
-};
-
 const makeOut = (plant, frames) => {
   const out = {frames: frames.map(() => null), devices: new Array(plant.devices.length), operators: [], locations: new Array(plant.locations.length)};
   const frameOf = new Map(frames.flatMap(({things}, frame) => things.map((thing) => [thing, frame])));
@@ -140,62 +124,6 @@ const makeOut = (plant, frames) => {
     else out.operators.push({symbol: thing.symbol, x, y, frame});
   };
   return out;
-};
-
-/// What has a given position. Things of a frame with a given position that have none themselves fill its free cells.
-const putGiven = (plant, plan, model, out) => {
-  for (const {index, location, given, length} of model.locations) {
-    if (!given) continue;
-    const {columns, rows} = slotsOf(location);
-    out.locations[index] = location.kind === "place" ? {kind: "place", x: given.x, y: given.y, w: columns, h: rows, columns}
-      : {kind: "track", x: given.x, y: given.y, length: given.length ?? length, turn: given.turn ?? 0, width: kBelt};
-  }
-  const givenOf = ({device}) => {
-    const given = device === undefined ? undefined : plan.devices?.[plant.devices[device].name];
-    return given?.x !== undefined ? given : null;
-  };
-  const fixed = [];  // centers of symbols
-  for (const {given, things} of model.frames) if (given) fixed.push(...things.map(givenOf).filter((at) => at).map(({x, y}) => [given.x + x, given.y + y]));
-  for (const thing of model.loose) {
-    const at = givenOf(thing);
-    if (!at) continue;
-    out.put(thing, [at.x, at.y]);
-    fixed.push([at.x, at.y]);
-  }
-  const belts = out.locations.filter((placed) => placed).map(rectOf);
-  model.frames.forEach(({given, things}, frame) => {
-    if (!given) return;
-    const isFree = (x, y) => fixed.every(([ox, oy]) => Math.abs(ox - given.x - x) >= kPitch || Math.abs(oy - given.y - y) >= kPitch)
-      && belts.every((belt) => !overlaps(belt, {x: given.x + x - 1, y: given.y + y - 1, w: kPitch, h: kPitch}));
-    const block = gridBlock(things, frame, 1.6, (thing) => {
-      const at = givenOf(thing);
-      return at ? [at.x, at.y] : null;
-    }, isFree);
-    block.emit(makeInto(1, given.x, given.y), out);
-    enclose(out.frames[frame], model.locations.filter((location) => location.given && location.home === frame).map(({index}) => rectOf(out.locations[index])));
-    fixed.push(...things.map(({device}) => device).filter((device) => device !== undefined).map((device) => [out.devices[device].x, out.devices[device].y]));
-  });
-};
-
-/// The rectangle of a track or place.
-export const rectOf = (placed) => {
-  if (placed.kind === "place") return {x: placed.x, y: placed.y, w: placed.w, h: placed.h + 1};
-  const {x, y, length, turn, width} = placed;
-  const half = width / 2;
-  return [{x, y: y - half, w: length, h: width}, {x: x - half, y, w: width, h: length}, {x: x - length, y: y - half, w: length, h: width},
-    {x: x - half, y: y - length, w: width, h: length}][turn / 90];
-};
-
-export const overlaps = (a, b) => a.x < b.x + b.w - 1e-6 && b.x < a.x + a.w - 1e-6 && a.y < b.y + b.h - 1e-6 && b.y < a.y + a.h - 1e-6;
-
-/// The rectangle around all that is placed; null if nothing is.
-const boundsOf = (out) => {
-  const rects = [...out.frames.filter((frame) => frame), ...out.locations.filter((placed) => placed).map(rectOf),
-    ...[...out.devices, ...out.operators].filter((at) => at).map(({x, y}) => ({x: x - kPitch / 2, y: y - kPitch / 2, w: kPitch, h: kPitch}))];
-  if (rects.length === 0) return null;
-  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const {x, y, w, h} of rects) [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x + w), Math.max(bottom, y + h)];
-  return {x: left, y: top, w: right - left, h: bottom - top};
 };
 
 /// The layout of a plant; see docs/panel-interface.md for `plan`. Returns { bounds, frames, devices, operators, locations, joins }.

@@ -1,7 +1,7 @@
 // The layer of the plan that follows the plant. Only what changed or moves is drawn again, in its own cell, unless cells lie over each other.
 import {runs, valuesByDevice} from "./plan_motion.js";
 import {cellOf} from "./plan_cells.js";
-import {rectOf} from "./plan_layout.js";
+import {rectOf} from "./plan_geometry.js";
 import {kMiddle} from "./plan_draw.js";
 import {paintDevice, paintOperator, paintPlace, paintTrack} from "./plan_things.js";
 import {reducedMotion} from "./theme.js";

@@ -1,7 +1,7 @@
 // The things of a plan: which is under a pointer, which has the focus, and what a screen reader says of it. Without elements.
 import {neighbor} from "./layout.js";
 import {cellOf} from "./plan_cells.js";
-import {pointOn, rectOf} from "./plan_layout.js";
+import {pointOn, rectOf} from "./plan_geometry.js";
 import {STATUSES} from "./status.js";
 import {stateText} from "./tile.js";
 import {countsByKind} from "./place.js";

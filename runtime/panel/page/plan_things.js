@@ -1,6 +1,6 @@
 // Draws one device, operated symbol, track or place of the plan, as it is now.
 import {kindColor} from "./kinds.js";
-import {slotOf} from "./plan_layout.js";
+import {slotOf} from "./plan_geometry.js";
 import {cutText, fontSize, kMiddle, kNear, onBelt, paintBadge} from "./plan_draw.js";
 import {levelOf, motionOf, runs} from "./plan_motion.js";
 import {drawShape} from "./plan_shapes.js";

@@ -60,7 +60,7 @@ const response = async (page, name) => page.evaluate(async (text) => {
 const open = async (plant, ...args) => {
   const server = await startMock(plant, ...args);
   const page = await browser.page(/./);
-  await page.goto(server.link);
+  await page.goto(server.link + "&view=line");
   await page.waitForSelector("body[data-ready]", {timeout: 30000});
   return {server, page};
 };
