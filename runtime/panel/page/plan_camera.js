@@ -2,7 +2,7 @@
 
 const kLeast = 2;     // pixels for a grid unit
 const kMost = 240;
-const kFit = 46;      // when a station or the whole is shown: a small plant does not become huge
+const kFit = 64;      // when a station or the whole is shown: a small plant does not become huge
 const kStep = 1.25;   // of a zoom by key
 
 export class Camera {

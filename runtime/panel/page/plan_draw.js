@@ -1,4 +1,5 @@
 // What stays of the plan until the view moves: the picture behind it, frames with their names, belts, joins, names of tracks and places.
+import {pointOn} from "./plan_geometry.js";
 import {colorOf, STATUSES} from "./status.js";
 import {kFont, theme} from "./theme.js";
 import {kBeltHeight, kSide, paintBelt} from "./track_draw.js";
@@ -6,6 +7,7 @@ import {kBeltHeight, kSide, paintBelt} from "./track_draw.js";
 export const kNear = 26;   // pixels for a grid unit, from which on names of things are written
 export const kMiddle = 11;  // from which on symbols have a shape
 const kJoinWidth = .5;
+const kTaken = .98;        // grid units from the middle of a belt
 
 /// A text cut to a width, with "…" in its middle, since names differ at their ends; "" if less than three letters have room.
 export const cutText = (context, text, width) => {
@@ -136,6 +138,13 @@ const paintOut = (context, camera, placed) => {
   paintTip(context, [camera.toScreen(end), camera.toScreen([end[0] + dx * .6, end[1] + dy * .6])], theme().soft, camera.scale * .28);
 };
 
+/// A dashed arrow away from a belt where a transfer takes parts out of the plant.
+const paintTaken = (context, camera, placed, at, length) => {
+  const [x, y] = pointOn(placed, at, length);
+  const [dx, dy] = placed.turn % 180 === 0 ? [0, 1] : [1, 0];
+  paintJoin(context, camera, {isEnd: false, points: [[x + dx * .42, y + dy * .42], [x + dx * kTaken, y + dy * kTaken]]});
+};
+
 const paintName = (context, camera, placed, name) => {
   const {scale} = camera;
   context.font = fontSize(scale) + "px " + kFont;
@@ -173,6 +182,9 @@ export const drawStill = (context, camera, {plant, placed, background, statusOf}
     if (location.kind === "track") {
       onBelt(context, camera, location, (form, width) => paintBelt(context, plant.locations[index], width, form));
       if ((ends ?? []).some(({to}) => to === null)) paintOut(context, camera, location);
+    }
+    for (const {from, to} of plant.transfers) {
+      if (location.kind === "track" && from.location === index && to.location === null) paintTaken(context, camera, location, from.at ?? plant.locations[index].length, plant.locations[index].length);
     }
     if (camera.scale >= kNear) paintName(context, camera, location, name);
   });

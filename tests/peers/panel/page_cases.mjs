@@ -55,7 +55,7 @@ export const kCases = [
     });
   }],
   ["a result goes after some seconds", "cell", async ({page}) => {
-    const results = page.getByRole("banner").getByRole("status");
+    const results = page.getByRole("banner").getByRole("status").first();
     await page.getByRole("button", {name: "Step cycle"}).click();
     await until("the result", async () => /^ran one cycle at/.test(await results.innerText()));
     await until("its end", async () => await results.innerText() === "", 12000);

@@ -145,7 +145,7 @@ const kTests = [
       for (const hash of ["view=plan&device=EXLINE_MB_AGV", "view=line&device=EXLINE_MB_AGV", "view=io&symbol=EXLINE_MB_AGV_I_P1", "view=malfunctions", "view=session", "view=exercises"]) {
         await view(page, hash);
         const names = await page.getByRole("button").allInnerTexts();
-        for (const name of names) assert.match(name, /^(\?|✕|\+|−|Whole plant|Ask again|Show in chart|Skip to the view|Download .*|Trainee|Trainer)$/, hash);
+        for (const name of names) assert.match(name, /^(\?|✕|\+|−|Whole plant|Horn|Ask again|Show in chart|Skip to the view|Download .*|Trainee|Trainer)$/, hash);
       }
       await noFaults(page, "only shows");
     });
