@@ -3,6 +3,7 @@
 const kLeast = 2;     // pixels for a grid unit
 const kMost = 240;
 const kFit = 64;      // when a station or the whole is shown: a small plant does not become huge
+const kAbove = .35;   // of the free height
 const kStep = 1.25;   // of a zoom by key
 
 export class Camera {
@@ -15,11 +16,11 @@ export class Camera {
     return x < this.x + this.wide / this.scale && x + w > this.x && y < this.y + this.high / this.scale && y + h > this.y;
   }
 
-  /// Shows a rectangle of the plan, in the middle.
+  /// Shows a rectangle of the plan, a little above the middle.
   show({x, y, w, h}, most = kFit) {
     this.scale = Math.max(kLeast, Math.min(most, this.wide / w, this.high / h));
     this.x = x + w / 2 - this.wide / this.scale / 2;
-    this.y = y + h / 2 - this.high / this.scale / 2;
+    this.y = y - (this.high / this.scale - h) * (this.high / this.scale > h ? kAbove : .5);
     this.isWhole = false;
   }
 

@@ -4,7 +4,7 @@ import {colorOf, STATUSES} from "./status.js";
 import {kFont, theme} from "./theme.js";
 import {kBeltHeight, kSide, paintBelt} from "./track_draw.js";
 
-export const kNear = 26;   // pixels for a grid unit, from which on names of things are written
+export const kNear = 20;   // pixels for a grid unit, from which on names of things are written
 export const kMiddle = 11;  // from which on symbols have a shape
 const kJoinWidth = .5;
 const kTaken = .98;        // grid units from the middle of a belt
@@ -63,7 +63,7 @@ const paintFrame = (context, camera, frame, status) => {
   context.strokeRect(x + .5, y + .5, w - 1, h - 1);
   context.lineWidth = 1;
   if (w < 24) return;
-  const size = Math.max(11, Math.min(16, camera.scale * .8));
+  const size = Math.max(10, Math.min(16, camera.scale * .8));
   const badge = isCalm || w < 50 ? 0 : size + 4;
   context.font = "600 " + size + "px " + kFont;
   context.textAlign = "left";

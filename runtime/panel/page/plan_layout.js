@@ -11,8 +11,8 @@ import {shelves, shelfWidths} from "./plan_pack.js";
 import {setBranches, setLengths} from "./plan_tracks.js";
 export {overlaps, pointOn, rectOf, slotOf} from "./plan_geometry.js";
 
-const kScreen = 1.7;      // width / height of what a plan should fill
-const kShapes = [.15, .3, .5, .8, 1.2, 1.8, 2.6];  // of the devices of a station
+const kScreen = 2.1;      // width / height of what a plan should fill: a screen without the head of the page
+const kShapes = [.15, .22, .3, .4, .55, .75, 1, 1.3, 1.8, 2.6];  // of the devices of a station
 const kMargin = 1;
 const kShapeCost = .02;   // of stations that are narrower or wider than
 const kUsual = 1.2;

@@ -39,13 +39,13 @@ const moving = (c, {color}, draw) => {
 const spoke = (c, p, r, x = 0, y = 0) => moving(c, p, () => line(c, [x - Math.cos(p.spin) * r, y - Math.sin(p.spin) * r], [x + Math.cos(p.spin) * r, y + Math.sin(p.spin) * r]));
 
 const cylinder = (c, p) => {
-  const tip = .12 + .34 * p.amount;
+  const tip = .16 + .32 * p.amount;
   moving(c, p, () => {
-    line(c, [-.2, 0], [tip, 0]);
-    line(c, [tip, -.16], [tip, .16]);
+    line(c, [.04, 0], [tip, 0]);
+    line(c, [tip, -.22], [tip, .22]);
   });
-  box(c, -.46, -.2, .44, .4);
-  moving(c, p, () => line(c, [-.4 + .3 * p.amount, -.2], [-.4 + .3 * p.amount, .2]));
+  box(c, -.48, -.27, .52, .54);
+  moving(c, p, () => line(c, [-.4 + .34 * p.amount, -.27], [-.4 + .34 * p.amount, .27]));
 };
 
 const clamp = (c, p) => {
@@ -86,14 +86,14 @@ const motor = (c, p) => {
 
 const conveyor = (c, p) => {
   c.beginPath();
-  c.arc(-.28, 0, .18, Math.PI / 2, Math.PI * 1.5);
-  c.arc(.28, 0, .18, -Math.PI / 2, Math.PI / 2);
+  c.arc(-.26, 0, .24, Math.PI / 2, Math.PI * 1.5);
+  c.arc(.26, 0, .24, -Math.PI / 2, Math.PI / 2);
   c.closePath();
   c.fill();
   c.stroke();
-  for (const x of [-.28, .28]) {
-    disc(c, x, 0, .1);
-    spoke(c, p, .1, x);
+  for (const x of [-.26, .26]) {
+    disc(c, x, 0, .14);
+    spoke(c, p, .14, x);
   }
 };
 

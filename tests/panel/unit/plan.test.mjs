@@ -19,7 +19,7 @@ test("The camera shows a whole, zooms at a point, and follows as little as possi
   const camera = Object.assign(new Camera(), {wide: 800, high: 400});
   camera.whole({x: -10, y: -10, w: 80, h: 20});
   assert.equal(camera.scale, 10);
-  assert.deepEqual(camera.toScreen([-10, 0]), [0, 200]);
+  assert.deepEqual(camera.toScreen([-10, -10]), [0, 70]);
   const before = camera.toPlan([100, 100]);
   camera.zoom(2, [100, 100]);
   camera.toPlan([100, 100]).forEach((at, i) => near(at, before[i]));
