@@ -3,7 +3,7 @@ import {layOut} from "./plan_layout.js";
 
 export class LayoutState {
   constructor(app) {
-    Object.assign(this, {app, plan: {}, revision: null, asked: null, listeners: new Set(), found: null});
+    Object.assign(this, {app, plan: {}, revision: undefined, asked: undefined, listeners: new Set(), found: null});
   }
 
   /// The result of layOut() for the plan.
@@ -15,7 +15,7 @@ export class LayoutState {
     return () => this.listeners.delete(listener);
   }
 
-  /// After an event of the stream.
+  /// After an event of the stream. A recording has no revision: its layout is loaded once.
   change({all, keys}) {
     const {layout} = this.app.store;
     if ((all || keys.has("layout")) && layout !== this.revision && layout !== this.asked) this.load(layout);
@@ -24,11 +24,13 @@ export class LayoutState {
   async load(revision) {
     this.asked = revision;
     try {
-      const {plan, revision: got} = await this.app.api.layout();
-      this.revision = got;
+      const {plan} = await this.app.api.layout();
+      this.revision = revision;
       this.set(plan);
+    } catch {
+      // The layout stays as it is; the next picture of the stream asks again.
     } finally {
-      this.asked = null;
+      this.asked = undefined;
     }
   }
 

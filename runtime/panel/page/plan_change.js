@@ -78,7 +78,7 @@ export const groupDevices = (plant, placed, plan, devices, name) => {
     byFrame.set(frame, [...byFrame.get(frame) ?? [], device]);
   }
   for (const [frame, list] of byFrame) {
-    if (frame !== null) next.frames[frame] ??= corner(list);
+    if (frame !== null && !Object.hasOwn(next.frames, frame)) next.frames[frame] = corner(list);
     const {x, y} = frame === null ? {x: 0, y: 0} : next.frames[frame];
     for (const device of list) {
       const {station} = plant.devices[device];

@@ -2,6 +2,7 @@
 import {gridBlock} from "./plan_blocks.js";
 import {kFoot, kPitch, kSide} from "./plan_cells.js";
 import {makeInto, overlaps, rectOf} from "./plan_geometry.js";
+import {givenFor} from "./plan_model.js";
 import {kBelt, slotsOf} from "./plan_tracks.js";
 
 /// A frame reaches to the right and down as far as its tracks and places do that begin in it.
@@ -22,7 +23,7 @@ export const putGiven = (plant, plan, model, out) => {
       : {kind: "track", x: given.x, y: given.y, length: given.length ?? length, turn: given.turn ?? 0, width: kBelt};
   }
   const givenOf = ({device}) => {
-    const given = device === undefined ? undefined : plan.devices?.[plant.devices[device].name];
+    const given = device === undefined ? undefined : givenFor(plan.devices, plant.devices[device].name);
     return given?.x !== undefined ? given : null;
   };
   const fixed = [];  // centers of symbols

@@ -6,7 +6,7 @@ import {layered, sizeCost} from "./plan_flow.js";
 import {boundsOf, makeInto} from "./plan_geometry.js";
 import {putGiven} from "./plan_given.js";
 import {joinsOf} from "./plan_joins.js";
-import {modelOf} from "./plan_model.js";
+import {givenFor, modelOf} from "./plan_model.js";
 import {shelves, shelfWidths} from "./plan_pack.js";
 import {setBranches, setLengths} from "./plan_tracks.js";
 export {overlaps, pointOn, rectOf, slotOf} from "./plan_geometry.js";
@@ -52,7 +52,7 @@ const makeBlocks = (plant, plan, model, parts, shape) => {
   const blocks = parts.long.map(({index}, i) => longBlock(model, index, measured[i], unit));
   const grids = [];
   const givenOf = ({device}) => {
-    const given = device === undefined ? undefined : plan.devices?.[plant.devices[device].name];
+    const given = device === undefined ? undefined : givenFor(plan.devices, plant.devices[device].name);
     return given?.x !== undefined ? [given.x, given.y] : null;
   };
   frames.forEach(({given, things}, frame) => {
@@ -137,7 +137,7 @@ export const layOut = (plant, plan = {}) => {
   const [x0, y0] = fixed ? [fixed.x, fixed.y + fixed.h + 2] : [0, 0];
   boxes.forEach((box, i) => box.emit(makeInto(1, x0 + placed.at[i][0], y0 + placed.at[i][1]), out));
   plant.devices.forEach(({name}, device) => {
-    const turn = plan.devices?.[name]?.turn;
+    const turn = givenFor(plan.devices, name)?.turn;
     if (turn !== undefined) out.devices[device].turn = turn;
   });
   const frames = out.frames.map((frame, i) => ({name: model.frames[i].name, station: model.frames[i].station, ...frame,

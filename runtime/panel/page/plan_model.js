@@ -2,6 +2,9 @@
 // Pure functions, without elements.
 import {operatedSymbols, stationFinder} from "./layout.js";
 
+/// What a plan gives for a name; undefined without.
+export const givenFor = (map, name) => map && Object.hasOwn(map, name) ? map[name] : undefined;
+
 /// Names without what people write differently: "push 1" is "PUSH1".
 const plain = (name) => name.toLowerCase().replace(/[^a-z0-9]/g, "");
 
@@ -81,7 +84,7 @@ const framesOf = (plant, plan, along) => {
   const groups = new Map();
   const loose = [];
   plant.devices.forEach(({name, station}, device) => {
-    const group = plan.devices?.[name]?.group;
+    const group = givenFor(plan.devices, name)?.group;
     if (group !== undefined && !groups.has(group)) {
       const known = frames.findIndex((frame) => frame.name === group && frame.station !== null);
       groups.set(group, known >= 0 ? known : frames.push({name: group, station: null, things: []}) - 1);
@@ -109,10 +112,10 @@ export const modelOf = (plant, plan) => {
   adopt(along, passes);
   const {frames, loose, frameOfStation} = framesOf(plant, plan, along);
   for (const frame of frames) {
-    frame.given = plan.frames?.[frame.name] ?? null;
-    frame.isPlain = frame.given !== null || frame.station === null || frame.things.some(({device}) => device !== undefined && plan.devices?.[plant.devices[device].name]?.x !== undefined);
+    frame.given = givenFor(plan.frames, frame.name) ?? null;
+    frame.isPlain = frame.given !== null || frame.station === null || frame.things.some(({device}) => device !== undefined && givenFor(plan.devices, plant.devices[device].name)?.x !== undefined);
   }
-  const locations = plant.locations.map((location, index) => ({index, location, given: plan.locations?.[location.name] ?? null,
+  const locations = plant.locations.map((location, index) => ({index, location, given: givenFor(plan.locations, location.name) ?? null,
     home: along[index].size === 1 ? frameOfStation([...along[index].keys()][0]) : null,
     along: new Map([...along[index]].map(([station, at]) => [frameOfStation(station), at]).filter(([frame]) => !frames[frame].isPlain))}));
   return {frames, loose, locations, passes, acts};

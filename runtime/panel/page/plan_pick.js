@@ -9,6 +9,7 @@ import {count, value} from "./words.js";
 
 const kReach = .6;    // grid units around the middle of a symbol
 const kSensor = .45;
+const kName = .5;     // below the top of a frame: its name
 
 const isIn = ({x, y, w, h}, [px, py]) => px >= x && px <= x + w && py >= y && py <= y + h;
 
@@ -46,7 +47,8 @@ export const thingsOf = (placed) => [
   ...placed.locations.map((location, index) => {
     const {x, y, w, h} = rectOf(location);
     return {kind: "location", index, at: [x + w / 2, y + h / 2]};
-  })];
+  }),
+  ...placed.frames.map(({x, y, w}, index) => ({kind: "frame", index, at: [x + w / 2, y + kName]}))];
 
 /// The rectangle of a thing.
 export const boxOf = (placed, {kind, index}) => {
@@ -64,13 +66,17 @@ export const nextThing = (things, focused, key) => {
 };
 
 /// What a screen reader says: name, kind, state.
-export const describe = ({plant, store, statuses}, {kind, index}) => {
+export const describe = ({plant, store, statuses}, placed, {kind, index}) => {
   if (kind === "device") {
     const device = plant.devices[index];
     return [device.name, device.shape, stateText(store, index), STATUSES[statuses.of[index]].text].filter((text) => text !== "").join(", ");
   }
   if (kind === "symbol") return plant.symbols[index].name + ", " + value(store.values[index], plant.symbols[index]);
-  if (kind === "frame") return "";
+  if (kind === "frame") {
+    const {name, station, devices} = placed.frames[index];
+    const worst = devices.reduce((most, device) => Math.max(most, statuses.of[device]), 0);
+    return [name, station === null ? "group" : "station", count(devices.length, "device"), STATUSES[worst].text].join(", ");
+  }
   const location = plant.locations[index];
   const at = store.rankOfLocation[index];
   const parts = (location.kind === "track" ? store.tracks[at]?.parts : store.places[at]) ?? [];

@@ -122,7 +122,7 @@ export class PlanView {
     this.say();
   }
 
-  say() { if (this.focused && document.activeElement === this.board) setText(this.said, describe(this.app, this.focused)); }
+  say() { if (this.focused && document.activeElement === this.board) setText(this.said, describe(this.app, this.placed, this.focused)); }
 
   /// After the view moved, or everything must be drawn again.
   moved() {
@@ -147,22 +147,23 @@ export class PlanView {
   clicked(point, event) {
     if (this.edit?.isOn) return this.edit.clicked(point, event);
     const thing = pick(this.app.plant, this.placed, point);
-    if (thing?.kind === "frame") {
-      const {station, name} = this.placed.frames[thing.index];
-      if (point[1] < this.placed.frames[thing.index].y + 1 && station !== null) this.app.router.view("plan", {station: name});
-    } else if (thing) this.open(thing);
+    if (thing && (thing.kind !== "frame" || point[1] < this.placed.frames[thing.index].y + 1)) this.open(thing);
   }
 
+  /// Shows the details of a thing, or a station.
   open(thing) {
     this.focused = thing;
-    this.app.router.select(thing.kind, nameOf(this.app, this.placed, thing));
+    if (thing.kind === "frame") {
+      const {station, name} = this.placed.frames[thing.index];
+      if (station !== null) this.app.router.view("plan", {station: name});
+    } else this.app.router.select(thing.kind, nameOf(this.app, this.placed, thing));
   }
 
   hovered(point) {
     const thing = pick(this.app.plant, this.placed, point);
     const name = thing ? nameOf(this.app, this.placed, thing) : null;
     const comment = thing?.kind === "device" ? this.app.names.commentOf(this.app.plant.devices[thing.index]) : thing?.kind === "symbol" ? this.app.plant.symbols[thing.index].comment : "";
-    setAttribute(this.board, "title", name && [describe(this.app, thing) || name, comment].filter((text) => text).join("\n"));
+    setAttribute(this.board, "title", name && [describe(this.app, this.placed, thing), comment].filter((text) => text).join("\n"));
     this.board.classList.toggle("on-thing", thing !== null && thing.kind !== "frame");
   }
 

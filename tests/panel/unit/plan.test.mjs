@@ -92,9 +92,10 @@ test("Arrow keys lead from thing to thing, and a screen reader gets name, kind a
   const names = new Names(plant);
   store.picture(smallPicture());
   const app = {plant, store, names, statuses: new Statuses(store, names)};
-  assert.equal(describe(app, {kind: "device", index: 0}), "LINE_S1_CLAMP, clamp, OPEN, at rest");
-  assert.equal(describe(app, {kind: "symbol", index: 2}), "LINE_S1_DOOR_I_SHUT, on");
-  assert.equal(describe(app, {kind: "location", index: 0}), "BELT, track, 1 part: 1 raw");
+  assert.equal(describe(app, placed, {kind: "device", index: 0}), "LINE_S1_CLAMP, clamp, OPEN, at rest");
+  assert.equal(describe(app, placed, {kind: "symbol", index: 2}), "LINE_S1_DOOR_I_SHUT, on");
+  assert.equal(describe(app, placed, {kind: "location", index: 0}), "BELT, track, 1 part: 1 raw");
+  assert.equal(describe(app, placed, {kind: "frame", index: 0}), "LINE S1, station, 2 devices, at rest");
   for (const {kind, index, at: [x, y]} of things) {
     const box = boxOf(placed, {kind, index});
     assert.ok(x >= box.x && x <= box.x + box.w && y >= box.y && y <= box.y + box.h);
@@ -150,6 +151,14 @@ test("Devices go into a group and back, and stay where they are; a group without
   assert.deepEqual(layOut(plant, back).devices[1], placed.devices[1]);
 });
 
+test("Names that all objects have are names like others", () => {
+  const plant = smallPlant();
+  plant.stations[0].name = "constructor";
+  plant.devices[0].name = "toString";
+  const {frames, devices} = layOut(plant, {frames: {}, devices: {LINE_S1_DOOR: {x: 3, y: 3, group: "valueOf"}}, locations: {}});
+  for (const {x, y} of [...frames, ...devices]) assert.ok(Number.isFinite(x) && Number.isFinite(y));
+});
+
 test("A new revision in the stream loads the layout, once", async () => {
   const plant = smallPlant();
   const asked = [];
@@ -168,6 +177,11 @@ test("A new revision in the stream loads the layout, once", async () => {
   change(["layout"]);
   await new Promise((done) => setTimeout(done));
   assert.deepEqual([calls, layout.placed.frames[0].x], [2, 20]);
+  const recording = new LayoutState({...app, store: {layout: null}});
+  recording.change({all: true, keys: new Set()});
+  await new Promise((done) => setTimeout(done));
+  recording.change({all: true, keys: new Set()});
+  assert.equal(asked.length, 3);
   end();
   layout.set({});
   assert.equal(calls, 2);

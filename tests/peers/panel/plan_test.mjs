@@ -3,6 +3,7 @@
 // usage: node plan_test.mjs PLAYWRIGHT_FOLDER AXE_FOLDER SYMPLANT
 // Exit code: 0 passed, 1 failed, 77 there is no chromium
 import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
 import {cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
@@ -126,6 +127,16 @@ const kSteps = [
     await details.getByRole("heading", {name: kRam, exact: true}).waitFor();
     await page.keyboard.press("Escape");
   }],
+  ["a station is among the things, and Enter shows it", async () => {
+    const frame = await page.evaluate(() => symplant.planView.placed.frames.findIndex(({name}) => name === "FT C2"));
+    await board().focus();
+    await page.evaluate((index) => symplant.planView.focus({kind: "frame", index}), frame);
+    assert.match(await said(), /^FT C2, station, 6 devices, /);
+    await page.keyboard.press("Enter");
+    await until("the station", async () => /station=FT\+C2/.test(page.url()));
+    await page.keyboard.press("0");
+    await until("the whole", async () => /#view=plan$/.test(page.url()));
+  }],
   ["a link and the search show a station", async () => {
     const scale = () => page.evaluate(() => symplant.planView.camera.scale);
     const whole = await scale();
@@ -226,6 +237,19 @@ const kSteps = [
     await press("Undo");
     assert.ok(await page.evaluate(() => symplant.planView.placed.frames.some(({name}) => name === "Safety")));
     await press("Cancel");
+  }],
+  ["a recording has the plan, too", async () => {
+    const trace = join(folder, "shift.jsonl");
+    execFileSync(symplant, ["run", join(example, "plant.json"), "--scenario", join(example, "shift.json"), "--trace", trace]);
+    const shown = await startProgram(symplant, ["show", trace, join(example, "plant.json"), "--panel", "127.0.0.1:0"]);
+    const other = await browser.page(/willReadFrequently/);
+    await other.goto(shown.link);
+    await other.waitForSelector("body[data-ready]");
+    await until("its layout", async () => (await placed(other)).turn === 90);
+    assert.equal(await other.getByRole("button", {name: "Edit layout"}).count(), 0);
+    await other.goto("about:blank");
+    await shown.stop();
+    await other.close();
   }],
   ["no fault at three sizes, in light and dark", async () => {
     for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
