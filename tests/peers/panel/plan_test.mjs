@@ -242,7 +242,7 @@ const kSteps = [
     const trace = join(folder, "shift.jsonl");
     execFileSync(symplant, ["run", join(example, "plant.json"), "--scenario", join(example, "shift.json"), "--trace", trace]);
     const shown = await startProgram(symplant, ["show", trace, join(example, "plant.json"), "--panel", "127.0.0.1:0"]);
-    const other = await browser.page(/willReadFrequently/);
+    const other = await browser.page(/status of 404/);  // a recording has no folder of pictures
     await other.goto(shown.link);
     await other.waitForSelector("body[data-ready]");
     await until("its layout", async () => (await placed(other)).turn === 90);
