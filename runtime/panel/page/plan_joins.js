@@ -27,8 +27,9 @@ const endOf = (placed, length, at, isFrom, far) => {
   const [dx, dy] = directionOf(placed.turn);
   const ahead = ((far[0] - point[0]) * dx + (far[1] - point[1]) * dy) * (isFrom ? 1 : -1);
   const isAtEnd = isFrom ? at >= length : at <= 0;
-  const isNearEnd = (isFrom ? at >= kNearEnd * length : at <= (1 - kNearEnd) * length) && ahead > kStub;
-  if (!isAtEnd && !isNearEnd) return sideOf(placed, point, far);
+  const isNearEnd = isFrom ? at >= kNearEnd * length : at <= (1 - kNearEnd) * length;
+  const isLevel = Math.abs((far[0] - point[0]) * dy - (far[1] - point[1]) * dx) < placed.width;
+  if (!isAtEnd && !(ahead > kStub && (isNearEnd || isLevel))) return sideOf(placed, point, far);
   return {point, out: isFrom ? [dx, dy] : [-dx, -dy]};
 };
 

@@ -21,6 +21,11 @@ const spinAt = (now) => reducedMotion.matches ? .8 : now / 1e9 * kSpin % (2 * Ma
 const isForced = ({symbolFlags}, {events, operations}) => events.some((symbol) => symbolFlags[symbol] & SYMBOL.forced)
   || operations.some(({symbol}) => symbolFlags[symbol] & SYMBOL.forced);
 
+const kLampColors = [[/RED/i, "stop"], [/AMBER|YELLOW|ORANGE/i, "kind0"], [/BLUE/i, "accent"], [/WHITE/i, "text"]];
+
+/// The name of the color that a lamp has when it is lit, by its name; green without a word.
+const lampColor = (name) => kLampColors.find(([words]) => words.test(name))?.[1] ?? "on";
+
 /// Texts below each other, the first in the color of texts, in `width` pixels around x.
 const paintTexts = (context, texts, x, y, width, scale) => {
   const size = fontSize(scale);
@@ -57,7 +62,7 @@ export const paintDevice = (context, camera, app, index, placed, values, now) =>
   const spins = store.moves(index) || runs(store, index);
   const motion = Object.assign(motionOf(store, index, now), {spin: spins ? spinAt(now) : .8, level: device.shape === "tank" ? levelOf(store, values) : null});
   const name = colorOf(key);
-  const active = name === "waits" ? (motion.on ? color.on : color.ink) : color[name];
+  const active = name === "waits" ? (motion.on ? color[device.shape === "lamp" ? lampColor(device.name) : "on"] : color.ink) : color[name];
   drawShape(context, device.shape, {x, y, turn: placed.turn}, scale * .92, {ink: name === "waits" ? color.ink : color[name], color: active,
     fill: color[name + "-tint"] ?? color.back}, motion, (store.flags[index] & DEVICE.disabled) !== 0);
   const badge = Math.max(9, Math.min(18, scale * .34));
@@ -85,7 +90,7 @@ export const paintOperator = (context, camera, app, {symbol: index, x: px, y: py
   const on = isOn(symbol, store.values[index]);
   if (scale < kMiddle) return paintDot(context, x, y, scale, on ? "moving" : "waits");
   const color = theme();
-  drawShape(context, operatorShape(symbol), {x, y, turn: 0}, scale * .92, {ink: color.ink, color: color.on, fill: color.back}, {amount: on ? 1 : 0, turn: 0, on, spin: 0}, false);
+  drawShape(context, operatorShape(symbol), {x, y, turn: 0}, scale * .92, {ink: color.ink, color: color[operatorShape(symbol) === "lamp" ? lampColor(symbol.name) : "on"], fill: color.back}, {amount: on ? 1 : 0, turn: 0, on, spin: 0}, false);
   if (store.symbolFlags[index] & SYMBOL.forced) paintBadge(context, "F", color.blocked, x - scale * .6, y - scale * .5, Math.max(9, Math.min(18, scale * .34)));
   if (scale < kNear) return;
   paintTexts(context, [symbol.comment ?? symbol.name.split("_").slice(2).filter((level) => !["I", "O"].includes(level)).join(" "), valueText(store.values[index], symbol)],
