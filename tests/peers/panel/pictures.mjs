@@ -46,7 +46,10 @@ const withPlant = async (args, use) => {
 
 await withPlant(["run", "examples/body-shop/plant.json", "--scenario", "examples/body-shop/cycle.json"], async () => {
   await time(5);
+  await page.setViewportSize({width: 1360, height: 800});
+  await page.waitForTimeout(500);
   await picture("plan");
+  await page.setViewportSize({width: 1120, height: 700});
   await view("view=line");
   await picture("line");
 });
