@@ -15,6 +15,7 @@
 #include "naming/load.hpp"
 #include "read/loading.hpp"
 #include "symplant/json/location.hpp"
+#include "symplant/tables/file_name.hpp"
 
 namespace symplant::app {
 namespace {
@@ -140,7 +141,7 @@ class InputReader {
 
   /// The model may be in the folder of --panel-files instead, which is known at run time only.
   void check_model_of(const description::GivenScene& scene) {
-    if (scene.model.empty() || scene.model.find_first_of("/\\") != std::string::npos) return;
+    if (!tables::is_model_name(scene.model)) return;
     const std::string path = (fs::path(inputs_.source->folder("/view3d/model")) / scene.model).generic_string();
     if (!files_.exists(path)) return;
     progress_.stage("reading " + path);

@@ -82,10 +82,28 @@ std::optional<Reply> LiveSource::session_file(std::string_view kind) {
 }
 
 void LiveSource::post(std::string_view path, std::string_view body, const Sender& sender, const Answered& later) {
+  if (path == "layout") return later(save_layout(body, sender));
   const std::lock_guard guard(mutex_);
   if (path == "check") return later(desk_.check(body, sender));
-  if (path == "layout") return later(desk_.save_layout(body, sender));
   desk_.request(body, sender, later);
+}
+
+/// The mutex is not held while the layout is read and written, so that the plant does not wait for it.
+Answer LiveSource::save_layout(std::string_view body, const Sender& sender) {
+  if (!sees_all(sender.role)) return error_answer(403, kOnlyTrainer);
+  Scene::Draft draft = scene_.read(body);
+  if (draft.refusal) return *draft.refusal;
+  {
+    const std::lock_guard guard(mutex_);
+    if (desk_.has_ended()) return error_answer(503, "the run has ended");
+    if (scene_.is_older(draft)) return error_answer(422, kMeanwhile);
+  }
+  Answer answer = scene_.write(draft);
+  if (answer.status != 200) return answer;
+  const std::lock_guard guard(mutex_);
+  scene_.take(std::move(draft));
+  desk_.layout_saved(sender);
+  return answer;
 }
 
 /// Puts the members of the status before the brace at the end.

@@ -21,7 +21,7 @@ namespace symplant::panel {
 class LiveSource final : public Source {
  public:
   /// `describe` makes the members that follow from the tables, for a role. The others must outlive it.
-  LiveSource(Desk& desk, std::mutex& mutex, const trace::PlantNames& names, const Scene& scene, const SceneFiles& files,
+  LiveSource(Desk& desk, std::mutex& mutex, const trace::PlantNames& names, Scene& scene, SceneFiles& files,
              std::function<std::string(Role)> describe)
       : desk_(desk), mutex_(mutex), names_(names), scene_(scene), files_(files), describe_(std::move(describe)) {}
 
@@ -40,6 +40,7 @@ class LiveSource final : public Source {
 
  private:
   void put_status(std::string& json) const;
+  Answer save_layout(std::string_view body, const Sender& sender);
   Reply chart(const std::map<std::string, std::string>& query);
   Reply utilization(const std::map<std::string, std::string>& query, Role role);
   std::optional<Reply> session_file(std::string_view kind);
@@ -47,8 +48,8 @@ class LiveSource final : public Source {
   Desk& desk_;
   std::mutex& mutex_;
   const trace::PlantNames& names_;
-  const Scene& scene_;
-  const SceneFiles& files_;
+  Scene& scene_;
+  SceneFiles& files_;  ///< for the panel's thread only
   std::function<std::string(Role)> describe_;
   std::string status_;
   bool is_due_ = false;  ///< changes() must not be empty

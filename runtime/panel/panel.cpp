@@ -73,7 +73,7 @@ struct Panel::Parts {
   Guard guard;
   std::mutex mutex;
   Scene scene;
-  const SceneFiles files;
+  SceneFiles files;
   Desk desk;
   LiveSource source;
   Routes routes;

@@ -148,7 +148,7 @@ struct LivePlant {
   why::Explainer explainer;
   std::mutex mutex;
   panel::Scene scene;
-  const panel::SceneFiles files{{}};
+  panel::SceneFiles files{{}};
   panel::Desk desk;
   panel::LiveSource source;
 };

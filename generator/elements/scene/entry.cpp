@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "symplant/json/location.hpp"
+#include "symplant/tables/file_name.hpp"
 
 namespace symplant::description {
 namespace {
@@ -31,6 +32,13 @@ class SceneReader {
  private:
   void read_plan(const Json& plan) {
     scene_.plan = plan.dump();
+    if (const Json* const background = member(plan, "background"); background != nullptr) {
+      const std::string file = text_or_empty(*background, "file");
+      if (!file.empty() && !tables::is_picture_name(file)) {
+        faults_.add(Pointer("/plan/background/file"), ticked(file) + " is not the name of an .svg or .png file: " +
+                                                          tables::kFileNameForm + "; its folder is not part of it");
+      }
+    }
     names(plan, "/plan", "devices", Kind::device);
     names(plan, "/plan", "locations", Kind::location);
     names(plan, "/plan", "frames", Kind::frame);
@@ -44,7 +52,10 @@ class SceneReader {
   void read_view3d(const Json& view) {
     scene_.view3d = view.dump();
     scene_.model = text_or_empty(view, "model");
-    check_text(scene_.model, Pointer("/view3d/model"), faults_);
+    if (!scene_.model.empty() && !tables::is_model_name(scene_.model)) {
+      faults_.add(Pointer("/view3d/model"), ticked(scene_.model) + " is not the name of a .glb file: " +
+                                                tables::kFileNameForm + "; its folder is not part of it");
+    }
     const Json* const nodes = member(view, "nodes");
     if (nodes == nullptr || !nodes->is_object()) return;
     for (const auto& [name, entry] : nodes->items()) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "description/faults.hpp"
@@ -20,6 +19,7 @@ using Json = nlohmann::json;
 constexpr std::size_t kMostModelBytes = std::size_t{32} << 20;
 constexpr std::size_t kMostModelNodes = 20'000;
 constexpr std::size_t kMostModelLevels = 64;
+constexpr std::size_t kLongestModelName = 1'000;
 constexpr std::size_t kHeader = 12;  ///< bytes: magic, version, length
 constexpr std::size_t kChunk = 8;    ///< bytes of a chunk's header: length, type
 
@@ -38,83 +38,143 @@ std::string_view json_chunk(std::string_view bytes) {
   return bytes.substr(kHeader + kChunk, length);
 }
 
+/// The tree of nodes, in the order of the file.
 class ModelReader {
  public:
-  explicit ModelReader(const Json& nodes) : nodes_(nodes), parents_(nodes.size()) {}
+  ModelReader(const Json& root, const Json& nodes) : root_(root), nodes_(nodes), tree_(nodes.size()) {}
 
   ModelReading read() {
     ModelReading reading;
-    reading.error = find_parents();
     for (std::size_t node = 0; node < nodes_.size() && reading.error.empty(); ++node) {
-      if (auto path = path_of(node)) {
-        if (!path->empty()) reading.paths.push_back(std::move(*path));
-      } else {
-        return {{}, "its nodes are nested more than 64 deep, or in a circle"};
-      }
+      reading.error = read_node(node);
+    }
+    if (reading.error.empty()) reading.error = show();
+    if (!reading.error.empty()) return reading;
+    for (const Node& node : tree_) {
+      if (node.shown) reading.nodes.push_back(node.made);
     }
     return reading;
   }
 
  private:
-  /// Returns what is wrong with the tree of nodes; empty if nothing is.
-  std::string find_parents() {
-    for (std::size_t node = 0; node < nodes_.size(); ++node) {
-      const Json* const children = member(nodes_[node], "children");
-      if (children == nullptr) continue;
-      if (!children->is_array()) return "`children` of a node is no array";
-      for (const Json& child : *children) {
-        if (!child.is_number_unsigned() || child.get<std::size_t>() >= nodes_.size()) {
-          return "a node has a child that the model does not have";
-        }
-        std::optional<std::size_t>& parent = parents_[child.get<std::size_t>()];
-        if (parent) return "a node has two parents";
-        parent = node;
+  struct Node {
+    std::vector<std::size_t> children;
+    bool is_child = false;
+    bool shown = false;
+    std::uint32_t index = 0;  ///< in ModelReading::nodes
+    ModelNode made;
+  };
+
+  /// Returns what is wrong; empty if nothing is.
+  std::string read_node(std::size_t node) {
+    tree_[node].made.name = text_or_empty(nodes_[node], "name");
+    if (tree_[node].made.name.size() > kLongestModelName) return "a node has a name of more than 1,000 bytes";
+    const Json* const children = member(nodes_[node], "children");
+    if (children == nullptr) return {};
+    if (!children->is_array()) return "`children` of a node is no array";
+    for (const Json& child : *children) {
+      if (!child.is_number_unsigned() || child.get<std::size_t>() >= nodes_.size()) {
+        return "a node has a child that the model does not have";
       }
+      if (std::exchange(tree_[child.get<std::size_t>()].is_child, true)) return "a node has two parents";
+      tree_[node].children.push_back(child.get<std::size_t>());
     }
     return {};
   }
 
-  /// Empty without a name; nothing if it is nested too deep.
-  std::optional<std::string> path_of(std::size_t node) const {
-    std::string path = text_or_empty(nodes_[node], "name");
-    if (path.empty()) return path;
-    std::size_t levels = 0;
-    for (std::optional<std::size_t> at = parents_[node]; at; at = parents_[*at]) {
-      if (++levels > kMostModelLevels) return std::nullopt;
-      if (const std::string name = text_or_empty(nodes_[*at], "name"); !name.empty()) path.insert(0, name + "/");
+  /// The roots of the scene that is shown; all roots in a model without scenes.
+  std::vector<std::size_t> roots() const {
+    std::vector<std::size_t> roots;
+    const Json* const scenes = member(root_, "scenes");
+    const Json* const chosen = member(root_, "scene");
+    const std::size_t index = chosen != nullptr && chosen->is_number_unsigned() ? chosen->get<std::size_t>() : 0;
+    if (scenes != nullptr && scenes->is_array() && index < scenes->size()) {
+      const Json* const nodes = member((*scenes)[index], "nodes");
+      if (nodes == nullptr || !nodes->is_array()) return roots;
+      for (const Json& node : *nodes) {
+        if (node.is_number_unsigned() && node.get<std::size_t>() < tree_.size())
+          roots.push_back(node.get<std::size_t>());
+      }
+      return roots;
     }
-    return path;
+    for (std::size_t node = 0; node < tree_.size(); ++node) {
+      if (!tree_[node].is_child) roots.push_back(node);
+    }
+    return roots;
   }
 
+  /// Marks what is below the roots, level by level, and counts it. Each node has one parent, so a circle has no root.
+  std::string show() {
+    struct Step {
+      std::size_t node;
+      std::size_t named;  ///< the nearest ancestor with a name; kNoNode: none
+    };
+    constexpr std::size_t kNoNode = SIZE_MAX;
+    std::vector<Step> level;
+    for (const std::size_t root : roots()) level.push_back({root, kNoNode});
+    std::vector<std::size_t> named(tree_.size(), kNoNode);
+    for (std::size_t levels = 0; !level.empty(); ++levels) {
+      if (levels > kMostModelLevels) return "its nodes are nested more than 64 deep";
+      std::vector<Step> next;
+      for (const Step& step : level) {
+        Node& node = tree_[step.node];
+        if (std::exchange(node.shown, true)) return "a node is in its scene twice, or nodes are nested in a circle";
+        named[step.node] = step.named;
+        const std::size_t own = node.made.name.empty() ? step.named : step.node;
+        for (const std::size_t child : node.children) next.push_back({child, own});
+      }
+      level = std::move(next);
+    }
+    std::uint32_t count = 0;
+    for (Node& node : tree_) {
+      if (node.shown) node.index = count++;
+    }
+    for (std::size_t node = 0; node < tree_.size(); ++node) {
+      if (named[node] != kNoNode) tree_[node].made.parent = tree_[named[node]].index;
+    }
+    return {};
+  }
+
+  const Json& root_;
   const Json& nodes_;
-  std::vector<std::optional<std::size_t>> parents_;
+  std::vector<Node> tree_;
 };
 
-bool is_end(std::string_view path, std::string_view end) {
-  return path.ends_with(end) && (path.size() == end.size() || path[path.size() - end.size() - 1] == '/');
+/// How much of a path a node has: nothing, the end of its own path, or all of it.
+enum class Match : std::uint8_t { none, end, whole };
+
+Match match(const std::vector<ModelNode>& nodes, std::uint32_t node, std::string_view path) {
+  for (std::uint32_t at = node; at != ModelNode::kNoParent; at = nodes[at].parent) {
+    const std::string& name = nodes[at].name;
+    if (name.empty() || !path.ends_with(name)) return Match::none;
+    path.remove_suffix(name.size());
+    if (path.empty()) return nodes[at].parent == ModelNode::kNoParent ? Match::whole : Match::end;
+    if (path.back() != '/') return Match::none;
+    path.remove_suffix(1);
+  }
+  return Match::none;
 }
 
-std::string_view nearest_node(std::string_view node, const std::vector<std::string>& paths) {
-  tables::NearestName nearest(node);
-  for (const std::string& path : paths) {
-    nearest.offer(path);
-    nearest.offer(std::string_view(path).substr(path.rfind('/') + 1));
-  }
+std::string_view nearest_node(std::string_view path, const std::vector<ModelNode>& nodes) {
+  tables::NearestName nearest(path.substr(path.rfind('/') + 1));
+  for (const ModelNode& node : nodes) nearest.offer(node.name);
   return nearest.name();
 }
 
 /// What is wrong with the path of a node; empty if one node has it.
-std::string node_fault(const std::string& node, const std::vector<std::string>& paths) {
-  std::vector<std::string_view> whole;
-  std::vector<std::string_view> ends;
-  for (const std::string& path : paths) {
-    if (path == node) whole.push_back(path);
-    if (is_end(path, node)) ends.push_back(path);
+std::string node_fault(const std::string& path, const std::vector<ModelNode>& nodes) {
+  std::vector<std::uint32_t> found;
+  std::size_t whole = 0;
+  for (std::uint32_t node = 0; node < nodes.size(); ++node) {
+    const Match how = match(nodes, node, path);
+    if (how == Match::none) continue;
+    if (how == Match::whole) ++whole;
+    if (found.size() < 2) found.push_back(node);
   }
-  if (whole.size() == 1 || (whole.empty() && ends.size() == 1)) return {};
-  if (ends.empty()) return missing("node " + ticked(node) + " of the model", nearest_node(node, paths));
-  return "several nodes of the model are " + ticked(node) + ", such as " + ticked(ends[0]) + " and " + ticked(ends[1]) +
-         "; write the whole path, or give one of them another name";
+  if (whole == 1 || (whole == 0 && found.size() == 1)) return {};
+  if (found.empty()) return missing("node " + ticked(path) + " of the model", nearest_node(path, nodes));
+  return "several nodes of the model are " + ticked(path) + ", such as " + ticked(path_of(nodes, found[0])) + " and " +
+         ticked(path_of(nodes, found[1])) + "; write the whole path, or give one of them another name";
 }
 
 }  // namespace
@@ -128,7 +188,15 @@ ModelReading read_model(std::string_view bytes) {
   const Json* const nodes = member(*document.root, "nodes");
   if (nodes == nullptr || !nodes->is_array()) return {{}, "it has no nodes"};
   if (nodes->size() > kMostModelNodes) return {{}, "it has more than 20,000 nodes"};
-  return ModelReader(*nodes).read();
+  return ModelReader(*document.root, *nodes).read();
+}
+
+std::string path_of(const std::vector<ModelNode>& nodes, std::uint32_t node) {
+  std::string path = nodes[node].name;
+  for (std::uint32_t at = nodes[node].parent; at != ModelNode::kNoParent; at = nodes[at].parent) {
+    path.insert(0, nodes[at].name + "/");
+  }
+  return path;
 }
 
 void check_model(std::string_view bytes, const GivenScene& scene, std::vector<DescriptionFault>& faults) {
@@ -137,7 +205,7 @@ void check_model(std::string_view bytes, const GivenScene& scene, std::vector<De
     return faults.push_back({"/view3d/model", ticked(scene.model) + ": " + model.error, 0, FaultKind::contradiction});
   }
   for (const SceneNode& node : scene.nodes) {
-    if (std::string fault = node_fault(node.path, model.paths); !fault.empty()) {
+    if (std::string fault = node_fault(node.path, model.nodes); !fault.empty()) {
       faults.push_back({node.pointer, std::move(fault), 0, FaultKind::unknown_name});
     }
   }

@@ -14,6 +14,7 @@
 #include "symplant/scenario/read_scenario.hpp"
 #include "symplant/scenario/step_reader.hpp"
 #include "symplant/tables/duration.hpp"
+#include "symplant/tables/file_name.hpp"
 #include "symplant/tables/nearest.hpp"
 
 namespace symplant::panel {
@@ -23,7 +24,6 @@ using Json = nlohmann::json;
 using Kind = Act::Kind;
 
 constexpr std::size_t kMostActs = 100;
-constexpr std::size_t kLongestName = 64;
 constexpr double kLeastSpeed = 0.1;
 constexpr double kMostSpeed = 100;
 constexpr tables::Time kLongestShelving = 24 * 3600 * tables::kSecond;
@@ -130,15 +130,6 @@ std::string idle_key(const Json& act) {
 
 }  // namespace
 
-bool is_file_name(std::string_view name) {
-  const auto is_allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '_' ||
-           c == '-' || c == '.';
-  };
-  return !name.empty() && name.size() <= kLongestName && name.front() != '.' && name.front() != ' ' &&
-         std::all_of(name.begin(), name.end(), is_allowed);
-}
-
 struct ActReader::Parts {
   Parts(const trace::PlantNames& plant_names, const std::vector<bool>& carried, const trace::History& of)
       : names(plant_names), history(of), steps(plant_names, carried), schema(scenario::scenario_schema()) {}
@@ -207,9 +198,8 @@ struct ActReader::Parts {
         if (!value.is_string()) error = "`camera` is the name of a camera, or \"\" for the overview";
         return act;
       }
-      if (!is_file_name(act.name) && each.kind != Kind::exercise) {
-        error = "the name of `" + key +
-                "` is 1 to 64 letters, digits, blanks, `_`, `-` or `.`, and does not begin with a `.` or a blank";
+      if (!tables::is_file_name(act.name) && each.kind != Kind::exercise) {
+        error = "the name of `" + key + "` is " + tables::kFileNameForm;
       }
       return act;
     }

@@ -76,8 +76,4 @@ class ActReader {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Whether a text is the name of a snapshot or session: 1 to 64 letters, digits, blanks, `_`, `-`, `.`, the first one
-/// not a `.` or a blank. Such a name is the name of a file in a folder, not a path.
-bool is_file_name(std::string_view name);
-
 }  // namespace symplant::panel

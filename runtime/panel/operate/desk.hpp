@@ -134,8 +134,8 @@ class Desk {
   const Training& training() const { return training_; }
   /// Sets what gives the states of the run's links, for explanations. Null: all are live.
   void set_links(std::function<std::vector<exec::LinkState>()> states) { link_states_ = std::move(states); }
-  /// The answer to POST /api/v1/layout.
-  Answer save_layout(std::string_view body, const Sender& sender);
+  /// Logs that a client saved the layout.
+  void layout_saved(const Sender& sender);
   /// The scenario that the plant plays; null: none. It lives as long as the desk, or until another one is played.
   const scenario::Scenario* playing() const { return playing_; }
   /// Real speed, for the clock of the stream.

@@ -50,6 +50,8 @@ const kWords = {
   silence: () => "silenced the horn",
   join: () => "joined",
   message: (of) => "sent: " + of,
+  camera: (of) => "switched the 3D view to " + (of || "the overview"),
+  layout: () => "saved the layout of the plan",
 };
 
 /// What an act, or a list of acts in one instant, did. Keys without words stay JSON. `symbolNamed(name)` gives the symbol of

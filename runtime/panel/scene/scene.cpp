@@ -13,6 +13,7 @@
 #include "symplant/json/document.hpp"
 #include "symplant/panel/picture/json_text.hpp"
 #include "symplant/panel/picture/stations.hpp"
+#include "symplant/tables/file_name.hpp"
 #include "symplant/tables/nearest.hpp"
 #include "symplant/trace/whole_file.hpp"
 
@@ -63,7 +64,7 @@ Scene::~Scene() = default;
 
 std::string Scene::layout() const { return fmt::format("{{\"revision\":{},\"plan\":{}}}", revision_, plan_); }
 
-/// What is wrong with the first name that the plant does not have; empty if it has all.
+/// What is wrong with the first wrong name.
 std::string Scene::wrong_name(const Json& plan) const {
   auto frames = known_->frames;
   if (const auto devices = plan.find("devices"); devices != plan.end()) {
@@ -83,35 +84,46 @@ std::string Scene::wrong_name(const Json& plan) const {
     }
     return {};
   };
+  if (const auto background = plan.find("background"); background != plan.end()) {
+    const std::string& file = background->at("file").get_ref<const std::string&>();
+    if (!tables::is_picture_name(file)) return fmt::format("`{}` is not the name of an .svg or .png file", file);
+  }
   std::string wrong = first_wrong("devices", known_->devices, "device");
   if (wrong.empty()) wrong = first_wrong("locations", known_->locations, "track or place");
   if (wrong.empty()) wrong = first_wrong("frames", frames, "station or group");
   return wrong;
 }
 
-Answer Scene::save(std::string_view body) {
+Scene::Draft Scene::read(std::string_view body) const {
   const json::Document document = json::parse(body);
   if (document.root == nullptr || !document.faults.empty()) {
-    return error_answer(400, document.faults.empty() ? "the body is not JSON" : document.faults.front().message);
+    return {.refusal =
+                error_answer(400, document.faults.empty() ? "the body is not JSON" : document.faults.front().message)};
   }
   if (const auto faults = schema_.check(*document.root); !faults.empty()) {
-    return error_answer(422, fmt::format("`{}`: {}", faults.front().pointer, faults.front().message));
+    return {.refusal = error_answer(422, fmt::format("`{}`: {}", faults.front().pointer, faults.front().message))};
   }
   const Json& plan = document.root->at("plan");
-  if (std::string wrong = wrong_name(plan); !wrong.empty()) return error_answer(422, wrong);
-  std::string answer = "{\"file\":null}";
-  if (!folder_.empty()) {
-    const std::string path = (std::filesystem::path(folder_) / kFile).generic_string();
-    const Json file = {{"symplant", 1}, {"plan", plan}};
-    const std::string failure = trace::write_whole_file(path, file.dump(2) + "\n");
-    if (!failure.empty()) return error_answer(422, fmt::format("cannot write `{}`: {}", path, failure));
-    answer = "{\"file\":";
-    put_text(answer, path);
-    answer += '}';
-  }
-  plan_ = plan.dump();
+  if (std::string wrong = wrong_name(plan); !wrong.empty()) return {.refusal = error_answer(422, wrong)};
+  Draft draft{.plan = plan.dump()};
+  if (document.root->contains("revision")) draft.revision = document.root->at("revision").get<std::uint64_t>();
+  return draft;
+}
+
+Answer Scene::write(const Draft& draft) const {
+  if (folder_.empty()) return {200, "{\"file\":null}"};
+  const std::string path = (std::filesystem::path(folder_) / kFile).generic_string();
+  const Json file = {{"symplant", 1}, {"plan", Json::parse(draft.plan)}};
+  const std::string failure = trace::write_whole_file(path, file.dump(2) + "\n");
+  if (!failure.empty()) return error_answer(422, fmt::format("cannot write `{}`: {}", path, failure));
+  std::string answer = "{\"file\":";
+  put_text(answer, path);
+  return {200, answer + "}"};
+}
+
+void Scene::take(Draft draft) {
+  plan_ = std::move(draft.plan);
   ++revision_;
-  return {200, std::move(answer)};
 }
 
 bool Scene::has_camera(std::string_view name) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,11 @@ std::string_view layout_schema();
 /// The longest layout that can be saved, in bytes.
 inline constexpr std::size_t kLongestLayout = std::size_t{1} << 20;
 
-/// Not thread-safe.
+/// The answer to a layout that is older than the current one.
+inline constexpr const char* kMeanwhile =
+    "another layout was saved meanwhile; look at it first, or save again to replace it";
+
+/// Not thread-safe, except what Draft says.
 class Scene {
  public:
   /// `folder`: in which save() writes; empty: nowhere. `names` must outlive it. O(devices + the view's texts).
@@ -32,9 +37,21 @@ class Scene {
 
   /// The answer to GET /api/v1/layout. O(layout).
   std::string layout() const;
-  /// What POST /api/v1/layout does: everyone gets the layout, and it is written to `layout.json`. If it is not valid or
-  /// cannot be written, nothing changes. O(body * log(names)).
-  Answer save(std::string_view body);
+  /// A layout that a client saves: read(), then write(), then take(). The first two use nothing that changes, and may
+  /// run while another thread calls the other functions.
+  struct Draft {
+    std::string plan = {};                       ///< as JSON
+    std::optional<std::uint64_t> revision = {};  ///< on which it is based; nothing: the client does not say
+    std::optional<Answer> refusal = {};          ///< the layout is not valid
+  };
+  /// Reads the body of POST /api/v1/layout. O(body * log(names)).
+  Draft read(std::string_view body) const;
+  /// Writes it to `layout.json` in the folder, if there is one. Returns the answer to the client.
+  Answer write(const Draft& draft) const;
+  /// Everyone gets it.
+  void take(Draft draft);
+  /// Whether another layout was saved since the one that it is based on.
+  bool is_older(const Draft& draft) const { return draft.revision && *draft.revision != revision_; }
   std::uint64_t revision() const { return revision_; }
 
   /// Whether plant.json has this camera; an empty name is the overview of everything.
@@ -49,7 +66,7 @@ class Scene {
 
  private:
   struct Known;
-  std::string wrong_name(const nlohmann::json& plan) const;
+  std::string wrong_name(const nlohmann::json& plan) const;  // empty: all names exist
 
   const trace::PlantNames& names_;
   std::string folder_;

@@ -41,7 +41,7 @@ struct Reply {
   Answer answer = {};
   std::string_view content_type = "application/json";
   std::shared_ptr<Content> content = {};  ///< the same for all clients; may be null
-  bool packable = true;                   ///< `answer` may be sent as gzip
+  bool packable = true;                   ///< the body may be sent as gzip
   std::string file_name = {};             ///< the client stores the answer under this name; empty: it shows it
   Role role = Role::viewer;               ///< of a stream: its client's
   bool has_token = false;                 ///< of a stream: its client has a token

@@ -9,7 +9,8 @@
 
 namespace symplant::panel {
 
-/// The answer to a GET of `files` or `files/NAME`; nothing for another path. O(the file).
-std::optional<Reply> scene_file(std::string_view path, const SceneFiles& files);
+/// The answer to a GET of `files` or `files/NAME`; nothing for another path. O(the file), O(1) while it does not
+/// change.
+std::optional<Reply> scene_file(std::string_view path, SceneFiles& files);
 
 }  // namespace symplant::panel

@@ -20,7 +20,9 @@ std::string glb(const std::string& json) {
 std::string paths(const std::string& nodes) {
   const description::ModelReading model = description::read_model(glb(R"({"nodes":)" + nodes + "}"));
   std::string text = model.error;
-  for (const std::string& path : model.paths) text += path + "\n";
+  for (std::uint32_t node = 0; node < model.nodes.size(); ++node) {
+    if (!model.nodes[node].name.empty()) text += description::path_of(model.nodes, node) + "\n";
+  }
   return text;
 }
 
@@ -46,11 +48,18 @@ TEST_CASE("A node of `view3d` is found by its path, or by the end of it") {
   const std::string cell = glb(std::string(R"({"nodes":)") + kCell + "}");
   CHECK(faults_of(cell, {"Cell/AGV", "AGV", "Crane/Boom", "Cell/Boom"}) == "");
   CHECK(faults_of(cell, {"Cell/AGX"}) ==
-        "/view3d/nodes/X/node: node `Cell/AGX` of the model not found; did you mean `Cell/AGV`?\n");
+        "/view3d/nodes/X/node: node `Cell/AGX` of the model not found; did you mean `AGV`?\n");
   CHECK(faults_of(cell, {"oom"}).find("not found") != std::string::npos);
   CHECK(faults_of(cell, {"Boom"})
             .find("several nodes of the model are `Boom`, such as `Cell/Crane/Boom` and `Cell/Boom`") !=
         std::string::npos);
+}
+
+TEST_CASE("Only nodes of the scene that is shown are found") {
+  const std::string model = glb(
+      R"({"scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}],"nodes":[{"name":"A"},{"name":"B","children":[2]},{"name":"C"}]})");
+  CHECK(faults_of(model, {"B", "B/C"}) == "");
+  CHECK(faults_of(model, {"A"}).find("node `A` of the model not found") != std::string::npos);
 }
 
 TEST_CASE("A file that is no model, or a hostile one, is one fault") {
@@ -68,8 +77,10 @@ TEST_CASE("A file that is no model, or a hostile one, is one fault") {
   CHECK(faults_of(glb("{]"), {"A"}).find("its JSON is not valid") != std::string::npos);
   CHECK(faults_of(glb(std::string(200, '[')), {"A"}).find("its JSON is not valid") != std::string::npos);
   CHECK(paths("{}") == "it has no nodes");
-  CHECK(paths(R"([{"name":"A","children":[1]},{"name":"B","children":[0]}])") ==
-        "its nodes are nested more than 64 deep, or in a circle");
+  CHECK(paths(R"([{"name":"A","children":[1]},{"name":"B","children":[0]}])") == "");  // below no root
+  const std::string circle = R"({"scenes":[{"nodes":[0]}],"nodes":[{"name":"A","children":[1]},{"children":[0]}]})";
+  CHECK(description::read_model(glb(circle)).error == "a node is in its scene twice, or nodes are nested in a circle");
+  CHECK(paths("[{\"name\":\"" + std::string(1'001, 'x') + "\"}]") == "a node has a name of more than 1,000 bytes");
   CHECK(paths(R"([{"children":[1,1]},{}])") == "a node has two parents");
   CHECK(paths(R"([{"children":[7]}])") == "a node has a child that the model does not have");
   CHECK(paths(R"([{"children":[-1]}])") == "a node has a child that the model does not have");
@@ -84,7 +95,7 @@ TEST_CASE("A model has at most 64 levels and 20,000 nodes") {
     return json + R"({"name":"N"}])";
   };
   CHECK(paths(chain(65)).find("its nodes") == std::string::npos);
-  CHECK(paths(chain(66)) == "its nodes are nested more than 64 deep, or in a circle");
+  CHECK(paths(chain(66)) == "its nodes are nested more than 64 deep");
   std::string many = "[{}";
   for (int i = 0; i < 20'000; ++i) many += ",{}";
   CHECK(paths(many + "]") == "it has more than 20,000 nodes");

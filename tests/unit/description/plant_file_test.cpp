@@ -233,6 +233,11 @@ TEST_CASE("A position in `plan` that is too far, an unknown turn, and a node wit
              Catch::Matchers::StartsWith("/plan/devices/D/turn: expected one of `0`, `90`"));
   CHECK_THAT(shape(R"("plan": {"devices": {"two\nlines": {}}})"),
              Catch::Matchers::ContainsSubstring("control character"));
+  CHECK_THAT(
+      shape(R"("plan": {"background": {"file": "a/hall.svg", "x": 0, "y": 0, "width": 9}})"),
+      Catch::Matchers::StartsWith("/plan/background/file: `a/hall.svg` is not the name of an .svg or .png file"));
+  CHECK_THAT(shape(R"("view3d": {"model": "CELL.GLB"})"),
+             Catch::Matchers::StartsWith("/view3d/model: `CELL.GLB` is not the name of a .glb file"));
   CHECK_THAT(shape(R"("view3d": {"nodes": {"D": {"P1": {"move": [0, 0, 0]}}}})"),
              Catch::Matchers::StartsWith("/view3d/nodes/D"));
   CHECK_THAT(shape(R"("view3d": {"nodes": {"D": {"node": "N", "P1": {"move": [0, 0]}}}})"),

@@ -72,11 +72,23 @@ TEST_CASE("A layout with a wrong name or number changes nothing") {
   CHECK(contains(refused(R"({"devices":{"L_P_AGV":{"x":1e9,"y":2}}})"), "/plan/devices/L_P_AGV/x"));
   CHECK(contains(refused(R"({"devices":[]})"), "/plan/devices"));
   CHECK(contains(refused(R"({"moons":{}})"), "moons"));
+  CHECK(contains(refused(R"({"background":{"file":"../hall.svg","x":0,"y":0,"width":9}})"), "../hall.svg"));
   CHECK(files.save("{").status == 400);
   CHECK(files.save(std::string(500, '[')).status == 400);
   CHECK(files.save(R"({"plan":{},"plan":{}})").status == 400);
   CHECK(files.bench.get(kLayout).at("revision") == 0);
   CHECK(text_of(files.folder / "layout.json") == "");
+}
+
+TEST_CASE("A layout that is based on an older one is refused, and a saved one is in the log of acts") {
+  const FilesBench files;
+  CHECK(files.save(R"({"plan":{},"revision":0})").status == 200);
+  const HttpAnswer older = files.save(R"({"plan":{"frames":{"L P":{"x":1,"y":1}}},"revision":0})");
+  CHECK(older.status == 422);
+  CHECK(contains(older.body, "another layout was saved meanwhile"));
+  CHECK(files.bench.get(kLayout) == Json::parse(R"({"revision":1,"plan":{}})"));
+  CHECK(files.save(R"({"plan":{},"revision":1})").status == 200);
+  CHECK(files.bench.picture().at("acts").back().at("act") == Json::parse(R"({"layout":"saved"})"));
 }
 
 TEST_CASE("Only the trainer saves a layout and switches the camera") {
@@ -114,6 +126,24 @@ TEST_CASE("Pictures and models are read by their plain names, and no other file"
     INFO(name);
     CHECK(files.get(std::string("files/") + name).status == 404);
   }
+}
+
+TEST_CASE("A file that changes is read again") {
+  const FilesBench files;
+  files.write("hall.svg", "<svg/>");
+  CHECK(files.get("files/hall.svg").body == "<svg/>");
+  files.write("hall.svg", "<svg></svg>");
+  CHECK(files.get("files/hall.svg").body == "<svg></svg>");
+  std::filesystem::remove(files.folder / "hall.svg");
+  CHECK(files.get("files/hall.svg").status == 404);
+}
+
+TEST_CASE("The list of files is cut after 1000 names") {
+  const TemporaryFolder folder;
+  for (int i = 1'002; i-- > 0;) folder.write(std::to_string(1'000 + i) + ".svg", "");
+  const Json names = Json::parse(panel::SceneFiles({folder.path()}).list()).at("files");
+  CHECK(names.size() == 1'000);
+  CHECK(names.back() == "1999.svg");
 }
 
 TEST_CASE("A model that is larger than 32 MiB is refused") {
