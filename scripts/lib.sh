@@ -18,7 +18,8 @@ environment_error() { # WHAT
 # The packages of Debian 12 and Ubuntu 24.04 that the build, the tests and the demo need.
 # shellcheck disable=SC2034 # for the scripts that source this
 readonly BUILD_PACKAGES=(g++ cmake ninja-build make pkg-config libboost-dev libfmt-dev nlohmann-json3-dev libcli11-dev
-  catch2 libkainjow-mustache-dev libmodbus-dev libuchardet-dev libpugixml-dev libzip-dev libre2-dev libutf8proc-dev zlib1g-dev)
+  catch2 libkainjow-mustache-dev libmodbus-dev libuchardet-dev libpugixml-dev libzip-dev libre2-dev libutf8proc-dev zlib1g-dev
+  libjs-three)
 
 # "-14" for clang 14, with which the project is tested; nothing, for the default clang, if there is no such package.
 clang_suffix() {
@@ -54,7 +55,7 @@ require_known_system() {
     ubuntu) dpkg --compare-versions "$version" ge 24.04 && return ;;
   esac
   environment_error "made for Debian 12 and Ubuntu 24.04 or later, and this is ${id:-another system} $version: install \
-g++ 12 or clang 14, CMake 3.25, Boost, fmt, nlohmann-json, CLI11, Catch2, mustache, uchardet, libmodbus, zlib by hand, \
+g++ 12 or clang 14, CMake 3.25, Boost, fmt, nlohmann-json, CLI11, Catch2, mustache, uchardet, libmodbus, zlib, three.js 111 by hand, \
 then: cmake --workflow --preset release"
 }
 

@@ -3,12 +3,10 @@
 
 #include <utility>
 
-#include "symplant/panel/web/gzip.hpp"
-
 namespace symplant::panel {
 
 const Bytes& Content::packed() {
-  if (packed_ == nullptr) packed_ = std::make_shared<const std::string>(gzip(*plain_));
+  if (packed_ == nullptr) packed_ = std::make_shared<const std::string>(gzip(*plain_, packing_));
   return packed_;
 }
 

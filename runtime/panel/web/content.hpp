@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "symplant/panel/web/gzip.hpp"
+
 namespace symplant::panel {
 
 /// Immutable, so that any thread may read them.
@@ -16,8 +18,8 @@ using Bytes = std::shared_ptr<const std::string>;
 class Content {
  public:
   /// `type`: its Content-Type, which must outlive it.
-  Content(std::string_view type, std::string text)
-      : type_(type), plain_(std::make_shared<const std::string>(std::move(text))) {}
+  Content(std::string_view type, std::string text, Packing packing = Packing::quick)
+      : type_(type), packing_(packing), plain_(std::make_shared<const std::string>(std::move(text))) {}
 
   std::string_view type() const { return type_; }
   const Bytes& plain() const { return plain_; }
@@ -26,6 +28,7 @@ class Content {
 
  private:
   std::string_view type_;
+  Packing packing_;
   Bytes plain_;
   Bytes packed_;
 };

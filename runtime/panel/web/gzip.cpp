@@ -12,7 +12,8 @@
 namespace symplant::panel {
 namespace {
 
-constexpr int kLevel = 3;                    // a twelfth of the size of JSON, in less than half of the time of level 6
+constexpr int kQuickLevel = 3;               // a twelfth of the size of JSON, in less than half of the time of level 6
+constexpr int kSmallLevel = 6;               // 14 % less of a JavaScript file; a higher level saves less than 1 % more
 constexpr int kGzipWindow = MAX_WBITS + 16;  // 16: with the header and the trailer of gzip
 constexpr int kMemoryLevel = 8;              // the default of zlib
 constexpr std::size_t kMostAtOnce = 1U << 30;  // zlib counts in 32 bits
@@ -56,9 +57,10 @@ bool accepts_gzip(std::string_view header) {
   return by_name.value_or(by_star) > 0;
 }
 
-std::string gzip(std::string_view text) {
+std::string gzip(std::string_view text, Packing packing) {
   z_stream stream{};
-  if (deflateInit2(&stream, kLevel, Z_DEFLATED, kGzipWindow, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK) {
+  const int level = packing == Packing::small ? kSmallLevel : kQuickLevel;
+  if (deflateInit2(&stream, level, Z_DEFLATED, kGzipWindow, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();
   }
   struct End {

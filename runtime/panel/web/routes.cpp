@@ -84,7 +84,9 @@ Reply Routes::page_file(std::string_view path) {
   const auto file = std::find_if(files.begin(), files.end(), [&](const PageFile& each) { return each.name == name; });
   if (file == files.end()) return nothing_there();
   std::shared_ptr<Content>& kept = page_[file->name];
-  if (kept == nullptr) kept = std::make_shared<Content>(content_type_of(file->name), std::string(file->text));
+  if (kept == nullptr) {
+    kept = std::make_shared<Content>(content_type_of(file->name), std::string(file->text), Packing::small);
+  }
   return content_reply(kept);
 }
 

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include "symplant/panel/web/gzip.hpp"
+#include "symplant/panel/web/page_files.hpp"
 #include "unit/panel/panel_bench.hpp"
 
 namespace symplant::test {
@@ -182,7 +183,22 @@ TEST_CASE("gzip keeps every byte") {
   for (int i = 0; i < 300'000; ++i) noise += static_cast<char>((state = state * 1664525 + 1013904223) >> 24);
   for (const std::string& text : {std::string(), std::string("x"), std::string(5'000'000, 'a'), noise}) {
     CHECK((unpacked(panel::gzip(text), text.size()) == text));
+    CHECK((unpacked(panel::gzip(text, panel::Packing::small), text.size()) == text));
   }
+}
+
+TEST_CASE("The files of the page are compressed well: all that the 3D view loads is at most 300 kB") {
+  std::size_t size = 0;
+  int files = 0;
+  for (const panel::PageFile& file : panel::page_files()) {
+    const bool is_of_3d =
+        file.name.find('/') != file.name.npos || file.name.starts_with("view3d") || file.name.starts_with("glb");
+    if (!is_of_3d) continue;
+    size += panel::gzip(file.text, panel::Packing::small).size();
+    ++files;
+  }
+  CHECK(files > 3);
+  CHECK(size <= 300'000);
 }
 
 }  // namespace
