@@ -31,9 +31,9 @@ const crane = () => {
   const glb = new Glb({quay: [.62, .62, .6], water: [.25, .42, .52], hull: [.3, .12, .12], hold: [.55, .5, .45], steel: [.85, .62, .15], dark: [.22, .24, .27], house: [.88, .88, .86], rope: [.1, .1, .1], load: [.45, .47, .5]});
   const legs = [[-5, -5], [-5, 5], [5, -5], [5, 5]];
   return glb.pack(group("Crane", [0, 0, 0], [
-    box("Quay", "quay", [-14, -1.5, 0], [44, 1.5, 100]),
-    box("Water", "water", [33, -3, 0], [50, .4, 100]),
-    group("Ship", [22, -2.6, 0], [box("Hull", "hull", [0, 0, 0], [18, 7, 76]), box("Hold", "hold", [0, 7, 6], [13, .4, 46]), box("Bridge", "house", [0, 7, -31], [16, 11, 8])]),
+    box("Quay", "quay", [-9, -1.5, 0], [34, 1.5, 60]),
+    box("Water", "water", [26, -3, 0], [36, .4, 60]),
+    group("Ship", [22, -2.6, 0], [box("Hull", "hull", [0, 0, 0], [18, 7, 54]), box("Hold", "hold", [0, 7, 5], [13, .4, 34]), box("Bridge", "house", [0, 7, -21], [16, 11, 8])]),
     group("Portal", [0, 0, 0], [...legs.map(([x, z]) => box("Leg", "steel", [x, 0, z], [1.4, 15, 1.4])), box("Deck", "steel", [0, 15, 0], [12, 1.6, 12]), cylinder("Ring", "dark", [0, 16.6, 0], [7, 1, 7])]),
     group("Upper", [0, 17.6, 0], [
       box("House", "house", [-5, 0, 0], [9, 5, 6]), box("Cabin", "house", [2.5, 0, 3], [2.6, 3, 2.4]), box("Tower", "steel", [0, 0, 0], [2.4, 34, 2.4]),

@@ -2,6 +2,7 @@
 import {button, make, table} from "./dom.js";
 import {kChartKeys} from "./chart_input.js";
 import {kPlanKeys} from "./plan_input.js";
+import {kView3dKeys} from "./view3d_keys.js";
 
 const kOffKey = "symplant keys off";
 
@@ -43,6 +44,7 @@ export class Shortcuts {
         ["Tab", "to the next control; arrow keys move within tiles and lists"]])]),
       make("h2", {}, "Keys of the plan, while it has the focus"), table("Keys of the plan", ["Key", "Does"], rows(kPlanKeys)),
       make("h2", {}, "Keys of the chart, while it has the focus"), table("Keys of the chart", ["Key", "Does"], rows(kChartKeys)),
+      make("h2", {}, "Keys of the 3D view, while it has the focus"), table("Keys of the 3D view", ["Key", "Does"], rows(kView3dKeys)),
       make("label", {class: "check"}, box, "Keys of one letter act"),
       make("div", {class: "row end"}, button("Close", close, {class: "primary"})));
     dialog.addEventListener("cancel", () => dialog.remove());

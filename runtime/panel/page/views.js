@@ -13,16 +13,17 @@ import {PlanView} from "./plan_view.js";
 import {SessionView} from "./session.js";
 import {UtilizationView} from "./utilization.js";
 import {ValuesView} from "./values.js";
+import {View3d} from "./view3d.js";
 
 const kOfTrainer = ["malfunctions", "session"];
 
 /// [key, title, class] in order.
 export const makeViews = (app) => {
   const values = app.plant.values.length > 0 ? [["values", "Values", ValuesView]] : [];
-  const all = [["plan", "Plan", PlanView], ["line", "Tiles", LineView], ["io", "I/O", IoView], ...values, ["chart", "Chart", ChartView], ["alarms", "Alarms", AlarmsView], ["findings", "Findings", FindingsView],
+  const all = [["plan", "Plan", PlanView], ["line", "Tiles", LineView], ["3d", "3D", View3d], ["io", "I/O", IoView], ...values, ["chart", "Chart", ChartView], ["alarms", "Alarms", AlarmsView], ["findings", "Findings", FindingsView],
     ["links", "Links", LinksView], ["malfunctions", "Malfunctions", MalfunctionsView], ["exercises", "Exercises", ExerciseView],
     ["session", "Session", SessionView], ["utilization", "Utilization", UtilizationView]];
-  if (app.plant.mode === "recording") return all.slice(0, 5 + values.length);
+  if (app.plant.mode === "recording") return all.slice(0, 6 + values.length);
   return app.plant.role === "trainer" ? all : all.filter(([key]) => !kOfTrainer.includes(key));
 };
 

@@ -1,7 +1,7 @@
 // A server for tests of the panel's page alone: it has the interface of docs/panel-interface.md, but no real plant.
 //
 // usage: node server.mjs PLANT [--port N] [--activity N] [--view-only] [--exercise FILE]
-// PLANT: cell, body-shop, operated, material, large (10,000 devices), symbols (3,000 and 200 parts), names, recording
+// PLANT: cell, body-shop, operated, material, large (10,000 devices), symbols (3,000 and 200 parts), scene (200 devices and 100 parts), names, recording
 import {createServer} from "node:http";
 import {randomBytes} from "node:crypto";
 import {readFileSync} from "node:fs";
@@ -14,6 +14,9 @@ import {MockPlant} from "./mock_plant.mjs";
 const project = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 const page = join(project, "runtime/panel/page");
 const kCsp = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'";
+const three = "/usr/share/javascript/three";
+const kThree = {"build/three.module.js": join(three, "three.module.js"), "three/GLTFLoader.js": join(three, "examples/jsm/loaders/GLTFLoader.js"),
+  "three/OrbitControls.js": join(three, "examples/jsm/controls/OrbitControls.js")};
 const kTypes = {html: "text/html; charset=utf-8", js: "text/javascript; charset=utf-8", css: "text/css; charset=utf-8"};
 
 const makePlant = (name, activity, exercises) => {
@@ -23,6 +26,7 @@ const makePlant = (name, activity, exercises) => {
   if (name === "material") return of(descriptions.material(), {partsPerTrack: 8});
   if (name === "large") return of(descriptions.large(10000), {activity: activity ?? 10667, move: 300e6});
   if (name === "symbols") return of(descriptions.large(1000, 3000, 25), {activity: activity ?? 200, partsPerTrack: 8});
+  if (name === "scene") return of(descriptions.large(200, 600, 20), {activity: activity ?? 200, partsPerTrack: 5});
   if (name === "operated") return of(descriptions.operated(), {partsPerTrack: 2});
   if (name === "names") return of(descriptions.names(), {partsPerTrack: 2});
   if (name === "recording") return of({...descriptions.bodyShop(project), mode: "recording", acts: false, files: false, begin: 0, end: 60e9}, {activity: 30, partsPerTrack: 5});
@@ -31,9 +35,9 @@ const makePlant = (name, activity, exercises) => {
 
 const sendFile = (response, path) => {
   const name = path === "/" ? "index.html" : path.slice(1);
-  if (!/^[a-z_]+\.(html|js|css)$/.test(name)) return send(response, 404, {error: "not found"});
+  if (!/^[a-z0-9_]+\.(html|js|css)$/.test(name) && !(name in kThree)) return send(response, 404, {error: "not found"});
   try {
-    const bytes = readFileSync(join(page, name));
+    const bytes = readFileSync(kThree[name] ?? join(page, name));
     response.writeHead(200, {"Content-Type": kTypes[name.split(".").pop()], "Content-Security-Policy": kCsp, "X-Content-Type-Options": "nosniff", "Cache-Control": "no-store"});
     response.end(bytes);
   } catch {

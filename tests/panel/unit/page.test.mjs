@@ -29,17 +29,17 @@ test("No module makes elements from strings, evaluates text, or fetches from els
 
 const kWorker = "stream_worker.js";
 
-/// The modules that a module imports, and it.
-const reachedFrom = (name, reached = new Set()) => {
+/// The modules that a module imports, and it. `later`: also those that are loaded when they are needed.
+const reachedFrom = (name, later = false, reached = new Set()) => {
   if (reached.has(name)) return reached;
   reached.add(name);
-  for (const [, next] of text(name).matchAll(/from "\.\/([a-z_]+\.js)"/g)) reachedFrom(next, reached);
+  for (const [, next] of text(name).matchAll(later ? /(?:from |import\()"\.\/([a-z0-9_]+\.js)"/g : /from "\.\/([a-z0-9_]+\.js)"/g)) reachedFrom(next, later, reached);
   return reached;
 };
 
 test("Every module states its purpose, is short, and is reached from main.js or the shared worker", () => {
   assert.ok(text("follow_plant.js").includes('new URL("./' + kWorker + '", import.meta.url)'));
-  assert.deepEqual([...new Set([...reachedFrom("main.js"), ...reachedFrom(kWorker)])].sort(), [...modules].sort());
+  assert.deepEqual([...new Set([...reachedFrom("main.js", true), ...reachedFrom(kWorker)])].sort(), [...modules].sort());
   for (const name of modules) {
     assert.match(text(name), /^\/\/ .{15,}/, name);
     assert.ok(text(name).split("\n").length <= 300, name + " is long");
@@ -48,7 +48,7 @@ test("Every module states its purpose, is short, and is reached from main.js or 
 
 test("Every imported name is exported by its module and used", () => {
   for (const name of modules) {
-    for (const [, names, from] of text(name).matchAll(/import \{([^}]*)\} from "\.\/([a-z_]+\.js)"/g)) {
+    for (const [, names, from] of text(name).matchAll(/import \{([^}]*)\} from "\.\/([a-z0-9_]+\.js)"/g)) {
       for (const [imported, local = imported] of names.split(",").map((part) => part.trim().split(" as "))) {
         assert.match(text(from), new RegExp("export ((const|class) |\\{[^}]*\\b)" + imported + "\\b"), name + " imports " + imported);
         const uses = text(name).match(new RegExp("(?<![-.])\\b" + local + "\\b", "g")).length;
@@ -58,9 +58,12 @@ test("Every imported name is exported by its module and used", () => {
   }
 });
 
-test("The page asks for all its modules at once", () => {
+test("The page asks for all its modules at once, and for those of the 3D view when it is opened", () => {
   const html = text("index.html");
-  for (const name of reachedFrom("main.js")) if (name !== "main.js") assert.ok(html.includes('<link rel="modulepreload" href="' + name + '">'), name);
+  const first = reachedFrom("main.js");
+  const asked = [...html.matchAll(/<link rel="modulepreload" href="([^"]+)">/g)].map(([, name]) => name);
+  assert.deepEqual(asked.sort(), [...first].filter((name) => name !== "main.js").sort());
+  assert.ok(!first.has("view3d_scene.js") && reachedFrom("main.js", true).has("view3d_scene.js"));
 });
 
 test("The program carries every file of the page", () => {

@@ -5,13 +5,17 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 
 const kChromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find((path) => existsSync(path));
-const kArguments = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+const kArguments = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
   "--disable-sync"];
 export const kSkipped = 77;
 
-/// `playwright` and `axe` are folders with node_modules, as npm_package.sh makes them.
+/// 3D by the processor, or none.
+export const kSoftware3d = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const kNo3d = ["--disable-gpu"];
+
+/// `playwright` and `axe` are folders with node_modules, as npm_package.sh makes them; `graphics`: of chromium.
 export class Browser {
-  static async open({playwright, axe}) {
+  static async open({playwright, axe, graphics = kNo3d}) {
     if (!kChromium) {
       console.log("chromium is not installed");
       process.exit(kSkipped);
@@ -20,7 +24,7 @@ export class Browser {
     const browser = new Browser();
     browser.axe = readFileSync(createRequire(join(axe, "x.js")).resolve("axe-core/axe.min.js"), "utf8");
     browser.folder = mkdtempSync(join(tmpdir(), "panel-browser-"));
-    browser.context = await chromium.launchPersistentContext(browser.folder, {executablePath: kChromium, headless: true, args: kArguments,
+    browser.context = await chromium.launchPersistentContext(browser.folder, {executablePath: kChromium, headless: true, args: [...kArguments, ...graphics],
       viewport: {width: 1280, height: 800}, acceptDownloads: true});
     browser.problems = [];
     return browser;

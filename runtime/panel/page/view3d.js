@@ -1,0 +1,85 @@
+// The plant in 3D. What draws it is loaded when the view is first opened.
+import {actButton, resultOutput} from "./acts.js";
+import {button, make, select, setText} from "./dom.js";
+
+const kNoWebGl = "This browser shows no 3D: WebGL is off or missing. ";
+const kNoFiles = "The files of the 3D view cannot be loaded: ";
+const kOverview = "Overview";
+
+const hasWebGl = () => {
+  const context = document.createElement("canvas").getContext("webgl");
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return context !== null;
+};
+
+export class View3d {
+  constructor(app) {
+    Object.assign(this, {app, scene: null, loading: false, lastCamera: null});
+    this.message = make("p", {class: "soft", role: "status"});
+    this.stage = make("div", {class: "stage3d"});
+    this.result = resultOutput();
+    this.camera = select("Camera", [["", kOverview], ...Object.keys(app.plant.view3d?.cameras ?? {}).map((name) => [name, name])],
+      {onchange: () => this.scene?.goTo(this.camera.value)});
+    const step = (label, text, act) => button(label, () => this.scene && act(this.scene), {"aria-label": text, title: text});
+    this.see = button("See through", () => this.scene?.setTranslucent(!this.scene.isTranslucent), {class: "toggle", "aria-pressed": "false", title: "Housings become translucent (t)"});
+    this.tools = make("div", {class: "row tools"}, this.camera,
+      app.canAct ? actButton(app, this.result, "For everyone", () => ({camera: this.camera.value}), {title: "Show this view to everyone who looks at the plant in 3D"}) : null,
+      step("+", "Nearer", (scene) => scene.stage.zoom(1 / 1.25)), step("−", "Farther", (scene) => scene.stage.zoom(1.25)),
+      step("⟲", "Turn left", (scene) => scene.stage.turn(-15, 0)), step("⟳", "Turn right", (scene) => scene.stage.turn(15, 0)),
+      step("▲", "Move ahead", (scene) => scene.stage.pan(0, .1)), step("▼", "Move back", (scene) => scene.stage.pan(0, -.1)),
+      step("◀", "Move left", (scene) => scene.stage.pan(-.1, 0)), step("▶", "Move right", (scene) => scene.stage.pan(.1, 0)),
+      button("Show everything", () => this.scene?.goTo(""), {title: "0"}), this.see, app.canAct ? this.result : null);
+    this.element = make("div", {class: "view fills view3d"}, this.tools, this.message, this.stage);
+  }
+
+  show() {
+    if (this.scene) this.scene.select();
+    else if (!this.loading) this.load();
+  }
+
+  async load() {
+    this.loading = true;
+    if (!hasWebGl()) return this.fail(kNoWebGl);
+    setText(this.message, "The 3D view is loaded ...");
+    try {
+      const [{View3dScene}] = await Promise.all([import("./view3d_scene.js"), this.app.layout.ready]);
+      const canvas = make("canvas", {tabindex: 0, role: "application", "aria-label": "The plant in 3D. Arrow keys move, Shift and arrow keys turn, plus and minus zoom, 0 shows everything."});
+      this.stage.replaceChildren(canvas);
+      const scene = new View3dScene(this.app, canvas, (text) => setText(this.message, text), (on) => this.see.setAttribute("aria-pressed", String(on)));
+      setText(this.message, "");
+      this.app.view3d = scene;  // for tests and the console
+      const opened = scene.open();
+      this.scene = scene;
+      this.follow();
+      await opened;
+      this.follow(true);
+    } catch (error) {
+      this.loading = false;
+      this.fail(kNoFiles + error.message + ". ");
+    }
+  }
+
+  fail(text) {
+    this.scene = null;
+    this.message.replaceChildren(text, make("a", {href: "#view=plan"}, "See the plant as a plan"));
+    this.tools.hidden = true;
+    this.stage.hidden = true;
+  }
+
+  /// To the trainer's camera, if it is another one than the last time.
+  follow(again = false) {
+    const {camera} = this.app.store;
+    if (!this.scene || !camera || (camera.n === this.lastCamera && !again)) return;
+    this.lastCamera = camera.n;
+    this.camera.value = camera.name;
+    this.scene.goTo(camera.name);
+  }
+
+  change(change, statusChanged) {
+    if (!this.scene) return;
+    this.scene.change(change, statusChanged);
+    this.follow();
+  }
+
+  frame(now) { return this.scene?.frame(now) ?? false; }
+}

@@ -1,0 +1,106 @@
+// What the 3D view loads when it is opened: the scene, kept up to date with the plant.
+import {Boxes} from "./view3d_boxes.js";
+import {listenToScene} from "./view3d_keys.js";
+import {loadModel} from "./view3d_model.js";
+import {Stage} from "./view3d_stage.js";
+import {onTheme} from "./theme.js";
+
+export class View3dScene {
+  /// `say(text)` shows a sentence, or removes it. `toggled(on)`: translucent or not.
+  constructor(app, canvas, say, toggled) {
+    Object.assign(this, {app, say, toggled, dirty: true, isTranslucent: false, drawn: 0});
+    this.stage = new Stage(canvas, () => this.changed());
+    this.ends = [app.layout.listen(() => this.rebuild()), onTheme(() => this.rebuild())];
+    this.observer = new ResizeObserver(() => this.changed());
+    this.observer.observe(canvas.parentElement);
+    listenToScene(canvas, this);
+  }
+
+  /// Boxes at once, then the model if there is one.
+  async open() {
+    this.stage.fit();
+    this.setContent(new Boxes(this.app, this.app.layout.placed));
+    this.stage.goTo(this.stage.overview(), true);
+    const {model} = this.app.plant.view3d ?? {};
+    if (!model) return;
+    try {
+      this.say("The model " + model + " is loaded ...");
+      this.setContent(await loadModel(this.app, model));
+      this.stage.goTo(this.stage.overview(), true);
+      this.say("");
+    } catch (error) {
+      this.say("The model " + model + " cannot be shown: " + error.message + ". Boxes are shown instead.");
+    }
+  }
+
+  setContent(content) {
+    this.stage.setContent(content);
+    content.setTranslucent(this.isTranslucent);
+    this.select();
+    this.changed();
+  }
+
+  /// After a change of the layout or the colors.
+  rebuild() {
+    const {content} = this.stage;
+    if (content instanceof Boxes) this.setContent(new Boxes(this.app, this.app.layout.placed));
+    else {
+      content.recolor();
+      this.setContent(content);
+    }
+  }
+
+  changed() {
+    this.dirty = true;
+    this.app.frames.request();
+  }
+
+  select() {
+    const selection = this.app.router.selection();
+    const index = selection && ["device", "location"].includes(selection.kind) ? this.app.names.index(selection.kind, selection.name) : null;
+    const tag = index === null ? null : {kind: selection.kind, index};
+    this.stage.named = tag?.kind === "device" ? index : null;
+    this.stage.content.select(tag);
+    this.stage.setOutline(tag && this.stage.content.outline(tag));
+    this.changed();
+  }
+
+  pick(x, y) {
+    const tag = this.stage.pick(x, y);
+    if (tag) this.app.router.select(tag.kind, this.app.names.name(tag.kind, tag.index));
+  }
+
+  setTranslucent(on) {
+    this.isTranslucent = on;
+    this.stage.content.setTranslucent(on);
+    this.toggled(on);
+    this.changed();
+  }
+
+  /// A camera of plant.json by its name; "": everything.
+  goTo(name, atOnce = false) {
+    const camera = name === "" ? null : this.app.plant.view3d?.cameras?.[name];
+    this.stage.goTo(camera ?? this.stage.overview(), atOnce);
+  }
+
+  change({all, devices, symbols, tracks, places, values}, statusChanged) {
+    const {content} = this.stage;
+    if (all) content.touchAll();
+    else for (const device of new Set([...statusChanged, ...devices])) content.touch(device);
+    if (all || devices.length + symbols.length + tracks.length + places.length + values.length + statusChanged.size > 0) this.dirty = true;
+  }
+
+  /// Draws if something changed or moves; returns whether something moves on.
+  frame(now) {
+    this.stage.fit();
+    const flies = this.stage.fly();
+    const moves = this.stage.content.draw(now);
+    if (this.dirty || flies || moves) {
+      this.dirty = false;
+      this.drawn += 1;
+      if (moves && this.stage.named !== null) this.stage.setOutline(this.stage.content.outline({kind: "device", index: this.stage.named}));
+      this.stage.render();
+    }
+    return flies || (moves && this.app.clock.runs);
+  }
+}
