@@ -5,7 +5,7 @@ const kMostLists = 100000;
 const kBytes = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4};
 const kNumbers = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4};
 const kFloat = 5126;
-const kMostRead = 6e7;  // numbers: several times what a file of the greatest size has, if its data is not used many times
+const kMostRead = 4e7;  // numbers: more than a file of the greatest size has, if its data is not used many times
 const kAttributes = {POSITION: ["VEC3"], NORMAL: ["VEC3"], TANGENT: ["VEC4"], TEXCOORD_0: ["VEC2"], TEXCOORD_1: ["VEC2"], COLOR_0: ["VEC3", "VEC4"]};
 /// Attributes that the view uses; others are left out.
 export const kUsed = new Set(Object.keys(kAttributes));

@@ -42,7 +42,7 @@ export class View3d {
     if (!hasWebGl()) return this.fail(kNoWebGl);
     setText(this.message, "The 3D view is loaded ...");
     try {
-      const [{View3dScene}] = await Promise.all([import("./view3d_scene.js"), this.app.layout.ready]);
+      const {View3dScene} = await import("./view3d_scene.js");
       const canvas = make("canvas", {tabindex: 0, role: "application", "aria-label": "The plant in 3D. Arrow keys move, Shift and arrow keys turn, plus and minus zoom, 0 shows everything."});
       this.stage.replaceChildren(canvas);
       const scene = new View3dScene(this.app, canvas, (text) => setText(this.message, text), (on) => this.see.setAttribute("aria-pressed", String(on)));

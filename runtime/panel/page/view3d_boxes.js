@@ -1,6 +1,6 @@
 // The plant in 3D without a model: the plan with solids. Frames are areas on the floor, tracks are belts, places are trays.
 import {Group} from "./build/three.module.js";
-import {pointOn, slotOf} from "./plan_joins.js";
+import {pointOn, slotOf} from "./plan_geometry.js";
 import {STATUSES} from "./status.js";
 import {after, kSame, placed, shift, turn} from "./view3d_affine.js";
 import {Batch} from "./view3d_batch.js";

@@ -1,0 +1,145 @@
+// The 3D view without a browser: poses of nodes, positions between states, matrices, the camera, how sharp it is.
+import assert from "node:assert/strict";
+import {readFileSync} from "node:fs";
+import {dirname, join} from "node:path";
+import {test} from "node:test";
+import {fileURLToPath} from "node:url";
+import {Store} from "../../../runtime/panel/page/store.js";
+import {after, kSame, placed, pointAt, shift, stretch, turn} from "../../../runtime/panel/page/view3d_affine.js";
+import {amountOf, heatOf, nodeAt, pathsOf, poseBetween, poseByValue, posesOf, sumOf} from "../../../runtime/panel/page/view3d_binding.js";
+import {stateBetween} from "../../../runtime/panel/page/view3d_motion.js";
+import {overviewOf} from "../../../runtime/panel/page/view3d_overview.js";
+import {Pace} from "../../../runtime/panel/page/view3d_pace.js";
+import {shapeOf, statesBetween} from "../../../runtime/panel/page/view3d_shapes.js";
+import {smallPicture, smallPlant} from "./plant.mjs";
+
+const kRoot = join(dirname(fileURLToPath(import.meta.url)), "../../..");
+const near = (found, expected, what) => expected.forEach((value, i) => assert.ok(Math.abs(found[i] - value) < 1e-9, (what ?? "") + " " + found + ", expected " + expected));
+
+test("A node has the pose of its device's state, and the model's own pose in a state without one", () => {
+  const poses = posesOf({node: "AGV", P1: {move: [0, 0, 0]}, P2: {move: [2, 0, 0], turn: [0, 90, 0]}}, ["P1", "P2", "DOCK"]);
+  assert.deepEqual(poses[1], {move: [2, 0, 0], turn: [0, 90, 0]});
+  assert.deepEqual(poses[2], {move: [0, 0, 0], turn: [0, 0, 0]});
+  assert.equal(posesOf({node: "AGV", color: {by: "x"}}, ["P1"]), null);
+  assert.equal(posesOf({node: "AGV", from: [0, 0, 0]}, ["from"]), null);  // a key of its own is no state
+});
+
+test("During a move the pose is between both, by the progress; a target that is no state changes nothing", () => {
+  const poses = posesOf({P1: {move: [0, 0, 1]}, P2: {move: [2, 0, 1], turn: [0, 270, 0]}}, ["P1", "P2"]);
+  assert.deepEqual(poseBetween(poses, 0, 1, .25), {move: [.5, 0, 1], turn: [0, 67.5, 0]});
+  assert.deepEqual(poseBetween(poses, 1, 0, .25), {move: [1.5, 0, 1], turn: [0, 202.5, 0]});  // back
+  assert.deepEqual(poseBetween(poses, 1, -1, .5), poses[1]);
+});
+
+test("A value moves or turns a node by number * scale + offset, along or about an axis", () => {
+  const numbers = {"CRANE.angle": 30, "CRANE.radius": 22, nan: NaN};
+  const of = (entry) => poseByValue(entry, (name) => numbers[name]);
+  assert.deepEqual(of({turn: {by: "CRANE.angle", axis: "y"}}), {move: [0, 0, 0], turn: [0, 30, 0]});
+  assert.deepEqual(of({move: {by: "CRANE.radius", axis: "x", scale: .5, offset: -20}}).move, [-9, 0, 0]);
+  assert.deepEqual(of({move: {by: "nan", axis: "z"}, turn: {by: "unknown", axis: "x"}}), {move: [0, 0, 0], turn: [0, 0, 0]});
+  assert.equal(amountOf({}, Infinity), 0);
+  assert.deepEqual(sumOf({move: [1, 0, 0], turn: [0, 0, 0]}, of({turn: {by: "CRANE.angle", axis: "z"}})), {move: [1, 0, 0], turn: [0, 0, 30]});
+});
+
+test("A value colors from blue to red, and stays at the ends", () => {
+  const [cold, warm, hot] = [20, 110, 200].map((number) => heatOf({from: 20, to: 200}, number));
+  assert.ok(cold[2] > cold[0] && hot[0] > hot[2] && Math.abs(warm[0] - warm[2]) < 1e-9);
+  assert.deepEqual(heatOf({from: 20, to: 200}, -5), cold);
+  assert.deepEqual(heatOf({from: 20, to: 200}, NaN), cold);
+  assert.ok(heatOf({from: 5, to: 5}, 5).every(Number.isFinite));
+});
+
+test("A path names a node by its ancestors, which may be left out if that is unique", () => {
+  const paths = pathsOf({scenes: [{nodes: [0, 4]}], nodes: [{name: "Cell", children: [1, 2]}, {name: "AGV"}, {name: "Arm", children: [3]}, {name: "Jaw"}, {name: "Jaw"}, {name: "outside"}]});
+  assert.deepEqual(paths, ["Cell", "Cell/AGV", "Cell/Arm", "Cell/Arm/Jaw", "Jaw", null]);
+  assert.equal(nodeAt(paths, "AGV"), 1);
+  assert.equal(nodeAt(paths, "Arm/Jaw"), 3);
+  assert.equal(nodeAt(paths, "Jaw"), 4);  // exactly so
+  assert.throws(() => nodeAt(paths, "GV"), /no node `GV`/);
+  assert.throws(() => nodeAt(paths, "outside"), /no node/);
+  assert.throws(() => nodeAt([...paths, "B/AGV"], "AGV"), /2 nodes `AGV`/);
+});
+
+test("The nodes of the examples are in their models", () => {
+  for (const [folder, file] of [["cell", "cell.glb"], ["harbour-crane", "crane.glb"]]) {
+    const bytes = readFileSync(join(kRoot, "examples", folder, file));
+    const paths = pathsOf(JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString()));
+    const text = readFileSync(join(kRoot, "examples", folder, "plant.json"), "utf8").replace(/\/\/.*$/gm, "");
+    for (const {node} of Object.values(JSON.parse(text).view3d.nodes)) nodeAt(paths, node);
+  }
+});
+
+test("A device without a model is between its ends as its move is done; the state at rest is one end", () => {
+  assert.deepEqual(statesBetween({states: ["ADV", "RET"], rest: null, shape: "cylinder"}), [1, 0]);
+  assert.deepEqual(statesBetween({states: ["UP", "DOWN"], rest: null, shape: "lift"}), [1, 0]);
+  assert.deepEqual(statesBetween({states: ["OPEN", "CLOSED"], rest: null, shape: "door"}), [1, 0]);
+  assert.deepEqual(statesBetween({states: ["P1", "P2", "P3"], rest: null, shape: "vehicle"}), [0, .5, 1]);
+  assert.deepEqual(statesBetween({states: ["A", "B"], rest: 1, shape: "clamp"}), [1, 0]);
+  assert.deepEqual(statesBetween({states: [], rest: null, shape: "device"}), []);
+  const store = new Store(smallPlant());
+  store.picture({...smallPicture(), devices: [[0, 1, 1, 0, 0, 1e9, 1e9], [1, 1, 0, 0, 0, 0, 0]]});
+  assert.equal(stateBetween(store, 0, 0, [0, 1]), 0);
+  assert.equal(stateBetween(store, 0, 25e7, [0, 1]), .25);
+  assert.equal(stateBetween(store, 0, 9e9, [0, 1]), 1);
+  store.picture({...smallPicture(), t: 25e7, devices: [[1, 0, 1, 0, 0, 25e7, 1e9], [1, 1, 0, 0, 0, 0, 0]]});  // the command turned around
+  assert.equal(stateBetween(store, 0, 25e7, [0, 1]), .25);
+  assert.equal(stateBetween(store, 1, 0, [0, 1]), 1);
+});
+
+test("Every shape has a body of whole triangles in its cell, and moves without leaving numbers", () => {
+  const [, list] = readFileSync(join(kRoot, "runtime/tables/shape.hpp"), "utf8").match(/kShapeNames\{([^}]*)\}/);
+  const names = [...list.matchAll(/"([a-z]+)"/g)].map(([, name]) => name);
+  assert.equal(names.length, 19);
+  for (const name of [...names, "unknown"]) {
+    const {body, movers} = shapeOf(name);
+    if (!["device", "unknown"].includes(name)) assert.notEqual(shapeOf(name), shapeOf("device"), name + " has a shape of its own");
+    for (const {positions, normals} of [body, ...movers.map(({solid}) => solid)]) {
+      assert.ok(positions.length > 0 && positions.length % 9 === 0 && positions.length === normals.length, name);
+      for (let i = 0; i < positions.length; ++i) assert.ok(Math.abs(positions[i]) <= 1.5 && Number.isFinite(normals[i]), name);
+    }
+    for (const {at} of movers) for (const p of [0, .5, 1]) assert.ok(at(p).every(Number.isFinite), name);
+  }
+});
+
+test("Matrices move, turn and place as the plan does", () => {
+  near(pointAt(shift(1, 2, 3), 1, 1, 1), [2, 3, 4]);
+  near(pointAt(turn("y", 90), 1, 0, 0), [0, 0, -1]);
+  near(pointAt(turn("z", 90, [1, 0, 0]), 2, 0, 0), [1, 1, 0]);
+  near(pointAt(after(shift(5, 0, 0), stretch(2, 1, 1)), 1, 1, 1), [7, 1, 1]);
+  near(after(kSame, kSame), kSame);
+  near(pointAt(placed({x: 3, y: 4, turn: 90}), 1, 0, 0), [3, 0, 5], "clockwise in the plan, whose y runs down");
+});
+
+test("From the overview each corner is seen, and the picture is filled", () => {
+  for (const [box, aspect] of [[{min: [0, 0, 0], max: [40, 1, 10]}, 2], [{min: [-5, -1, -30], max: [5, 50, 30]}, 1.5], [{min: [3, 0, 3], max: [4, 1, 4]}, .5]]) {
+    for (const slope of [.6, 1.4]) {
+      const {from, to} = overviewOf(box, 30, aspect, slope);
+      const length = Math.hypot(...from.map((value, i) => value - to[i]));
+      const back = from.map((value, i) => (value - to[i]) / length);
+      const up = [0, back[2], -back[1]];
+      const seen = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => {
+        const arm = from.map((value, k) => (corner >> k & 1 ? box.max[k] : box.min[k]) - value);
+        const depth = -arm.reduce((sum, value, i) => sum + value * back[i], 0);
+        const half = Math.tan(Math.PI / 12) * depth;
+        return [arm[0] / (half * aspect), arm.reduce((sum, value, i) => sum + value * up[i], 0) / half];
+      }).flat();
+      const most = Math.max(...seen.map(Math.abs));
+      assert.ok(most <= 1 && most > .8, String(most));
+    }
+  }
+});
+
+test("Without a graphics card fewer pixels are drawn while frames are slow, and all of them after a pause", () => {
+  const pace = new Pace();
+  let wall = 0;
+  const frames = (count, each) => {
+    let ratio = 1;
+    for (let i = 0; i < count; ++i) ratio = pace.ratio(wall += each);
+    return ratio;
+  };
+  assert.equal(frames(100, 33), 1);
+  assert.equal(frames(12, 60), .8);
+  assert.equal(Math.round(frames(200, 60) * 100), 64);
+  assert.equal(frames(1, 300), 1);
+  assert.equal(Math.round(frames(1, 33) * 100), 64);
+});
