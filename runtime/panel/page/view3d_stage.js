@@ -7,7 +7,7 @@ import {overviewOf} from "./view3d_overview.js";
 import {kRest, Pace} from "./view3d_pace.js";
 
 const kFlight = 600;  // ms from one camera to another
-const kNear = 46;     // pixels that a unit has on the screen, for its name to be shown
+const kNear = 36;     // pixels that a unit has on the screen, for its name to be shown
 const kMost = 90;     // names at once
 
 /// Whether the graphics are computed by the processor: then fewer pixels are drawn.
