@@ -49,6 +49,7 @@ const kWords = {
   unshelve: (of) => "unshelved " + listed(of),
   silence: () => "silenced the horn",
   join: () => "joined",
+  camera: (of) => "showed everyone " + (of === "" ? "everything" : "the view " + quoted(of)),
   message: (of) => "sent: " + of,
   camera: (of) => "switched the 3D view to " + (of || "the overview"),
   layout: () => "saved the layout of the plan",

@@ -25,9 +25,11 @@ export class View3dScene {
     if (!model) return;
     try {
       this.say("The model " + model + " is loaded ...");
-      this.setContent(await loadModel(this.app, model));
-      this.stage.goTo(this.stage.overview(), true);
+      const content = await loadModel(this.app, model);
       this.say("");
+      this.stage.fit();
+      this.setContent(content);
+      this.stage.goTo(this.stage.overview(), true);
     } catch (error) {
       this.say("The model " + model + " cannot be shown: " + error.message + ". Boxes are shown instead.");
     }
