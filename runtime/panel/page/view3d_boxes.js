@@ -1,24 +1,26 @@
 // The plant in 3D without a model: the plan with solids. Frames are areas on the floor, tracks are belts, places are trays.
 import {Group} from "./build/three.module.js";
 import {pointOn, slotOf} from "./plan_geometry.js";
+import {levelOf, motionOf, runs, valuesByDevice} from "./plan_motion.js";
 import {STATUSES} from "./status.js";
 import {after, kSame, placed, shift, turn} from "./view3d_affine.js";
 import {Batch} from "./view3d_batch.js";
 import {deviceColors, sceneColors, statusColor} from "./view3d_colors.js";
-import {stateBetween} from "./view3d_motion.js";
 import {partMatrix, Parts} from "./view3d_parts.js";
-import {kLit, kSpinning, shapeOf, statesBetween} from "./view3d_shapes.js";
+import {kLit, kSpinning, shapeOf} from "./view3d_shapes.js";
 import {box, joined} from "./view3d_solids.js";
 
 const kMostDetailed = 2500;  // devices; more are plain boxes
 const kBelt = .3;            // its height
 const kPartHigh = .3;
 const kTurn = 8e8;           // ns of plant time of one turn of what spins
+const kUnknownLevel = .5;    // of a tank without a value that says it
 
 export class Boxes {
   constructor(app, layout) {
     Object.assign(this, {app, layout, selected: null, isTranslucent: false, kept: null, colors: sceneColors()});
     const {devices} = app.plant;
+    this.values = valuesByDevice(app.plant);
     this.floor = new Batch({polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
     this.housings = new Batch();
     this.movers = new Batch();
@@ -72,30 +74,27 @@ export class Boxes {
     const shape = shapeOf(device.shape, simple);
     const place = placed(this.layout.devices[index]);
     const tag = {kind: "device", index};
-    const level = device.shape === "tank" ? this.app.store.valuesOf(index).find((at) => this.app.plant.values[at].max !== null) : undefined;
-    return {shape, place, level, lit: kLit.has(device.shape), spins: kSpinning.has(device.shape), between: statesBetween(device), at: null,
+    return {shape, place, kind: device.shape, values: this.values.get(index), at: null,
       body: this.housings.add(shape.body, this.colors.housing, place, tag),
       movers: shape.movers.map(({solid, at}) => ({at, slot: this.movers.add(solid, this.colors.mover, place, tag)}))};
   }
 
   /// Where the device is between its ends, at plant time `now`.
   where(index, now) {
-    const {store, plant} = this.app;
-    const device = this.devices[index];
-    if (device.level !== undefined) {
-      const {min, max} = plant.values[device.level];
-      return Math.max(0, Math.min(1, (store.numbers[device.level] - (min ?? 0)) / ((max - (min ?? 0)) || 1)));
-    }
-    const p = stateBetween(store, index, now, device.between);
-    return device.spins ? (p > 0 ? now % kTurn / kTurn : 0) : p;
+    const {store} = this.app;
+    const {kind, values} = this.devices[index];
+    if (kind === "tank") return levelOf(store, values) ?? kUnknownLevel;
+    if (kSpinning.has(kind)) return runs(store, index) ? now % kTurn / kTurn : 0;
+    const {amount, turn: turned} = motionOf(store, index, now);
+    return kind === "turntable" ? turned : amount;
   }
 
   touch(index) {
     const device = this.devices[index];
     const {body, mover} = deviceColors(this.colors, this.app.statuses.of[index]);
     this.housings.paint(device.body, body);
-    const isOn = device.lit && this.where(index, this.app.store.t) > .5;
-    for (const {slot} of device.movers) this.movers.paint(slot, isOn ? this.colors.on : device.level !== undefined ? this.colors.liquid : mover);
+    const isOn = kLit.has(device.kind) && this.where(index, this.app.store.t) > .5;
+    for (const {slot} of device.movers) this.movers.paint(slot, isOn ? this.colors.on : device.kind === "tank" ? this.colors.liquid : mover);
     device.at = null;
     if (this.kept && this.selected.kind === "device" && this.selected.index === index) for (const slot of this.kept.slots) this.kept.paint(slot, body);
   }
@@ -108,7 +107,7 @@ export class Boxes {
     let again = this.drawParts(now);
     this.devices.forEach((device, index) => {
       const p = this.where(index, now);
-      again ||= store.moves(index) || (device.spins && clock.runs && p > 0);
+      again ||= store.moves(index) || (kSpinning.has(device.kind) && clock.runs && p > 0);
       if (p === device.at) return;
       device.at = p;
       for (const {slot, at} of device.movers) this.movers.move(slot, after(device.place, at(p)));

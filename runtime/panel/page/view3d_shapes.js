@@ -8,7 +8,7 @@ const bowTie = () => joined(moved(after(shift(-.3, .35, 0), turn("z", -90)), cyl
 const posts = (size, high) => [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([x, z]) => box(x * size, 0, z * size, .06, high, .06));
 const level = (part, floor) => after(shift(0, floor, 0), after(stretch(1, Math.max(.02, part), 1), shift(0, -floor, 0)));
 
-/// { body, movers: [{ solid, at(p) }] }: `at` gives the matrix of what moves; `p` is 0 to 1, from the state at rest to the other end.
+/// { body, movers: [{ solid, at(p) }] }: `at` gives the matrix of what moves; `p` is 0 to 1: between its ends, of a turntable the part of a turn, of a tank its level.
 const kMakers = {
   cylinder: () => ({body: joined(box(-.15, 0, 0, .6, .12, .3), lying(-.42, .26, 0, .14, .54)),
     movers: [{solid: joined(lying(-.1, .26, 0, .05, .3), box(.2, .1, 0, .07, .32, .32)), at: (p) => shift(.24 * p, 0, 0)}]}),
@@ -23,7 +23,7 @@ const kMakers = {
     at: (p) => turn("x", 360 * p, [0, .3, 0])}]}),
   conveyor: () => ({body: joined(...posts(.4, .2), box(0, .2, 0, .96, .1, .7)), movers: [{solid: joined(...[-.36, -.12, .12, .36].map((x) => box(x, .3, 0, .1, .03, .6))), at: () => kSame}]}),
   turntable: () => ({body: cylinder(0, 0, 0, .46, .2, .46, 20), movers: [{solid: joined(cylinder(0, .2, 0, .42, .06, .42, 20), box(0, .26, .22, .8, .06, .06),
-    box(0, .26, -.22, .8, .06, .06)), at: (p) => turn("y", -90 * p)}]}),
+    box(0, .26, -.22, .8, .06, .06)), at: (p) => turn("y", -360 * p)}]}),
   lift: () => ({body: joined(...posts(.42, 1.3)), movers: [{solid: box(0, .08, 0, .8, .1, .8), at: (p) => shift(0, p, 0)}]}),
   valve: () => ({body: joined(bowTie(), cylinder(0, .35, 0, .05, .35)), movers: [{solid: box(0, .68, 0, .5, .07, .1), at: (p) => turn("y", 90 - 90 * p)}]}),
   tank: () => ({body: joined(cylinder(0, 0, 0, .44, .08, .44, 20), ...posts(.33, 1.2), cylinder(0, 1.2, 0, .44, .06, .44, 20)),
@@ -50,17 +50,6 @@ export const shapeOf = (name, simple = false) => {
   return made.get(key);
 };
 
-/// Shapes whose color says whether they are on, and those that turn while the device is not at rest.
+/// Shapes whose color says whether they are on, and those that turn while the device runs.
 export const kLit = new Set(["lamp", "sensor", "button"]);
 export const kSpinning = new Set(["motor", "pump"]);
-
-const kFirst = {lift: /DOWN|LOW|BOTTOM/i, door: /CLOSE|SHUT/i, valve: /CLOSE|SHUT/i};
-const kRest = /^(NOT_|RET|BACK|BWD|HOME|OFF|OPEN|STOP|IDLE|IN$|OUT_OF)/i;
-
-/// For each state of a device, where it is between 0 and 1: the state at rest is 0.
-export const statesBetween = ({states, rest, shape}) => {
-  const named = states.findIndex((name) => (kFirst[shape] ?? kRest).test(name));
-  const first = rest ?? (named >= 0 ? named : 0);
-  const others = states.map((_, i) => i).filter((i) => i !== first);
-  return states.map((_, i) => i === first ? 0 : (others.indexOf(i) + 1) / others.length);
-};

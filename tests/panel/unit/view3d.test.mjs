@@ -4,14 +4,11 @@ import {readFileSync} from "node:fs";
 import {dirname, join} from "node:path";
 import {test} from "node:test";
 import {fileURLToPath} from "node:url";
-import {Store} from "../../../runtime/panel/page/store.js";
 import {after, kSame, placed, pointAt, shift, stretch, turn} from "../../../runtime/panel/page/view3d_affine.js";
 import {amountOf, heatOf, nodeAt, pathsOf, poseBetween, poseByValue, posesOf, sumOf} from "../../../runtime/panel/page/view3d_binding.js";
-import {stateBetween} from "../../../runtime/panel/page/view3d_motion.js";
 import {overviewOf} from "../../../runtime/panel/page/view3d_overview.js";
 import {Pace} from "../../../runtime/panel/page/view3d_pace.js";
-import {shapeOf, statesBetween} from "../../../runtime/panel/page/view3d_shapes.js";
-import {smallPicture, smallPlant} from "./plant.mjs";
+import {shapeOf} from "../../../runtime/panel/page/view3d_shapes.js";
 
 const kRoot = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 const near = (found, expected, what) => expected.forEach((value, i) => assert.ok(Math.abs(found[i] - value) < 1e-9, (what ?? "") + " " + found + ", expected " + expected));
@@ -67,23 +64,6 @@ test("The nodes of the examples are in their models", () => {
     const text = readFileSync(join(kRoot, "examples", folder, "plant.json"), "utf8").replace(/\/\/.*$/gm, "");
     for (const {node} of Object.values(JSON.parse(text).view3d.nodes)) nodeAt(paths, node);
   }
-});
-
-test("A device without a model is between its ends as its move is done; the state at rest is one end", () => {
-  assert.deepEqual(statesBetween({states: ["ADV", "RET"], rest: null, shape: "cylinder"}), [1, 0]);
-  assert.deepEqual(statesBetween({states: ["UP", "DOWN"], rest: null, shape: "lift"}), [1, 0]);
-  assert.deepEqual(statesBetween({states: ["OPEN", "CLOSED"], rest: null, shape: "door"}), [1, 0]);
-  assert.deepEqual(statesBetween({states: ["P1", "P2", "P3"], rest: null, shape: "vehicle"}), [0, .5, 1]);
-  assert.deepEqual(statesBetween({states: ["A", "B"], rest: 1, shape: "clamp"}), [1, 0]);
-  assert.deepEqual(statesBetween({states: [], rest: null, shape: "device"}), []);
-  const store = new Store(smallPlant());
-  store.picture({...smallPicture(), devices: [[0, 1, 1, 0, 0, 1e9, 1e9], [1, 1, 0, 0, 0, 0, 0]]});
-  assert.equal(stateBetween(store, 0, 0, [0, 1]), 0);
-  assert.equal(stateBetween(store, 0, 25e7, [0, 1]), .25);
-  assert.equal(stateBetween(store, 0, 9e9, [0, 1]), 1);
-  store.picture({...smallPicture(), t: 25e7, devices: [[1, 0, 1, 0, 0, 25e7, 1e9], [1, 1, 0, 0, 0, 0, 0]]});  // the command turned around
-  assert.equal(stateBetween(store, 0, 25e7, [0, 1]), .25);
-  assert.equal(stateBetween(store, 1, 0, [0, 1]), 1);
 });
 
 test("Every shape has a body of whole triangles in its cell, and moves without leaving numbers", () => {
