@@ -14,7 +14,8 @@ export class Bound {
     this.rotation = object.quaternion.clone();
     this.poses = device === null ? null : posesOf(entry, app.plant.devices[device].states);
     this.byValue = Boolean(entry.move?.by || entry.turn?.by);
-    this.numberOf = (name) => app.store.numbers[app.names.index("value", name)] ?? NaN;
+    /// Of a value or a numeric symbol.
+    this.numberOf = (name) => Number(app.store.numbers[app.names.index("value", name)] ?? app.store.values[app.names.index("symbol", name)] ?? NaN);
   }
 
   /// What moves with the node and is of no other bound node gets materials of its own.

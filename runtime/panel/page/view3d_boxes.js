@@ -2,10 +2,10 @@
 import {Group} from "./build/three.module.js";
 import {pointOn, slotOf} from "./plan_geometry.js";
 import {levelOf, motionOf, runs, valuesByDevice} from "./plan_motion.js";
-import {STATUSES} from "./status.js";
 import {after, kSame, placed, shift, turn} from "./view3d_affine.js";
 import {Batch} from "./view3d_batch.js";
-import {deviceColors, sceneColors, statusColor} from "./view3d_colors.js";
+import {deviceColors, sceneColors, statusLabel} from "./view3d_colors.js";
+import {fixedLabels, middleOf} from "./view3d_fixed_labels.js";
 import {partMatrix, Parts} from "./view3d_parts.js";
 import {kLit, kSpinning, shapeOf} from "./view3d_shapes.js";
 import {box, joined} from "./view3d_solids.js";
@@ -18,7 +18,7 @@ const kUnknownLevel = .5;    // of a tank without a value that says it
 
 export class Boxes {
   constructor(app, layout) {
-    Object.assign(this, {app, layout, selected: null, isTranslucent: false, kept: null, colors: sceneColors()});
+    Object.assign(this, {app, layout, selected: null, active: new Set(), isTranslucent: false, kept: null, colors: sceneColors()});
     const {devices} = app.plant;
     this.values = valuesByDevice(app.plant);
     this.floor = new Batch({polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
@@ -32,6 +32,8 @@ export class Boxes {
     this.root = new Group();
     this.root.add(this.floor.mesh, this.housings.mesh, this.movers.mesh, this.parts.mesh);
     this.targets = [this.housings.mesh, this.movers.mesh];
+    this.labels = [];
+    this.fixed = fixedLabels(app.plant, layout);
     this.touchAll();
   }
 
@@ -96,6 +98,8 @@ export class Boxes {
     const isOn = kLit.has(device.kind) && this.where(index, this.app.store.t) > .5;
     for (const {slot} of device.movers) this.movers.paint(slot, isOn ? this.colors.on : device.kind === "tank" ? this.colors.liquid : mover);
     device.at = null;
+    this.active.add(index);
+    this.labels[index] = this.labelOf(index);
     if (this.kept && this.selected.kind === "device" && this.selected.index === index) for (const slot of this.kept.slots) this.kept.paint(slot, body);
   }
 
@@ -105,13 +109,16 @@ export class Boxes {
   draw(now) {
     const {store, clock} = this.app;
     let again = this.drawParts(now);
-    this.devices.forEach((device, index) => {
+    for (const index of this.active) {
+      const device = this.devices[index];
       const p = this.where(index, now);
-      again ||= store.moves(index) || (kSpinning.has(device.kind) && clock.runs && p > 0);
-      if (p === device.at) return;
+      const goesOn = store.moves(index) || (kSpinning.has(device.kind) && clock.runs && p > 0);
+      again ||= goesOn;
+      if (!goesOn && device.kind !== "tank") this.active.delete(index);
+      if (p === device.at) continue;
       device.at = p;
       for (const {slot, at} of device.movers) this.movers.move(slot, after(device.place, at(p)));
-    });
+    }
     return again;
   }
 
@@ -140,24 +147,14 @@ export class Boxes {
     return again;
   }
 
-  /// Names to show: { key, text, letter, color, strong, x, y, z, near }. `near`: only if the camera is near enough.
-  names() {
-    const [line] = (this.layout.frames[0]?.name ?? "").split(" ");
-    const isShared = this.layout.frames.length > 1 && this.layout.frames.every(({name}) => name.startsWith(line + " "));
-    const frames = this.layout.frames.map(({name, x, y, h}) => ({key: "frame " + name, text: isShared ? name.slice(line.length + 1) : name, strong: true, x: x + 1, y: .05, z: y + h}));
-    const devices = this.app.plant.devices.map(({label}, index) => {
-      const status = this.app.statuses.of[index];
-      const {letter, key} = STATUSES[status];
-      const color = statusColor(status);
-      const {x, y} = this.layout.devices[index];
-      return {key: label + " " + key, text: label, letter: color ? letter : "", color: color ? "rgb(" + color.map((part) => Math.round(part * 255)).join() + ")" : "", near: true, x, y: 1.05, z: y, device: index};
-    });
-    const locations = this.layout.locations.map((of, index) => {
-      const [x, z] = of.kind === "track" ? pointOn(of, .5, 1) : [of.x + of.w / 2, of.y + of.h / 2];
-      return {key: "location " + index, text: this.app.plant.locations[index].name, near: true, x, y: .75, z};
-    });
-    return [...frames, ...devices, ...locations];
+  /// The name of a device with the letter of its status.
+  labelOf(index) {
+    const {x, y} = this.layout.devices[index];
+    return Object.assign(statusLabel(this.app, index), {near: true, device: index, x, y: 1.05, z: y});
   }
+
+  /// Names to show: { key, text, letter, color, strong, x, y, z, near }. `near`: only if the camera is near enough.
+  names() { return this.fixed.concat(this.labels); }
 
   /// { center, size } of a device or location.
   outline({kind, index}) {
@@ -166,7 +163,7 @@ export class Boxes {
       return {center: [x, .6, y], size: [1.04, 1.24, 1.04], turn: 0};
     }
     const of = this.layout.locations[index];
-    const [x, z] = of.kind === "track" ? pointOn(of, .5, 1) : [of.x + of.w / 2, of.y + of.h / 2];
+    const [x, z] = middleOf(of);
     return of.kind === "track" ? {center: [x, .3, z], size: [of.length + .1, .64, of.width + .16], turn: of.turn} : {center: [x, .3, z], size: [of.w + .1, .64, of.h + .1], turn: 0};
   }
 

@@ -18,6 +18,14 @@ export const statusColor = (status) => {
   return name ? rgb(theme()[name]) : null;
 };
 
+/// The name of a device for the picture, with the letter and color of its status if it has a color.
+export const statusLabel = (app, device) => {
+  const {label} = app.plant.devices[device];
+  const {key, letter} = STATUSES[app.statuses.of[device]];
+  const color = statusColor(app.statuses.of[device]);
+  return {key: label + " " + key, text: label, letter: color ? letter : "", color: color ? "rgb(" + color.map((part) => Math.round(part * 255)).join() + ")" : ""};
+};
+
 /// All colors of a scene, in the current theme.
 export const sceneColors = () => {
   const color = theme();

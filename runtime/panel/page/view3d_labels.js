@@ -47,16 +47,16 @@ class Atlas {
     const room = kWide - (letter ? kLetterWide : 0) - 12;
     let shown = text;
     while (context.measureText(shown).width > room && shown.length > 1) shown = shown.slice(0, -2) + "…";
-    const wide = Math.min(kWide, context.measureText(shown).width + 12 + (letter ? kLetterWide : 0));
+    const wide = Math.min(kWide - 1, Math.ceil(context.measureText(shown).width) + 12 + (letter ? kLetterWide : 0));
     context.fillStyle = colors.back;
     context.globalAlpha = .82;
-    context.fillRect(x, y + 1, wide, kHigh - 2);
+    context.fillRect(x, y, wide, kHigh);
     context.globalAlpha = 1;
     context.fillStyle = colors.text;
     context.fillText(shown, x + 6 + (letter ? kLetterWide : 0), y + kHigh / 2 + 1);
     if (!letter) return wide;
     context.fillStyle = color;
-    context.fillRect(x, y + 1, kLetterWide - 4, kHigh - 2);
+    context.fillRect(x, y, kLetterWide - 4, kHigh);
     context.fillStyle = colors.back;
     context.textAlign = "center";
     context.font = "bold 20px " + kFont;
@@ -104,8 +104,8 @@ export class Labels {
   quad(i, {x, y, z}, right, up, wide, high, slot) {
     [[-1, -1], [1, -1], [1, 1], [-1, 1]].forEach(([a, b], corner) => {
       this.positions.array.set([0, 1, 2].map((k) => [x, y, z][k] + right[k] * wide * a + up[k] * high * b), i * 12 + corner * 3);
-      const u = (slot.index % kColumns * kWide + (a > 0 ? slot.wide : 0)) / (kWide * kColumns);
-      const v = 1 - (Math.floor(slot.index / kColumns) + (b > 0 ? 0 : 1)) / kRows;
+      const u = (slot.index % kColumns * kWide + (a > 0 ? slot.wide - 1 : 1)) / (kWide * kColumns);
+      const v = 1 - (Math.floor(slot.index / kColumns) * kHigh + (b > 0 ? 1 : kHigh - 1)) / (kRows * kHigh);
       this.uvs.array.set([u, v], i * 8 + corner * 2);
     });
   }

@@ -1,12 +1,11 @@
 // The plant in 3D with a GLB model: its nodes move and have the colors of the devices and values to which they are bound; parts are boxes.
 import {Box3, DirectionalLight, Group, HemisphereLight, MeshLambertMaterial, Vector3} from "./build/three.module.js";
-import {STATUSES} from "./status.js";
 import {GLTFLoader} from "./three/GLTFLoader.js";
 import {checkGlb} from "./glb_check.js";
 import {cleanGlb} from "./glb_clean.js";
 import {nodeAt, pathsOf} from "./view3d_binding.js";
 import {Bound} from "./view3d_bound.js";
-import {mixed, sceneColors, statusColor} from "./view3d_colors.js";
+import {mixed, sceneColors, statusColor, statusLabel} from "./view3d_colors.js";
 import {ModelParts} from "./view3d_model_parts.js";
 
 /// A loaded and bound model; an Error says what is wrong with it.
@@ -86,11 +85,8 @@ export class Model {
     return this.bound.filter(({object}) => this.tags.has(object)).map(({device, parts, object}) => {
       const box = new Box3().setFromObject(object);
       const [x, , z] = box.getCenter(new Vector3()).toArray();
-      const name = device !== null ? this.app.plant.devices[device].label : this.app.plant.locations[parts.location].name;
-      const status = device !== null ? this.app.statuses.of[device] : 0;
-      const color = statusColor(status);
-      return {key: name + " " + STATUSES[status].key, text: name, letter: color ? STATUSES[status].letter : "", color: color ? "rgb(" + color.map((part) => Math.round(part * 255)).join() + ")" : "",
-        near: true, device, x, y: box.max.y, z};
+      const text = device !== null ? statusLabel(this.app, device) : {key: "location " + parts.location, text: this.app.plant.locations[parts.location].name};
+      return Object.assign(text, {near: true, device, x, y: box.max.y, z});
     });
   }
 

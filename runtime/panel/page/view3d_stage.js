@@ -142,9 +142,10 @@ export class Stage {
     const perUnit = this.size[1] / (2 * Math.tan(this.camera.fov * Math.PI / 360)) * this.unit;
     const seen = [];
     for (const label of this.content.names()) {
+      if (label.near && label.device !== this.named && perUnit / this.camera.position.distanceTo(at.set(label.x, label.y, label.z)) < kNear) continue;
       at.set(label.x, label.y, label.z).applyMatrix4(this.camera.matrixWorldInverse);
       const depth = -at.z;
-      if (depth < this.camera.near || (label.near && label.device !== this.named && perUnit / depth < kNear)) continue;
+      if (depth < this.camera.near) continue;
       at.applyMatrix4(this.camera.projectionMatrix);
       if (Math.abs(at.x) < 1.1 && Math.abs(at.y) < 1.1) seen.push({...label, depth, screenX: at.x * this.size[0] / 2, screenY: at.y * this.size[1] / 2});
     }

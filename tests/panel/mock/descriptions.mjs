@@ -115,6 +115,15 @@ export const large = (count, symbols = 0, tracks = 0) => {
   return plant;
 };
 
+const kShapes = ["cylinder", "clamp", "gripper", "robot", "motor", "conveyor", "turntable", "lift", "valve", "tank", "pump", "door", "machine", "vehicle", "sensor", "lamp", "button",
+  "selector", "device"];
+
+/// The same plant with devices of all shapes.
+export const shaped = (plant) => {
+  plant.devices.forEach((device, i) => { device.shape = kShapes[i % kShapes.length]; });
+  return plant;
+};
+
 /// A small cell with a spring, a numeric symbol, positions from plant.json and a link.
 export const cell = () => {
   const plant = emptyPlant("cell");

@@ -26,7 +26,7 @@ const makePlant = (name, activity, exercises) => {
   if (name === "material") return of(descriptions.material(), {partsPerTrack: 8});
   if (name === "large") return of(descriptions.large(10000), {activity: activity ?? 10667, move: 300e6});
   if (name === "symbols") return of(descriptions.large(1000, 3000, 25), {activity: activity ?? 200, partsPerTrack: 8});
-  if (name === "scene") return of(descriptions.large(200, 600, 20), {activity: activity ?? 200, partsPerTrack: 5});
+  if (name === "scene") return of(descriptions.shaped(descriptions.large(200, 880, 20)), {activity: activity ?? 200, partsPerTrack: 5});
   if (name === "operated") return of(descriptions.operated(), {partsPerTrack: 2});
   if (name === "names") return of(descriptions.names(), {partsPerTrack: 2});
   if (name === "recording") return of({...descriptions.bodyShop(project), mode: "recording", acts: false, files: false, begin: 0, end: 60e9}, {activity: 30, partsPerTrack: 5});

@@ -5,12 +5,12 @@ import {execFileSync} from "node:child_process";
 import {mkdtempSync, rmSync, statSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
-import {Browser, until} from "./browser.mjs";
+import {Browser, kSoftware3d, until} from "./browser.mjs";
 import {kExercise, kProject, startProgram} from "./plants.mjs";
 
 const kMost = 150000;  // bytes of a picture
 const [playwright, axe, symplant, folder] = process.argv.slice(2);
-const browser = await Browser.open({playwright, axe});
+const browser = await Browser.open({playwright, axe, graphics: kSoftware3d});
 const work = mkdtempSync(join(tmpdir(), "panel-pictures-"));
 const page = await browser.page(/./);
 await page.setViewportSize({width: 1120, height: 700});
@@ -33,6 +33,13 @@ const view = async (hash) => {
 };
 const act = (...acts) => page.evaluate((list) => symplant.api.acts(...list), acts);
 const time = (seconds) => until("plant time", () => page.evaluate((t) => symplant.clock.now() >= t * 1e9, seconds), 120000);
+/// The 3D view, when its model is loaded.
+const view3d = async () => {
+  await view("view=3d");
+  await until("3D", () => page.evaluate(() => Boolean(symplant.view3d?.drawn > 0 && (!symplant.plant.view3d?.model || symplant.view3d.stage.content.bound))), 30000);
+};
+/// At rest it is drawn with all pixels.
+const sharp = () => page.waitForTimeout(1200);
 const withPlant = async (args, use) => {
   const plant = await startProgram(symplant, [...args, "--panel", "127.0.0.1:0"]);
   try {
@@ -52,6 +59,33 @@ await withPlant(["run", "examples/body-shop/plant.json", "--scenario", "examples
   await page.setViewportSize({width: 1120, height: 700});
   await view("view=line");
   await picture("line");
+  await view3d();
+  await page.evaluate(() => {
+    const {x, y, w, h} = symplant.layout.placed.frames.find(({name}) => name === "BODY SIDE20");
+    symplant.view3d.stage.goTo({from: [x + w + 1, 8, y + h + 5], to: [x + w / 2, 0, y + h / 2]}, true);
+  });
+  await act({freeze: true});
+  await sharp();
+  await picture("3d");
+});
+await withPlant(["run", "examples/harbour-crane/plant.json"], async () => {
+  await view3d();
+  await act({set: {"hoist.height": 22, "slew.angle": -25, "luff.radius": 26, load: 18}});
+  await page.getByRole("combobox", {name: "Camera"}).selectOption("quay");
+  await act({freeze: true});
+  await sharp();
+  await picture("3d-crane");
+});
+await withPlant(["run", "examples/cell/plant.json"], async () => {
+  await page.emulateMedia({colorScheme: "dark", reducedMotion: "reduce"});
+  await view3d();
+  await act({state: {EXLINE_MB_DOOR: "OPEN2"}}, {force: {EXLINE_MB_AGV_O_P2: true}});
+  await until("the vehicle on its way", () => page.evaluate(() => symplant.view3d.stage.content.bound[0].object.position.x > 2.2));
+  await act({freeze: true}, {force: {EXLINE_S1_STOPPER1_O_ADV: true}});
+  await page.getByRole("combobox", {name: "Camera"}).selectOption("machine");
+  await sharp();
+  await picture("3d-cell");
+  await page.emulateMedia({colorScheme: "light", reducedMotion: "no-preference"});
 });
 await withPlant(["run", "examples/sorting/plant.json", "--scenario", "examples/sorting/by-hand.json"], async () => {
   await time(6.2);
