@@ -33,8 +33,9 @@ export class View3d {
   }
 
   show() {
-    if (this.scene) this.scene.select();
-    else if (!this.loading) this.load();
+    if (!this.scene) return this.loading || this.load();
+    this.scene.refresh();
+    this.follow();
   }
 
   async load() {

@@ -1,5 +1,6 @@
 // The plant in 3D with a GLB model: its nodes move and have the colors of the devices and values to which they are bound; parts are boxes.
 import {Box3, DirectionalLight, Group, HemisphereLight, MeshLambertMaterial, Vector3} from "./build/three.module.js";
+import {motionOf} from "./plan_motion.js";
 import {GLTFLoader} from "./three/GLTFLoader.js";
 import {checkGlb} from "./glb_check.js";
 import {cleanGlb} from "./glb_clean.js";
@@ -7,6 +8,7 @@ import {nodeAt, pathsOf} from "./view3d_binding.js";
 import {Bound} from "./view3d_bound.js";
 import {mixed, sceneColors, statusColor, statusLabel} from "./view3d_colors.js";
 import {ModelParts} from "./view3d_model_parts.js";
+import {kLit} from "./view3d_shapes.js";
 
 /// A loaded and bound model; an Error says what is wrong with it.
 export const loadModel = async (app, name) => {
@@ -63,10 +65,17 @@ export class Model {
 
   bounds() { return {min: this.box.min.toArray(), max: this.box.max.toArray()}; }
 
-  touch(index) { this.ofDevice.get(index)?.paint(statusColor(this.app.statuses.of[index])); }
+  /// Of a device: that of its status, else that of a lamp that is on.
+  colorOf(index) {
+    const {store, statuses, plant} = this.app;
+    const isOn = kLit.has(plant.devices[index].shape) && motionOf(store, index, store.t).on;
+    return statusColor(statuses.of[index]) ?? (isOn ? this.colors.on : null);
+  }
+
+  touch(index) { this.ofDevice.get(index)?.paint(this.colorOf(index)); }
 
   touchAll() {
-    for (const each of this.bound) each.paint(each.device === null ? null : statusColor(this.app.statuses.of[each.device]));
+    for (const each of this.bound) each.paint(each.device === null ? null : this.colorOf(each.device));
   }
 
   /// Moves what has moved until plant time `now`; returns whether something moves on.

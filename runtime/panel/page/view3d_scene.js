@@ -67,6 +67,12 @@ export class View3dScene {
     this.changed();
   }
 
+  /// What changed while another view was shown.
+  refresh() {
+    this.stage.content.touchAll();
+    this.select();
+  }
+
   pick(x, y) {
     const tag = this.stage.pick(x, y);
     if (tag) this.app.router.select(tag.kind, this.app.names.name(tag.kind, tag.index));

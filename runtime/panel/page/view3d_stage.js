@@ -20,13 +20,14 @@ export class Stage {
   /// `changed()` asks for a frame.
   constructor(canvas, changed) {
     Object.assign(this, {canvas, changed, flight: null, content: null, size: [0, 0, 1], unit: 1, pace: new Pace(), sharpness: 1});
-    this.renderer = new WebGLRenderer({canvas, antialias: false, powerPreference: "high-performance"});
+    this.renderer = new WebGLRenderer({canvas, antialias: false, stencil: false, powerPreference: "high-performance"});
     this.software = isSoftware(this.renderer.getContext());
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(30, 1, .1, 1000);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, {enableKeys: false, maxPolarAngle: Math.PI * .495, screenSpacePanning: false});
     this.controls.addEventListener("change", changed);
+    canvas.addEventListener("webglcontextrestored", changed);
     this.controls.addEventListener("start", () => { this.flight = null; });
     this.labels = new Labels();
     this.outline = new Group();
