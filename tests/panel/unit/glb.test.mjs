@@ -77,6 +77,7 @@ test("JSON that is not valid, too deep or too large for numbers is refused", () 
     view.setUint32(12, bytes.length, true);
     return whole.buffer;
   };
+  refused(/JSON has 17,000,012 bytes/, withText("{\"x\":" + " ".repeat(17000005)));
   refused(/JSON is not valid/, withText("{\"asset\":"));
   refused(/not an object/, withText("[]"));
   refused(/nested more than 64/, withText("[".repeat(100000) + "]".repeat(100000)));

@@ -12,6 +12,7 @@ export const kSkipped = 77;
 /// 3D by the processor, or none.
 export const kSoftware3d = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const kNo3d = ["--disable-gpu"];
+const kOfGraphics = /GL Driver Message .* GPU stall due to ReadPixels/;  // without a graphics card, pictures of the page say so
 
 /// `playwright` and `axe` are folders with node_modules, as npm_package.sh makes them; `graphics`: of chromium.
 export class Browser {
@@ -33,7 +34,7 @@ export class Browser {
   /// A page whose errors are kept in `problems`. `expected` matches messages that are no problem.
   async page(expected = null) {
     const page = await this.context.newPage();
-    const add = (text) => { if (!expected?.test(text)) this.problems.push(text); };
+    const add = (text) => { if (!expected?.test(text) && !kOfGraphics.test(text)) this.problems.push(text); };
     page.on("console", (message) => { if (["error", "warning"].includes(message.type())) add(message.text() + " " + message.location().url); });
     page.on("pageerror", (error) => add(error.stack));
     page.on("dialog", (dialog) => { add("a dialog of the browser: " + dialog.message()); dialog.dismiss(); });
