@@ -4,7 +4,7 @@ import {pointOn, slotOf} from "./plan_geometry.js";
 import {levelOf, motionOf, runs, valuesByDevice} from "./plan_motion.js";
 import {after, kSame, placed, shift, turn} from "./view3d_affine.js";
 import {Batch} from "./view3d_batch.js";
-import {deviceColors, sceneColors, statusLabel} from "./view3d_colors.js";
+import {deviceColors, sceneColors} from "./view3d_colors.js";
 import {fixedLabels, middleOf} from "./view3d_fixed_labels.js";
 import {partMatrix, Parts} from "./view3d_parts.js";
 import {kLit, kSpinning, shapeOf} from "./view3d_shapes.js";
@@ -32,8 +32,7 @@ export class Boxes {
     this.root = new Group();
     this.root.add(this.floor.mesh, this.housings.mesh, this.movers.mesh, this.parts.mesh);
     this.targets = [this.housings.mesh, this.movers.mesh];
-    this.labels = [];
-    this.fixed = fixedLabels(app.plant, layout);
+    this.labels = fixedLabels(app.plant, layout).concat(layout.devices.map(({x, y}, device) => ({near: true, device, x, y: 1.05, z: y})));
     this.touchAll();
   }
 
@@ -99,7 +98,6 @@ export class Boxes {
     for (const {slot} of device.movers) this.movers.paint(slot, isOn ? this.colors.on : device.kind === "tank" ? this.colors.liquid : mover);
     device.at = null;
     this.active.add(index);
-    this.labels[index] = this.labelOf(index);
     if (this.kept && this.selected.kind === "device" && this.selected.index === index) for (const slot of this.kept.slots) this.kept.paint(slot, body);
   }
 
@@ -111,7 +109,7 @@ export class Boxes {
     let again = this.drawParts(now);
     for (const index of this.active) {
       const device = this.devices[index];
-      const p = this.where(index, now);
+      const p = device.movers.length > 0 ? this.where(index, now) : null;
       const goesOn = store.moves(index) || (kSpinning.has(device.kind) && clock.runs && p > 0);
       again ||= goesOn;
       if (!goesOn && device.kind !== "tank") this.active.delete(index);
@@ -147,14 +145,8 @@ export class Boxes {
     return again;
   }
 
-  /// The name of a device with the letter of its status.
-  labelOf(index) {
-    const {x, y} = this.layout.devices[index];
-    return Object.assign(statusLabel(this.app, index), {near: true, device: index, x, y: 1.05, z: y});
-  }
-
-  /// Names to show: { key, text, letter, color, strong, x, y, z, near }. `near`: only if the camera is near enough.
-  names() { return this.fixed.concat(this.labels); }
+  /// Names to show: { x, y, z, near } and, of a device, its index, else { key, text, strong }. `near`: only if the camera is near enough.
+  names() { return this.labels; }
 
   /// { center, size } of a device or location.
   outline({kind, index}) {

@@ -6,7 +6,7 @@ import {checkGlb} from "./glb_check.js";
 import {cleanGlb} from "./glb_clean.js";
 import {nodeAt, pathsOf} from "./view3d_binding.js";
 import {Bound} from "./view3d_bound.js";
-import {mixed, sceneColors, statusColor, statusLabel} from "./view3d_colors.js";
+import {mixed, sceneColors, statusColor} from "./view3d_colors.js";
 import {ModelParts} from "./view3d_model_parts.js";
 import {kLit} from "./view3d_shapes.js";
 
@@ -94,8 +94,8 @@ export class Model {
     return this.bound.filter(({object}) => this.tags.has(object)).map(({device, parts, object}) => {
       const box = new Box3().setFromObject(object);
       const [x, , z] = box.getCenter(new Vector3()).toArray();
-      const text = device !== null ? statusLabel(this.app, device) : {key: "location " + parts.location, text: this.app.plant.locations[parts.location].name};
-      return Object.assign(text, {near: true, device, x, y: box.max.y, z});
+      const text = device !== null ? {device} : {key: "location " + parts.location, text: this.app.plant.locations[parts.location].name};
+      return Object.assign(text, {near: true, x, y: box.max.y, z});
     });
   }
 

@@ -1,5 +1,6 @@
 // What the 3D view loads when it is opened: the scene, kept up to date with the plant.
 import {Boxes} from "./view3d_boxes.js";
+import {statusLabel} from "./view3d_colors.js";
 import {listenToScene} from "./view3d_keys.js";
 import {loadModel} from "./view3d_model.js";
 import {Stage} from "./view3d_stage.js";
@@ -9,7 +10,7 @@ export class View3dScene {
   /// `say(text)` shows a sentence, or removes it. `toggled(on)`: translucent or not.
   constructor(app, canvas, say, toggled) {
     Object.assign(this, {app, say, toggled, dirty: true, isTranslucent: false, drawn: 0});
-    this.stage = new Stage(canvas, () => this.changed());
+    this.stage = new Stage(canvas, () => this.changed(), (device) => statusLabel(app, device));
     this.ends = [app.layout.listen(() => this.rebuild()), onTheme(() => this.rebuild())];
     this.observer = new ResizeObserver(() => this.changed());
     this.observer.observe(canvas.parentElement);
@@ -20,7 +21,7 @@ export class View3dScene {
   async open() {
     this.stage.fit();
     this.setContent(new Boxes(this.app, this.app.layout.placed));
-    this.stage.goTo(this.stage.overview(), true);
+    this.stage.showAll(true);
     const {model} = this.app.plant.view3d ?? {};
     if (!model) return;
     try {
@@ -29,7 +30,7 @@ export class View3dScene {
       this.say("");
       this.stage.fit();
       this.setContent(content);
-      this.stage.goTo(this.stage.overview(), true);
+      this.stage.showAll(true);
     } catch (error) {
       this.say("The model " + model + " cannot be shown: " + error.message + ". Boxes are shown instead.");
     }
@@ -50,6 +51,7 @@ export class View3dScene {
       content.recolor();
       this.setContent(content);
     }
+    if (this.stage.isWhole) this.stage.showAll(true);
   }
 
   changed() {
@@ -88,7 +90,8 @@ export class View3dScene {
   /// A camera of plant.json by its name; "": everything.
   goTo(name, atOnce = false) {
     const camera = name === "" ? null : this.app.plant.view3d?.cameras?.[name];
-    this.stage.goTo(camera ?? this.stage.overview(), atOnce);
+    if (camera) this.stage.goTo(camera, atOnce);
+    else this.stage.showAll(atOnce);
   }
 
   change({all, devices, symbols, tracks, places, values}, statusChanged) {

@@ -17,9 +17,9 @@ const isSoftware = (gl) => {
 };
 
 export class Stage {
-  /// `changed()` asks for a frame.
-  constructor(canvas, changed) {
-    Object.assign(this, {canvas, changed, flight: null, content: null, size: [0, 0, 1], unit: 1, pace: new Pace(), sharpness: 1});
+  /// `changed()` asks for a frame. `textOf(device)`: its name and status, see statusLabel().
+  constructor(canvas, changed, textOf) {
+    Object.assign(this, {canvas, changed, textOf, flight: null, isWhole: false, content: null, size: [0, 0, 1], unit: 1, pace: new Pace(), sharpness: 1});
     this.renderer = new WebGLRenderer({canvas, antialias: false, stencil: false, powerPreference: "high-performance"});
     this.software = isSoftware(this.renderer.getContext());
     this.scene = new Scene();
@@ -28,7 +28,7 @@ export class Stage {
     Object.assign(this.controls, {enableKeys: false, maxPolarAngle: Math.PI * .495, screenSpacePanning: false});
     this.controls.addEventListener("change", changed);
     canvas.addEventListener("webglcontextrestored", changed);
-    this.controls.addEventListener("start", () => { this.flight = null; });
+    this.controls.addEventListener("start", () => Object.assign(this, {flight: null, isWhole: false}));
     this.labels = new Labels();
     this.outline = new Group();
     this.scene.add(this.labels.mesh, this.outline);
@@ -36,8 +36,10 @@ export class Stage {
 
   /// `content`: see Boxes and Model.
   setContent(content) {
-    if (this.content) this.scene.remove(this.content.root);
-    this.content?.dispose();
+    if (this.content && this.content !== content) {
+      this.scene.remove(this.content.root);
+      this.content.dispose();
+    }
     this.content = content;
     this.scene.add(content.root);
     this.labels.clear();
@@ -51,8 +53,15 @@ export class Stage {
   /// A camera from which everything is seen: { from, to }.
   overview() { return overviewOf(this.content.bounds(), this.camera.fov, this.camera.aspect, this.content.slope); }
 
+  /// Everything, also after the picture got another size, until the camera is moved.
+  showAll(atOnce = false) {
+    this.goTo(this.overview(), atOnce);
+    this.isWhole = true;
+  }
+
   /// To a camera { from, to }, with a flight unless motion is unwanted or `atOnce`.
   goTo({from, to}, atOnce = false) {
+    this.isWhole = false;
     const [position, target] = [new Vector3(...from), new Vector3(...to)];
     if (atOnce || reducedMotion.matches) {
       this.flight = null;
@@ -129,12 +138,14 @@ export class Stage {
   fit() {
     const [wide, high] = [this.canvas.parentElement.clientWidth, this.canvas.parentElement.clientHeight];
     const ratio = this.software ? Math.min(1, devicePixelRatio) * this.sharpness : Math.min(2, devicePixelRatio);
-    if (wide === this.size[0] && high === this.size[1] && ratio === this.size[2]) return;
+    const isResized = wide !== this.size[0] || high !== this.size[1];
+    if (!isResized && ratio === this.size[2]) return;
     this.size = [wide, high, ratio];
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(wide, high, true);
     this.camera.aspect = wide / Math.max(1, high);
     this.camera.updateProjectionMatrix();
+    if (isResized && this.isWhole) this.showAll(true);
   }
 
   /// Names that are near enough, the nearest first; all that are not `near` before them.
@@ -148,7 +159,7 @@ export class Stage {
       const depth = -at.z;
       if (depth < this.camera.near) continue;
       at.applyMatrix4(this.camera.projectionMatrix);
-      if (Math.abs(at.x) < 1.1 && Math.abs(at.y) < 1.1) seen.push({...label, depth, screenX: at.x * this.size[0] / 2, screenY: at.y * this.size[1] / 2});
+      if (Math.abs(at.x) < 1.1 && Math.abs(at.y) < 1.1) seen.push({...label, ...(label.device === undefined ? {} : this.textOf(label.device)), depth, screenX: at.x * this.size[0] / 2, screenY: at.y * this.size[1] / 2});
     }
     return seen.sort((a, b) => Boolean(a.near) - Boolean(b.near) || a.depth - b.depth).slice(0, kMost);
   }
