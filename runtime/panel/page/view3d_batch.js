@@ -3,11 +3,20 @@
 import {BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, MeshBasicMaterial, Sphere, Vector3, VertexColors} from "./build/three.module.js";
 import {kSame} from "./view3d_affine.js";
 
-const kLight = [.35, .85, .4];  // where light comes from
-const shade = (x, y, z) => {
-  const toward = (x * kLight[0] + y * kLight[1] + z * kLight[2]) / Math.hypot(...kLight) / (Math.hypot(x, y, z) || 1);
-  return .62 + .38 * toward;
+const kLight = [.35, .85, .4].map((value) => value / Math.sqrt(.35 * .35 + .85 * .85 + .4 * .4));  // where light comes from
+const [kDark, kBright] = [.62, .38];
+
+/// How bright a face is after a matrix.
+const lightOn = (m, x, y, z) => {
+  const nx = m[0] * x + m[1] * y + m[2] * z;
+  const ny = m[4] * x + m[5] * y + m[6] * z;
+  const nz = m[8] * x + m[9] * y + m[10] * z;
+  const length = Math.sqrt(nx * nx + ny * ny + nz * nz) || 1;
+  return kDark + kBright * (nx * kLight[0] + ny * kLight[1] + nz * kLight[2]) / length;
 };
+
+/// Whether both turn and stretch alike: then the light is the same.
+const turnsAlike = (a, b) => a[0] === b[0] && a[1] === b[1] && a[2] === b[2] && a[4] === b[4] && a[5] === b[5] && a[6] === b[6] && a[8] === b[8] && a[9] === b[9] && a[10] === b[10];
 
 export class Batch {
   constructor(kept = {}) {
@@ -39,31 +48,47 @@ export class Batch {
   }
 
   move(slot, matrix) {
+    const isLitAlike = turnsAlike(slot.matrix, matrix);
     slot.matrix = matrix;
-    this.write(slot);
+    this.place(slot);
+    if (!isLitAlike) this.light(slot);
   }
 
   paint(slot, color) {
     if (slot.color === color) return;
     slot.color = color;
-    this.write(slot);
+    this.light(slot);
   }
 
-  write({first, solid: {positions, normals}, color, matrix: m}) {
+  write(slot) {
+    this.place(slot);
+    this.light(slot);
+  }
+
+  place({first, solid: {positions}, matrix: m}) {
     const to = this.positions.array;
-    const tint = this.colors.array;
     for (let i = 0, at = first * 3; i < positions.length; i += 3, at += 3) {
-      const [x, y, z] = [positions[i], positions[i + 1], positions[i + 2]];
+      const x = positions[i];
+      const y = positions[i + 1];
+      const z = positions[i + 2];
       to[at] = m[0] * x + m[1] * y + m[2] * z + m[3];
       to[at + 1] = m[4] * x + m[5] * y + m[6] * z + m[7];
       to[at + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
-      const [nx, ny, nz] = [normals[i], normals[i + 1], normals[i + 2]];
-      const light = shade(m[0] * nx + m[1] * ny + m[2] * nz, m[4] * nx + m[5] * ny + m[6] * nz, m[8] * nx + m[9] * ny + m[10] * nz);
-      tint[at] = color[0] * light;
-      tint[at + 1] = color[1] * light;
-      tint[at + 2] = color[2] * light;
     }
     this.positions.needsUpdate = true;
+  }
+
+  /// A triangle has one normal.
+  light({first, solid: {normals}, color, matrix: m}) {
+    const tint = this.colors.array;
+    for (let i = 0, at = first * 3; i < normals.length; i += 9) {
+      const light = lightOn(m, normals[i], normals[i + 1], normals[i + 2]);
+      for (let corner = 0; corner < 3; ++corner, at += 3) {
+        tint[at] = color[0] * light;
+        tint[at + 1] = color[1] * light;
+        tint[at + 2] = color[2] * light;
+      }
+    }
     this.colors.needsUpdate = true;
   }
 

@@ -1,5 +1,5 @@
 // Colors of the style sheet for 3D, as [red, green, blue] from 0 to 1.
-import {kindColor} from "./kinds.js";
+import {kindColor, kKindColors} from "./kinds.js";
 import {STATUSES} from "./status.js";
 import {theme} from "./theme.js";
 
@@ -30,9 +30,10 @@ export const statusLabel = (app, device) => {
 export const sceneColors = () => {
   const color = theme();
   const of = (name) => rgb(color[name]);
+  const kinds = Array.from({length: kKindColors}, (_, kind) => of(kindColor(kind)));
   const housing = mixed(of("soft"), of("back"), .45);
   return {back: of("back"), floor: of("side"), line: of("line"), text: color.text, soft: of("soft"), belt: mixed(of("belt"), of("ink"), .3), ink: of("ink"), on: of("on"), accent: of("accent"), housing,
-    mover: mixed(housing, of("ink"), .55), liquid: mixed(of("accent"), of("back"), .25), kinds: (kind) => of(kindColor(kind))};
+    mover: mixed(housing, of("ink"), .55), liquid: mixed(of("accent"), of("back"), .25), kinds: (kind) => kinds[kind % kKindColors]};
 };
 
 /// Of a device: its housing and what moves.

@@ -24,8 +24,8 @@ export class Parts {
     }
     parts.forEach(({matrix, color}, i) => {
       const slot = this.batch.slots[i];
-      slot.color = color;
       this.batch.move(slot, matrix);
+      this.batch.paint(slot, color);
     });
     for (let i = parts.length; i < this.shown; ++i) this.batch.move(this.batch.slots[i], kHidden);
     this.shown = parts.length;
