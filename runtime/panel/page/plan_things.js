@@ -24,7 +24,7 @@ const isForced = ({symbolFlags}, {events, operations}) => events.some((symbol) =
 const kLampColors = [[/RED/i, "stop"], [/AMBER|YELLOW|ORANGE/i, "kind0"], [/BLUE/i, "accent"], [/WHITE/i, "text"]];
 
 /// The name of the color that a lamp has when it is lit, by its name; green without a word.
-const lampColor = (name) => kLampColors.find(([words]) => words.test(name))?.[1] ?? "on";
+export const lampColor = (name) => kLampColors.find(([words]) => words.test(name))?.[1] ?? "on";
 
 /// Texts below each other, the first in the color of texts, in `width` pixels around x.
 const paintTexts = (context, texts, x, y, width, scale) => {

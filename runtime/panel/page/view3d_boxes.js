@@ -4,7 +4,7 @@ import {pointOn, slotOf} from "./plan_geometry.js";
 import {levelOf, motionOf, runs, valuesByDevice} from "./plan_motion.js";
 import {after, kSame, placed, shift, turn} from "./view3d_affine.js";
 import {Batch} from "./view3d_batch.js";
-import {deviceColors, sceneColors} from "./view3d_colors.js";
+import {deviceColors, litColor, sceneColors} from "./view3d_colors.js";
 import {fixedLabels, middleOf} from "./view3d_fixed_labels.js";
 import {partMatrix, Parts} from "./view3d_parts.js";
 import {kLit, kSpinning, shapeOf} from "./view3d_shapes.js";
@@ -95,7 +95,7 @@ export class Boxes {
     const {body, mover} = deviceColors(this.colors, this.app.statuses.of[index]);
     this.housings.paint(device.body, body);
     const isOn = kLit.has(device.kind) && this.where(index, this.app.store.t) > .5;
-    for (const {slot} of device.movers) this.movers.paint(slot, isOn ? this.colors.on : device.kind === "tank" ? this.colors.liquid : mover);
+    for (const {slot} of device.movers) this.movers.paint(slot, isOn ? litColor(this.app.plant.devices[index]) : device.kind === "tank" ? this.colors.liquid : mover);
     device.at = null;
     this.active.add(index);
     if (this.kept && this.selected.kind === "device" && this.selected.index === index) for (const slot of this.kept.slots) this.kept.paint(slot, body);

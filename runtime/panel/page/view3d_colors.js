@@ -1,5 +1,6 @@
 // Colors of the style sheet for 3D, as [red, green, blue] from 0 to 1.
 import {kindColor, kKindColors} from "./kinds.js";
+import {lampColor} from "./plan_things.js";
 import {STATUSES} from "./status.js";
 import {theme} from "./theme.js";
 
@@ -26,13 +27,16 @@ export const statusLabel = (app, device) => {
   return {key: label + " " + key, text: label, letter: color ? letter : "", color: color ? "rgb(" + color.map((part) => Math.round(part * 255)).join() + ")" : ""};
 };
 
+/// Of a lamp, sensor or button that is on: as in the plan.
+export const litColor = ({shape, name}) => rgb(theme()[shape === "lamp" ? lampColor(name) : "on"]);
+
 /// All colors of a scene, in the current theme.
 export const sceneColors = () => {
   const color = theme();
   const of = (name) => rgb(color[name]);
   const kinds = Array.from({length: kKindColors}, (_, kind) => of(kindColor(kind)));
   const housing = mixed(of("soft"), of("back"), .45);
-  return {back: of("back"), floor: of("side"), line: of("line"), text: color.text, soft: of("soft"), belt: mixed(of("belt"), of("ink"), .3), ink: of("ink"), on: of("on"), accent: of("accent"), housing,
+  return {back: of("back"), floor: of("side"), line: of("line"), text: color.text, soft: of("soft"), belt: mixed(of("belt"), of("ink"), .3), ink: of("ink"), accent: of("accent"), housing,
     mover: mixed(housing, of("ink"), .55), liquid: mixed(of("accent"), of("back"), .25), kinds: (kind) => kinds[kind % kKindColors]};
 };
 

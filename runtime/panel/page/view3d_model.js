@@ -6,7 +6,7 @@ import {checkGlb} from "./glb_check.js";
 import {cleanGlb} from "./glb_clean.js";
 import {nodeAt, pathsOf} from "./view3d_binding.js";
 import {Bound} from "./view3d_bound.js";
-import {mixed, sceneColors, statusColor} from "./view3d_colors.js";
+import {litColor, mixed, sceneColors, statusColor} from "./view3d_colors.js";
 import {ModelParts} from "./view3d_model_parts.js";
 import {kLit} from "./view3d_shapes.js";
 
@@ -69,7 +69,7 @@ export class Model {
   colorOf(index) {
     const {store, statuses, plant} = this.app;
     const isOn = kLit.has(plant.devices[index].shape) && motionOf(store, index, store.t).on;
-    return statusColor(statuses.of[index]) ?? (isOn ? this.colors.on : null);
+    return statusColor(statuses.of[index]) ?? (isOn ? litColor(plant.devices[index]) : null);
   }
 
   touch(index) { this.ofDevice.get(index)?.paint(this.colorOf(index)); }
