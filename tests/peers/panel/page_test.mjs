@@ -209,7 +209,7 @@ const kTests = [
       await page.keyboard.press("Enter");
       await page.getByRole("complementary", {name: "Details"}).getByRole("heading", {name: /BODY_UNDER20_ROBOT1/}).first().waitFor();
       await page.evaluate(() => document.activeElement.blur());
-      await page.keyboard.press("3");
+      await page.keyboard.press("4");
       await page.getByRole("table", {name: "Symbols"}).waitFor();
       const seen = new Set();
       for (let i = 0; i < 80; ++i) {
