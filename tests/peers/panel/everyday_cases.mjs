@@ -66,7 +66,7 @@ export const kEveryday = [
     };
     await search("under20 robot1");
     await until("the focus on the heading", async () => /^H2 BODY_UNDER20_ROBOT1/.test(await tag()) || await tag());
-    await page.keyboard.press("3");
+    await page.keyboard.press("4");
     await page.getByRole("table", {name: "Symbols"}).waitFor();
     await search("under20 robot1");  // what is selected already
     await until("the focus again", async () => /^H2 BODY_UNDER20_ROBOT1/.test(await tag()) || await tag());
@@ -92,7 +92,7 @@ export const kEveryday = [
     await page.keyboard.press("/");
     await page.keyboard.press("Escape");
     assert.equal(await focused(), "main");
-    await page.keyboard.press("3");
+    await page.keyboard.press("4");
     await page.getByRole("table", {name: "Symbols"}).waitFor();
   }],
   ["a kind of part has one color: in the legend, on tracks, in places and in details", "material", async ({page, view, server}) => {
