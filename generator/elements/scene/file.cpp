@@ -114,7 +114,7 @@ class ModelReader {
     for (const std::size_t root : roots()) level.push_back({root, kNoNode});
     std::vector<std::size_t> named(tree_.size(), kNoNode);
     for (std::size_t levels = 0; !level.empty(); ++levels) {
-      if (levels > kMostModelLevels) return "its nodes are nested more than 64 deep";
+      if (levels >= kMostModelLevels) return "its nodes are nested more than 64 deep";
       std::vector<Step> next;
       for (const Step& step : level) {
         Node& node = tree_[step.node];
@@ -140,7 +140,7 @@ class ModelReader {
   std::vector<Node> tree_;
 };
 
-/// How much of a path a node has: nothing, the end of its own path, or all of it.
+/// How much of a path a node has: nothing, the end of the path to it, or all of it.
 enum class Match : std::uint8_t { none, end, whole };
 
 Match match(const std::vector<ModelNode>& nodes, std::uint32_t node, std::string_view path) {

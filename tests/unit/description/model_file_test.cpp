@@ -94,8 +94,8 @@ TEST_CASE("A model has at most 64 levels and 20,000 nodes") {
     for (std::size_t i = 0; i + 1 < nodes; ++i) json += R"({"name":"N","children":[)" + std::to_string(i + 1) + "]},";
     return json + R"({"name":"N"}])";
   };
-  CHECK(paths(chain(65)).find("its nodes") == std::string::npos);
-  CHECK(paths(chain(66)) == "its nodes are nested more than 64 deep");
+  CHECK(paths(chain(64)).find("its nodes") == std::string::npos);
+  CHECK(paths(chain(65)) == "its nodes are nested more than 64 deep");
   std::string many = "[{}";
   for (int i = 0; i < 20'000; ++i) many += ",{}";
   CHECK(paths(many + "]") == "it has more than 20,000 nodes");
