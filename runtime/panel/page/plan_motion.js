@@ -60,8 +60,8 @@ export const valuesByDevice = (plant) => {
   return found;
 };
 
-/// How full a tank is, 0 to 1, by the first of its values that has a range; null without one.
+/// How full a tank is, 0 to 1, by the first of its values that has a range; null without one, or if it is not known.
 export const levelOf = (store, values) => {
   const value = (values ?? []).find((at) => hasRange(store.plant.values[at]));
-  return value === undefined ? null : partOf(store.plant.values[value], store.numbers[value]);
+  return value === undefined || Number.isNaN(store.numbers[value]) ? null : partOf(store.plant.values[value], store.numbers[value]);
 };

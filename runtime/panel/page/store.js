@@ -36,7 +36,7 @@ export class Store {
     this.values = new Array(plant.symbols.length).fill(false);
     this.symbolFlags = new Uint8Array(plant.symbols.length);
     this.symbolSince = new Float64Array(plant.symbols.length);
-    this.numbers = new Float64Array(plant.values?.length ?? 0);
+    this.numbers = new Float64Array(plant.values?.length ?? 0).fill(NaN);  // NaN: not known
     this.valueFlags = new Uint8Array(this.numbers.length);
     this.tracks = [];
     this.places = [];
@@ -89,7 +89,7 @@ export class Store {
 
   setValue(index, number, flags) {
     if (!(index < this.numbers.length)) return false;
-    this.numbers[index] = number;
+    this.numbers[index] = number ?? NaN;
     this.valueFlags[index] = flags;
     return true;
   }
