@@ -38,22 +38,40 @@ export const heatOf = ({from = 0, to = 1}, number) => {
   return [Math.min(1, part * 2), 1 - Math.abs(part * 2 - 1) * .85, Math.min(1, 2 - part * 2)].map((value) => .15 + .75 * value);
 };
 
-/// The names from a root to each node of a glTF file, joined by "/".
-export const pathsOf = ({nodes = [], scenes = [], scene = 0}) => {
-  const paths = new Array(nodes.length).fill(null);
-  const walk = (index, before) => {
-    paths[index] = before + (nodes[index].name ?? "");
-    for (const child of nodes[index].children ?? []) walk(child, paths[index] + "/");
-  };
-  for (const root of scenes[scene]?.nodes ?? []) walk(root, "");
-  return paths;
+/// The nodes of a glTF file: { names, parents }. A parent is the index of the nearest ancestor with a name, null of a node without one, and undefined of a
+/// node that its scene does not show.
+export const treeOf = ({nodes = [], scenes = [], scene = 0}) => {
+  const names = nodes.map(({name}) => name ?? "");
+  const parents = new Array(nodes.length).fill(undefined);
+  const open = (scenes[scene]?.nodes ?? []).map((index) => [index, null]);
+  while (open.length > 0) {
+    const [index, parent] = open.pop();
+    parents[index] = parent;
+    for (const child of nodes[index].children ?? []) open.push([child, names[index] === "" ? parent : index]);
+  }
+  return {names, parents};
 };
 
-/// The index of the node of a path, which may leave out leading ancestors if that is unique; an Error says what is wrong.
-export const nodeAt = (paths, path) => {
-  const exact = paths.flatMap((each, index) => each === path ? [index] : []);
-  const found = exact.length > 0 ? exact : paths.flatMap((each, index) => each?.endsWith("/" + path) ? [index] : []);
-  if (found.length === 0) throw new Error("it has no node `" + path + "`");
-  if (found.length > 1) throw new Error("it has " + found.length + " nodes `" + path + "`: name more of their ancestors");
-  return found[0];
+/// Whether a node and its ancestors are a path: null, "end" if ancestors are left out, else "whole".
+const match = ({names, parents}, node, path) => {
+  let end = path.length;
+  for (let at = node; at !== null; at = parents[at]) {
+    const name = names[at];
+    if (name === "" || !path.endsWith(name, end)) return null;
+    end -= name.length;
+    if (end <= 0) return parents[at] === null ? "whole" : "end";
+    if (path[--end] !== "/") return null;
+  }
+  return null;
+};
+
+/// The index of the node of a path: names of ancestors and its own, joined by "/". Leading ancestors may be left out if that is unique, and those without a name
+/// are. An Error says what is wrong.
+export const nodeAt = (tree, path) => {
+  const found = {whole: [], end: []};
+  tree.parents.forEach((parent, node) => { if (parent !== undefined) found[match(tree, node, path)]?.push(node); });
+  const best = found.whole.length > 0 ? found.whole : found.end;
+  if (best.length === 0) throw new Error("it has no node `" + path + "`");
+  if (best.length > 1) throw new Error("it has " + best.length + " nodes `" + path + "`: name more of their ancestors");
+  return best[0];
 };

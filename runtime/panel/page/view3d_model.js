@@ -4,7 +4,7 @@ import {motionOf} from "./plan_motion.js";
 import {GLTFLoader} from "./three/GLTFLoader.js";
 import {checkGlb} from "./glb_check.js";
 import {cleanGlb} from "./glb_clean.js";
-import {nodeAt, pathsOf} from "./view3d_binding.js";
+import {nodeAt, treeOf} from "./view3d_binding.js";
 import {Bound} from "./view3d_bound.js";
 import {litColor, mixed, sceneColors, statusColor} from "./view3d_colors.js";
 import {ModelParts} from "./view3d_model_parts.js";
@@ -15,11 +15,11 @@ export const loadModel = async (app, name) => {
   const blob = await app.api.file("files/" + encodeURIComponent(name));
   const file = checkGlb(await blob.arrayBuffer());
   const loaded = await new Promise((done, fail) => new GLTFLoader().parse(cleanGlb(file), "", done, (error) => fail(new Error("its data cannot be read: " + error.message))));
-  return new Model(app, loaded.scene, await loaded.parser.getDependencies("node"), pathsOf(file.json));
+  return new Model(app, loaded.scene, await loaded.parser.getDependencies("node"), treeOf(file.json));
 };
 
 export class Model {
-  constructor(app, scene, objects, paths) {
+  constructor(app, scene, objects, tree) {
     Object.assign(this, {app, root: new Group(), slope: .6, selected: null, materials: new Map(), bound: []});
     this.targets = [scene];
     scene.updateMatrixWorld(true);
@@ -27,7 +27,7 @@ export class Model {
     this.root.add(scene, new HemisphereLight(0xffffff, 0x9a9a9a, .7), new DirectionalLight(0xffffff, .33));
     this.root.children[2].position.set(.35, .85, .4);
     scene.traverse((object) => { if (object.isMesh) object.material = this.simple(object.material); });
-    this.bind(objects, paths);
+    this.bind(objects, tree);
     this.unit = this.box.getSize(new Vector3()).length() / 12;  // a device is about so large, for names
     this.recolor();
   }
@@ -41,10 +41,10 @@ export class Model {
     return this.materials.get(material);
   }
 
-  bind(objects, paths) {
+  bind(objects, tree) {
     const {names, plant} = this.app;
     for (const [key, entry] of Object.entries(plant.view3d.nodes ?? {})) {
-      const bound = new Bound(this.app, key, entry, objects[nodeAt(paths, entry.node)], names.index("device", key));
+      const bound = new Bound(this.app, key, entry, objects[nodeAt(tree, entry.node)], names.index("device", key));
       const location = bound.device === null ? names.index("location", key) : null;
       if (location !== null && entry.from) bound.parts = new ModelParts(this.app, location, entry, bound.object);
       this.bound.push(bound);
