@@ -1,7 +1,7 @@
 // How nodes of a model follow the plant: poses by state, by progress and by values, colors by values. Pure functions, without three.js.
 
 const kOwn = new Set(["node", "move", "turn", "color", "from", "to"]);
-const kNone = {move: [0, 0, 0], turn: [0, 0, 0]};
+export const kOwnPose = {move: [0, 0, 0], turn: [0, 0, 0]};  // the model's own
 const kAxes = {x: 0, y: 1, z: 2};
 
 const mix = (a, b, part) => a.map((value, i) => value + (b[i] - value) * part);
@@ -9,25 +9,24 @@ const mix = (a, b, part) => a.map((value, i) => value + (b[i] - value) * part);
 /// Of an entry of `view3d.nodes`: for each state its pose { move, turn } (meters, degrees); null: no state has one.
 export const posesOf = (entry, states) => {
   const has = states.some((state) => !kOwn.has(state) && entry[state] !== undefined);
-  return has ? states.map((state) => kOwn.has(state) ? kNone : {...kNone, ...entry[state]}) : null;
+  return has ? states.map((state) => kOwn.has(state) ? kOwnPose : {...kOwnPose, ...entry[state]}) : null;
 };
 
-/// Between the poses of a state and a target, `done` 0 to 1. A target that is no state is where the device is.
-export const poseBetween = (poses, state, target, done) => {
-  const from = poses[state] ?? kNone;
-  const to = poses[target] ?? from;
-  return {move: mix(from.move, to.move, done), turn: mix(from.turn, to.turn, done)};
-};
+/// Between two poses.
+export const mixPoses = (a, b, part) => ({move: mix(a.move, b.move, part), turn: mix(a.turn, b.turn, part)});
 
 const along = (axis, amount) => [0, 0, 0].map((_, i) => i === kAxes[axis] ? amount : 0);
+
+/// The number of a value of a symbol; NaN if it is not known or no number.
+export const numberOfSymbol = (value) => value === null || typeof value === "boolean" ? NaN : Number(value);
 
 /// What a value adds: number * scale + offset, in meters or degrees along or about an axis. A number that is not finite adds nothing.
 export const amountOf = ({scale = 1, offset = 0}, number) => Number.isFinite(number) ? number * scale + offset : 0;
 
 /// The pose of an entry with `move` or `turn` by a value. `numberOf(name)`: the number of a value.
 export const poseByValue = ({move, turn}, numberOf) => ({
-  move: move?.by ? along(move.axis ?? "y", amountOf(move, numberOf(move.by))) : kNone.move,
-  turn: turn?.by ? along(turn.axis ?? "y", amountOf(turn, numberOf(turn.by))) : kNone.turn,
+  move: move?.by ? along(move.axis ?? "y", amountOf(move, numberOf(move.by))) : kOwnPose.move,
+  turn: turn?.by ? along(turn.axis ?? "y", amountOf(turn, numberOf(turn.by))) : kOwnPose.turn,
 });
 
 export const sumOf = (a, b) => ({move: a.move.map((value, i) => value + b.move[i]), turn: a.turn.map((value, i) => value + b.turn[i])});

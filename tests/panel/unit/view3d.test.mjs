@@ -5,7 +5,7 @@ import {dirname, join} from "node:path";
 import {test} from "node:test";
 import {fileURLToPath} from "node:url";
 import {after, kSame, placed, pointAt, shift, stretch, turn} from "../../../runtime/panel/page/view3d_affine.js";
-import {amountOf, heatOf, nodeAt, poseBetween, poseByValue, posesOf, sumOf, treeOf} from "../../../runtime/panel/page/view3d_binding.js";
+import {amountOf, heatOf, mixPoses, nodeAt, numberOfSymbol, poseByValue, posesOf, sumOf, treeOf} from "../../../runtime/panel/page/view3d_binding.js";
 import {overviewOf} from "../../../runtime/panel/page/view3d_overview.js";
 import {Pace} from "../../../runtime/panel/page/view3d_pace.js";
 import {shapeOf} from "../../../runtime/panel/page/view3d_shapes.js";
@@ -21,11 +21,14 @@ test("A node has the pose of its device's state, and the model's own pose in a s
   assert.equal(posesOf({node: "AGV", from: [0, 0, 0]}, ["from"]), null);  // a key of its own is no state
 });
 
-test("During a move the pose is between both, by the progress; a target that is no state changes nothing", () => {
+test("Poses are mixed by the progress of a move", () => {
   const poses = posesOf({P1: {move: [0, 0, 1]}, P2: {move: [2, 0, 1], turn: [0, 270, 0]}}, ["P1", "P2"]);
-  assert.deepEqual(poseBetween(poses, 0, 1, .25), {move: [.5, 0, 1], turn: [0, 67.5, 0]});
-  assert.deepEqual(poseBetween(poses, 1, 0, .25), {move: [1.5, 0, 1], turn: [0, 202.5, 0]});  // back
-  assert.deepEqual(poseBetween(poses, 1, -1, .5), poses[1]);
+  assert.deepEqual(mixPoses(poses[0], poses[1], .25), {move: [.5, 0, 1], turn: [0, 67.5, 0]});
+  assert.deepEqual(mixPoses(poses[1], poses[0], .25), {move: [1.5, 0, 1], turn: [0, 202.5, 0]});  // back
+});
+
+test("A symbol without a number adds nothing", () => {
+  assert.deepEqual([null, false, true, "x", 0, 7, "9007199254740993", "2.5"].map(numberOfSymbol), [NaN, NaN, NaN, NaN, 0, 7, 9007199254740992, 2.5]);
 });
 
 test("A value moves or turns a node by number * scale + offset, along or about an axis", () => {

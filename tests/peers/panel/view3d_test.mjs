@@ -32,7 +32,7 @@ const modelShown = (page) => until("the model", async () => page.evaluate(() => 
 const sentence = (page) => page.locator(".view3d > p").innerText();
 const pressed = (page, name) => page.getByRole("button", {name}).getAttribute("aria-pressed");
 const cameraAt = (page) => page.evaluate(() => symplant.view3d.stage.camera.position.toArray().map((value) => Math.round(value * 100) / 100));
-const nodeAt = (page, device) => page.evaluate((name) => symplant.view3d.stage.content.bound.find(({key}) => key === name).object.position.toArray(), device);
+const nodeAt = (page, device) => page.evaluate((name) => symplant.view3d.stage.content.bound.find(({key}) => key === name).node.object.position.toArray(), device);
 const act = (page, ...acts) => page.evaluate((list) => symplant.api.acts(...list), acts);
 const noFaults = async (page, where) => {
   for (const colorScheme of ["light", "dark"]) {
@@ -113,12 +113,12 @@ const kTests = [
   ["values turn, move and color the nodes of the crane", () => run("examples/harbour-crane/plant.json", async (page, link) => {
     await open3d(page, link);
     await modelShown(page);
-    const load = () => page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "load").meshes[0].material.color.getHex());
+    const load = () => page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "load").node.meshes[0].material.color.getHex());
     const [height, cold] = [await nodeAt(page, "height"), await load()];
     await act(page, {set: {"hoist.height": 20, "slew.angle": 90, load: 40}});
     await until("the height", async () => Math.abs((await nodeAt(page, "height"))[1] - height[1] - 10) < .01);
     await until("the color", async () => await load() !== cold);
-    const turned = await page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "slewing").object.rotation.y * 180 / Math.PI);
+    const turned = await page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "slewing").node.object.rotation.y * 180 / Math.PI);
     assert.ok(Math.abs(turned - 90) < .1, String(turned));
   })],
   ["a trainer shows a camera to everyone, and everything again", () => run(kCell, async (page, link) => {
