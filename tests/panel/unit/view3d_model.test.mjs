@@ -7,7 +7,12 @@ import {Statuses} from "../../../runtime/panel/page/status.js";
 import {Store} from "../../../runtime/panel/page/store.js";
 import {pictureWithValues, plantWithValues} from "./plant.mjs";
 
-const {BoxGeometry, Group, Mesh, MeshStandardMaterial, Raycaster, Vector3} = await import("../../../runtime/panel/page/build/three.module.js");
+const {Stage} = await import("../../../runtime/panel/page/view3d_stage.js");
+const {reducedMotion} = await import("../../../runtime/panel/page/theme.js");
+const {BoxGeometry, Group, Mesh, MeshStandardMaterial, PerspectiveCamera, Raycaster, Vector3} = await import("../../../runtime/panel/page/build/three.module.js");
+const {layOut} = await import("../../../runtime/panel/page/plan_layout.js");
+const {Boxes} = await import("../../../runtime/panel/page/view3d_boxes.js");
+const {kView3dKeys, kView3dLabel, listenToScene} = await import("../../../runtime/panel/page/view3d_keys.js");
 const {Model} = await import("../../../runtime/panel/page/view3d_model.js");
 
 /// A cube of 1 m whose middle is `at`.
@@ -111,4 +116,83 @@ test("A node whose device is diverted to a third state goes on from where it was
   assert.deepEqual(at(50), [2, 0, 0]);
   assert.deepEqual(at(100), [1, 4, 0]);
   assert.deepEqual(at(150), [0, 8, 0]);
+});
+
+test("A motor spins while it runs and plant time does, and rests if the system asks for less motion", () => {
+  const plant = plantWithValues();
+  plant.devices = plant.devices.map((device) => ({...device, shape: "motor", states: ["STOP", "RUN"]}));
+  const store = new Store(plant);
+  const app = {plant, store, names: new Names(plant), clock: {runs: true}};
+  app.statuses = new Statuses(store, app.names);
+  store.picture({...pictureWithValues(), tracks: [[0, [], [false], [0]]]});  // the second one runs, nothing else moves
+  const boxes = new Boxes(app, layOut(plant, {}));
+  const shown = () => boxes.devices[1].movers[0].slot.matrix.join();
+  assert.equal(boxes.draw(0), true);
+  const first = shown();
+  assert.equal(boxes.draw(1e8), true);
+  assert.notEqual(shown(), first);
+  assert.equal(boxes.draw(8e8), true, "after a whole turn, too");
+  app.clock.runs = false;
+  assert.equal(boxes.draw(8e8), false);
+  app.clock.runs = true;
+  assert.equal(boxes.draw(9e8), true, "it goes on");
+  reducedMotion.matches = true;
+  assert.equal(boxes.draw(9e8), false);
+  assert.equal(shown(), first);
+  reducedMotion.matches = false;
+  assert.equal(boxes.draw(9e8), true);
+});
+
+/// A stage without graphics, in an element of a size that can be changed.
+const stageOf = (size) => Object.assign(Object.create(Stage.prototype), {canvas: {parentElement: size}, size: [0, 0, 1], sharpness: 1, isWhole: false, flight: null, span: 10, changed() {},
+  renderer: {setPixelRatio() {}, setSize() {}}, camera: new PerspectiveCamera(30, 1, .1, 1000), controls: {target: new Vector3(), update() {}},
+  content: {slope: 1, bounds: () => ({min: [0, 0, 0], max: [10, 1, 5]})}});
+
+test("A picture that is not shown has no size, and its camera stays finite", () => {
+  globalThis.devicePixelRatio = 1;
+  const size = {clientWidth: 0, clientHeight: 0};
+  const stage = stageOf(size);
+  stage.fit();
+  stage.showAll(true);
+  assert.ok(stage.camera.position.toArray().every(Number.isFinite));
+  Object.assign(size, {clientWidth: 800, clientHeight: 200});
+  stage.fit();
+  assert.equal(stage.camera.aspect, 4);
+  const whole = stage.overview().from;
+  assert.deepEqual(stage.camera.position.toArray(), whole, "everything, in the size that it has now");
+  Object.assign(size, {clientWidth: 800, clientHeight: 0});
+  stage.fit();
+  assert.equal(stage.camera.aspect, 4);
+  stage.camera.position.set(NaN, 0, 0);
+  stage.goTo({from: [1, 2, 3], to: [0, 0, 0]});
+  assert.deepEqual([stage.flight, stage.camera.position.toArray()], [null, [1, 2, 3]]);
+  stage.goTo({from: [4, 5, 6], to: [0, 0, 0]});
+  assert.ok(stage.flight, "from a finite one it flies");
+});
+
+test("What gets the focus comes into the picture, from the same side", () => {
+  const stage = stageOf({clientWidth: 100, clientHeight: 100});
+  stage.goTo({from: [0, 10, 10], to: [0, 0, 0]}, true);
+  stage.camera.lookAt(0, 0, 0);
+  stage.reveal([.5, 0, 0]);
+  assert.equal(stage.flight, null);
+  stage.reveal([50, 0, 0]);
+  assert.deepEqual([stage.flight.position.toArray(), stage.flight.to.toArray()], [[50, 10, 10], [50, 0, 0]]);
+});
+
+test("Every key of the 3D view acts, and the picture says all of them", () => {
+  const acts = [];
+  const canvas = {addEventListener(kind, listener) { this[kind] = listener; }};
+  const note = (name) => (...more) => acts.push([name, ...more].join(" "));
+  listenToScene(canvas, {stage: {turn: note("turn"), pan: note("pan"), zoom: note("zoom")}, step: note("step"), openFocused: note("open"), goTo: note("go"), setTranslucent: note("see"), isTranslucent: false});
+  const press = (key, more = {}) => {
+    let taken = false;
+    canvas.keydown({key, preventDefault() { taken = true; }, stopPropagation() {}, ...more});
+    return taken;
+  };
+  for (const key of ["[", "]", "Enter", "t", "0", "-", "ArrowUp"]) assert.ok(press(key), key);
+  assert.ok(press("]", {ctrlKey: true, altKey: true}), "with AltGr");
+  assert.ok(!press("t", {ctrlKey: true}) && !press("Tab"));
+  assert.deepEqual(acts, ["step -1", "step 1", "open", "see true", "go ", "zoom 1.25", "pan 0 0.1", "step 1"]);
+  for (const [key] of kView3dKeys) assert.ok(kView3dLabel.includes(key), key);
 });

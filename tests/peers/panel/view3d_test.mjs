@@ -7,6 +7,7 @@ import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
 import {join} from "node:path";
 import {Browser, kSoftware3d, until} from "./browser.mjs";
+import {pack, smallModel} from "../../panel/unit/glb.mjs";
 import {kProject, startProgram} from "./plants.mjs";
 
 const [playwright, axe, symplant] = process.argv.slice(2);
@@ -92,6 +93,74 @@ const kTests = [
     await page.keyboard.press("t");
     assert.equal(await pressed(page, "See through"), "false");
     assert.equal(await page.evaluate(() => symplant.router.route.view), "3d");
+  })],
+  ["keys go from device to device, open details, and a screen reader hears which device it is", () => run("examples/training-line/plant.json", async (page, link) => {
+    await open3d(page, link);
+    await page.locator("canvas").focus();
+    const names = await page.evaluate(() => symplant.plant.devices.map(({name}) => name));
+    const said = () => page.locator(".view3d > [role=status].hidden-text").innerText();
+    for (const [key, index] of [["]", 0], ["]", 1], ["[", 0], ["[", names.length - 1], ["]", 0], ["]", 1]]) {
+      await page.keyboard.press(key);
+      assert.ok((await said()).startsWith(names[index] + ", "), key + ": " + await said());
+      assert.equal(await page.evaluate(() => symplant.view3d.stage.outline.children.length), 1);
+    }
+    await page.keyboard.press("Enter");
+    await page.getByRole("complementary", {name: "Details"}).getByRole("heading", {name: names[1], exact: true}).waitFor();
+  })],
+  ["a track and a place of a model have outlines and parts", () => run("examples/training-line/plant.json", async (page, link) => {
+    await page.route("**/api/v1/files/small.glb", (route) => route.fulfill({body: Buffer.from(pack(smallModel())), contentType: "model/gltf-binary"}));
+    await page.route("**/api/v1/plant", async (route) => {
+      const plant = await (await route.fetch()).json();
+      const nodes = Object.fromEntries(plant.locations.slice(0, 2).map(({name}, i) => [name, {node: ["AGV", "Door"][i], from: [0, .5, 0], to: [2, .5, 0]}]));
+      await route.fulfill({json: {...plant, view3d: {model: "small.glb", cameras: {}, nodes}}});
+    });
+    await open3d(page, link);
+    await modelShown(page);
+    await until("a part", async () => page.evaluate(() => symplant.view3d.stage.content.parts.some(({parts}) => parts.shown > 0)));
+    const outline = () => page.evaluate(() => symplant.view3d.stage.content.outline({kind: "location", index: 0}));
+    const before = await outline();
+    assert.ok([...before.center, ...before.size].every(Number.isFinite), JSON.stringify(before));
+    await page.waitForTimeout(300);
+    assert.deepEqual(await outline(), before);
+    await page.evaluate(() => symplant.router.select("location", symplant.plant.locations[0].name));
+    await until("an outline", async () => page.evaluate(() => symplant.view3d.stage.outline.children.length === 1));
+    assert.deepEqual(await sentence(page), "");
+  })],
+  ["a view that is left while its model is loaded shows it when it is back", () => run(kCell, async (page, link) => {
+    let answer = () => {};
+    const asked = new Promise((done) => { answer = done; });
+    await page.route("**/api/v1/files/cell.glb", (route) => answer(route));
+    await open3d(page, link);
+    const route = await asked;
+    await page.getByRole("link", {name: "Plan"}).click();
+    await page.evaluate(() => symplant.view3d.changed());
+    await route.continue();
+    await modelShown(page);
+    await page.waitForTimeout(300);
+    await page.getByRole("link", {name: "3D"}).click();
+    await until("a finite camera", async () => (await cameraAt(page)).every((value) => value !== null) && page.evaluate(() => symplant.view3d.stage.camera.aspect > 0));
+    const home = await cameraAt(page);
+    await page.getByRole("button", {name: "Show everything"}).click();
+    assert.deepEqual(await cameraAt(page), home);
+  })],
+  ["after a failure there is a sentence, nothing stays behind, and the view is tried again when it is next shown", () => run("examples/training-line/plant.json", async (page, link) => {
+    await page.goto(link + "&view=plan");
+    await page.waitForSelector("body[data-ready]");
+    const listeners = () => page.evaluate(() => symplant.layout.listeners.size);
+    const before = await listeners();
+    await page.evaluate(() => {
+      const {layout} = symplant;
+      Object.defineProperty(layout, "placed", {configurable: true, get: () => { throw new Error("no layout"); }});
+    });
+    await page.evaluate(() => symplant.router.view("3d"));
+    await until("the sentence", async () => /^The 3D view cannot be shown: no layout\. See the plant as a plan$/.test(await sentence(page)) || await sentence(page));
+    assert.deepEqual([await page.locator("canvas").count(), await listeners(), await page.evaluate(() => symplant.view3d)], [0, before, null]);
+    await page.evaluate(() => { delete symplant.layout.placed; });
+    await page.getByRole("link", {name: "See the plant as a plan"}).click();
+    await page.getByRole("link", {name: "3D"}).click();
+    await until("a picture in 3D", async () => page.evaluate(() => (symplant.view3d?.drawn ?? 0) > 0), 30000);
+    assert.equal(await sentence(page), "");
+    assert.ok(await page.getByRole("button", {name: "Show everything"}).isVisible());
   })],
   ["a node of the model moves with its device, and back when the command turns around", () => run(kCell, async (page, link) => {
     await open3d(page, link);
