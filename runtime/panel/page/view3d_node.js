@@ -14,7 +14,7 @@ export class BoundNode {
     this.rotation = object.quaternion.clone();
   }
 
-  /// What moves with the node and is of no other one: its box, and materials of its own if it has a status or a color. `nodeOf(object)`: the BoundNode
+  /// What moves with the node and is of no other one: its box, and separate materials if it has a status or a color. `nodeOf(object)`: the BoundNode
   /// of an object, or nothing. Before parts are below the object.
   own(nodeOf) {
     const toOwn = new Matrix4().getInverse(this.object.matrixWorld);
