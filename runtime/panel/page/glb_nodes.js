@@ -5,7 +5,7 @@ const kMostNodes = 20000;
 const kMostDepth = 64;
 const kMostVertices = 5000000;
 const kMostCalls = 20000;  // pieces that are drawn one by one
-const kMostName = 1000;
+const kMostName = 1000;  // bytes
 const kFarthest = 1e5;
 const kTransforms = {matrix: 16, translation: 3, rotation: 4, scale: 3};
 
@@ -13,7 +13,8 @@ const nameOf = (index, {name}) => "its node " + (typeof name === "string" && nam
 
 const checkNode = (index, node, nodes, meshes) => {
   const what = nameOf(index, node);
-  if (node.name !== undefined && (typeof node.name !== "string" || node.name.length > kMostName)) refuse(what + " has an invalid name");
+  if (node.name !== undefined && typeof node.name !== "string") refuse(what + " has an invalid name");
+  if (new TextEncoder().encode(node.name ?? "").length > kMostName) refuse(what + " has a name of more than " + whole(kMostName) + " bytes");
   checkIndex(node.mesh, meshes, what);
   for (const [key, length] of Object.entries(kTransforms)) {
     const numbers = node[key];

@@ -9,11 +9,20 @@ const round = (number) => Math.round(number * 1000) / 1000 + 0;
 /// A position on the grid.
 export const snap = (number) => Math.round(number / kStep) * kStep;
 
+/// A map by names, which may be any: `__proto__` is one, too.
+const named = (map = {}) => {
+  const copy = Object.create(null);
+  for (const [name, entry] of Object.entries(map)) copy[name] = {...entry};
+  return copy;
+};
+
+const copyOf = ({frames, devices, locations, ...rest}) => ({...rest, frames: named(frames), devices: named(devices), locations: named(locations)});
+
 const frameAt = (placed, frame) => frame === null ? {x: 0, y: 0} : placed.frames[frame];
 
 /// A plan that gives the position of everything as it is placed, so that nothing else moves when one thing does.
 export const wholePlan = (plant, placed, {background} = {}) => {
-  const plan = {...(background ? {background} : {}), frames: {}, devices: {}, locations: {}};
+  const plan = {...(background ? {background} : {}), frames: named(), devices: named(), locations: named()};
   for (const {name, x, y} of placed.frames) plan.frames[name] = {x: round(x), y: round(y)};
   placed.devices.forEach(({x, y, turn, frame}, device) => {
     const {x: fx, y: fy} = frameAt(placed, frame);
@@ -34,7 +43,7 @@ const inside = (placed, {x, y, w, h}) => placed.locations.flatMap((location, ind
 
 /// Moves things, { kind, index } with kind device, location or frame.
 export const moveThings = (plant, placed, plan, things, dx, dy) => {
-  const next = structuredClone(plan);
+  const next = copyOf(plan);
   const shift = (entry) => Object.assign(entry, {x: round(entry.x + dx), y: round(entry.y + dy)});
   const frames = new Set(things.filter(({kind}) => kind === "frame").map(({index}) => index));
   const locations = new Set(things.filter(({kind}) => kind === "location").map(({index}) => index));
@@ -49,7 +58,7 @@ export const moveThings = (plant, placed, plan, things, dx, dy) => {
 
 /// Turns devices and tracks by a quarter, clockwise; a track about its begin.
 export const turnThings = (plant, plan, things) => {
-  const next = structuredClone(plan);
+  const next = copyOf(plan);
   for (const {kind, index} of things) {
     const isTrack = kind === "location" && plant.locations[index].kind === "track";
     const entry = kind === "device" ? next.devices[plant.devices[index].name] : isTrack ? next.locations[plant.locations[index].name] : null;
@@ -69,7 +78,7 @@ const withoutEmpty = (plant, plan) => {
 
 /// Puts devices into a frame, so that they stay where they are; `name`: null for those of their stations.
 export const groupDevices = (plant, placed, plan, devices, name) => {
-  const next = structuredClone(plan);
+  const next = copyOf(plan);
   const corner = (list) => ({x: snap(Math.min(...list.map((device) => placed.devices[device].x)) - kHead), y: snap(Math.min(...list.map((device) => placed.devices[device].y)) - kHead)});
   const byFrame = new Map();
   for (const device of devices) {

@@ -1,5 +1,6 @@
 // What a symbol shows of its device's state: how far a rod is out, whether a motor runs. Names of states are words of the plant; what no
 // word says follows from the order of the states. Without elements.
+import {poseAt} from "./motion.js";
 import {partOf, hasRange} from "./value_words.js";
 
 const kOne = /^(OUT|ADV|EXT|FRONT|FORWARD|FWD|CLOSE|CLOSED|SHUT|CLAMP|CLAMPED|GRIP|LOCK|LOCKED|UP|TOP|RUN|ON|PUSH|PRESSED|SEEN|FULL)\d*$/;
@@ -23,17 +24,16 @@ export const amountOf = ({states, shape}, state) => {
 /// Angle of a turntable, in turns: each state is its part of the whole turn.
 const turnOf = ({states}, state) => state / Math.max(1, states.length);
 
+const mix = (a, b, part) => a + (b - a) * part;
+
+/// Between two angles in turns; backward only by up to half a turn.
+const mixTurns = (a, b, part) => mix(a, b - a < -.5 ? b + 1 : b, part);
+
 /// { amount, turn, on }: the amount at plant time `now`, during a move between those of both states.
 export const motionOf = (store, index, now) => {
   const device = store.plant.devices[index];
-  const state = store.state[index];
-  const target = store.target[index];
-  const from = amountOf(device, state);
-  if (target === state || target < 0) return {amount: from, turn: turnOf(device, state), on: from >= .5};
-  const {done} = store.progress(index, now);
-  let way = turnOf(device, target) - turnOf(device, state);
-  if (way < -.5) way += 1;
-  return {amount: from + (amountOf(device, target) - from) * done, turn: turnOf(device, state) + way * done, on: from >= .5};
+  return {amount: poseAt(store, index, now, (state) => amountOf(device, state), mix), turn: poseAt(store, index, now, (state) => turnOf(device, state), mixTurns),
+    on: amountOf(device, store.state[index]) >= .5};
 };
 
 const kRuns = new Set(["motor", "conveyor", "pump", "machine"]);
@@ -60,8 +60,8 @@ export const valuesByDevice = (plant) => {
   return found;
 };
 
-/// How full a tank is, 0 to 1, by the first of its values that has a range; null without one.
+/// How full a tank is, 0 to 1, by the first of its values that has a range; null without one, or if it is not known.
 export const levelOf = (store, values) => {
   const value = (values ?? []).find((at) => hasRange(store.plant.values[at]));
-  return value === undefined ? null : partOf(store.plant.values[value], store.numbers[value]);
+  return value === undefined || Number.isNaN(store.numbers[value]) ? null : partOf(store.plant.values[value], store.numbers[value]);
 };

@@ -1,5 +1,6 @@
 // What the page knows about the plant: its description, and its state as of the last event of the stream.
 import {AlarmState} from "./alarm_state.js";
+import {pathAfter} from "./motion.js";
 
 /// Flags of a device.
 export const DEVICE = {moving: 1, stopped: 2, disabled: 4, frozen: 8, malfunction: 16};
@@ -31,10 +32,11 @@ export class Store {
     this.remaining = new Float64Array(devices);
     this.whole = new Float64Array(devices);
     this.at = new Float64Array(devices);  // the time of `remaining`
+    this.paths = new Array(devices).fill(null);  // of moves, see motion.js
     this.values = new Array(plant.symbols.length).fill(false);
     this.symbolFlags = new Uint8Array(plant.symbols.length);
     this.symbolSince = new Float64Array(plant.symbols.length);
-    this.numbers = new Float64Array(plant.values?.length ?? 0);
+    this.numbers = new Float64Array(plant.values?.length ?? 0).fill(NaN);  // NaN: not known
     this.valueFlags = new Uint8Array(this.numbers.length);
     this.tracks = [];
     this.places = [];
@@ -63,6 +65,7 @@ export class Store {
 
   setDevice(index, entry, from, t) {
     if (!(index < this.state.length)) return false;
+    const before = {state: this.state[index], target: this.target[index], done: this.progress(index, t).done};
     this.state[index] = entry[from];
     this.target[index] = entry[from + 1];
     this.flags[index] = entry[from + 2];
@@ -71,6 +74,7 @@ export class Store {
     this.remaining[index] = entry[from + 5];
     this.whole[index] = entry[from + 6];
     this.at[index] = t;
+    this.paths[index] = pathAfter(this.paths[index], before, {state: this.state[index], target: this.target[index], done: this.progress(index, t).done});
     return true;
   }
 
@@ -85,7 +89,7 @@ export class Store {
 
   setValue(index, number, flags) {
     if (!(index < this.numbers.length)) return false;
-    this.numbers[index] = number;
+    this.numbers[index] = number ?? NaN;
     this.valueFlags[index] = flags;
     return true;
   }
@@ -101,6 +105,7 @@ export class Store {
     this.rev = event.rev;
     this.t = event.t;
     event.devices.forEach((entry, index) => this.setDevice(index, entry, 0, event.t));
+    this.paths.fill(null);
     event.symbols.forEach(([value, flags, since], index) => this.setSymbol(index, value, flags, since));
     (event.values ?? []).forEach(([number, flags], index) => this.setValue(index, number, flags));
     this.tracks = [];
@@ -122,6 +127,7 @@ export class Store {
     this.rev = event.rev;
     this.t = event.t;
     for (const entry of event.devices ?? []) if (this.setDevice(entry[0], entry, 1, event.t)) change.devices.push(entry[0]);
+    if (change.jumped) this.paths.fill(null);
     for (const [index, value, flags, since] of event.symbols ?? []) {
       if (this.setSymbol(index, value, flags, since)) change.symbols.push(index);
     }

@@ -18,7 +18,7 @@ export const valueDisplay = (app, index) => {
     const {numbers, valueFlags} = app.store;
     const value = app.plant.values[index()];
     const number = numbers[index()];
-    const known = isKnown(app.plant, value);
+    const known = isKnown(app.plant, value) && !Number.isNaN(number);
     setText(text, known ? withUnit(number, value) : "-");
     setAttribute(text, "title", known ? String(number) : null);
     bar.classList.toggle("without", !known || !hasRange(value));

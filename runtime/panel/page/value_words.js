@@ -9,8 +9,8 @@ export const numberText = (number) => {
   return number.toFixed(Math.max(0, Math.min(4, 3 - Math.floor(Math.log10(size)))));
 };
 
-/// "21.98 l"
-export const withUnit = (number, {unit}) => numberText(number) + (unit ? " " + unit : "");
+/// "21.98 l"; "-" if the number is not known
+export const withUnit = (number, {unit}) => Number.isNaN(number) ? "-" : numberText(number) + (unit ? " " + unit : "");
 
 /// Whether the page knows the number: a recording has only what its trace shows.
 export const isKnown = (plant, value) => plant.mode !== "recording" || value.trace !== null;
@@ -37,8 +37,8 @@ export const rangeText = ({min, max, unit}) => {
 /// Whether a bar or a slider can show the value.
 export const hasRange = ({min, max}) => min !== null && max !== null && max > min;
 
-/// Where a number is between `min` and `max`, 0 to 1.
-export const partOf = ({min, max}, number) => Math.max(0, Math.min(1, (number - min) / (max - min)));
+/// Where a number is between `min` and `max`, 0 to 1; 0 if it is not known.
+export const partOf = ({min, max}, number) => Number.isNaN(number) ? 0 : Math.max(0, Math.min(1, (number - min) / (max - min)));
 
 /// The step of a slider: a power of ten, a hundred to a thousand of them in the range; "any" if they do not end at `max`.
 export const sliderStep = ({min, max}) => {

@@ -1,9 +1,10 @@
 // The plant in 3D. What draws it is loaded when the view is first opened.
 import {actButton, resultOutput} from "./acts.js";
 import {button, make, select, setText} from "./dom.js";
+import {kView3dLabel} from "./view3d_keys.js";
 
 const kNoWebGl = "This browser shows no 3D: WebGL is off or missing. ";
-const kNoFiles = "The files of the 3D view cannot be loaded: ";
+const kFailed = "The 3D view cannot be shown: ";
 const kOverview = "Overview";
 
 const hasWebGl = () => {
@@ -16,6 +17,7 @@ export class View3d {
   constructor(app) {
     Object.assign(this, {app, scene: null, loading: false, lastCamera: null});
     this.message = make("p", {class: "soft", role: "status"});
+    this.said = make("div", {class: "hidden-text", role: "status"});
     this.stage = make("div", {class: "stage3d"});
     this.result = resultOutput();
     this.camera = select("Camera", [["", kOverview], ...Object.keys(app.plant.view3d?.cameras ?? {}).map((name) => [name, name])],
@@ -29,7 +31,7 @@ export class View3d {
       step("▲", "Move ahead", (scene) => scene.stage.pan(0, .1)), step("▼", "Move back", (scene) => scene.stage.pan(0, -.1)),
       step("◀", "Move left", (scene) => scene.stage.pan(-.1, 0)), step("▶", "Move right", (scene) => scene.stage.pan(.1, 0)),
       button("Show everything", () => this.scene?.goTo(""), {title: "0"}), this.see, app.canAct ? this.result : null);
-    this.element = make("div", {class: "view fills view3d"}, this.tools, this.message, this.stage);
+    this.element = make("div", {class: "view fills view3d"}, this.tools, this.message, this.stage, this.said);
   }
 
   show() {
@@ -40,31 +42,37 @@ export class View3d {
 
   async load() {
     this.loading = true;
-    if (!hasWebGl()) return this.fail(kNoWebGl);
     setText(this.message, "The 3D view is loaded ...");
+    this.setShown(true);
+    if (!hasWebGl()) return this.fail(kNoWebGl);
     try {
       const {View3dScene} = await import("./view3d_scene.js");
-      const canvas = make("canvas", {tabindex: 0, role: "application", "aria-label": "The plant in 3D. Arrow keys move, Shift and arrow keys turn, plus and minus zoom, 0 shows everything."});
+      const canvas = make("canvas", {tabindex: 0, role: "application", "aria-label": kView3dLabel});
       this.stage.replaceChildren(canvas);
-      const scene = new View3dScene(this.app, canvas, (text) => setText(this.message, text), (on) => this.see.setAttribute("aria-pressed", String(on)));
+      this.scene = new View3dScene(this.app, canvas, {say: (text) => setText(this.message, text), announce: (text) => setText(this.said, text),
+        toggled: (on) => this.see.setAttribute("aria-pressed", String(on))});
+      this.app.view3d = this.scene;  // for tests and the console
       setText(this.message, "");
-      this.app.view3d = scene;  // for tests and the console
-      const opened = scene.open();
-      this.scene = scene;
+      this.scene.showBoxes();
       this.follow();
-      await opened;
+      await this.scene.showModel();
       this.follow(true);
     } catch (error) {
-      this.loading = false;
-      this.fail(kNoFiles + error.message + ". ");
+      this.fail(kFailed + error.message + ". ");
     }
   }
 
+  setShown(on) { for (const each of [this.tools, this.stage]) each.hidden = !on; }
+
+  /// Says why there is no 3D. It is tried again when the view is next shown.
   fail(text) {
-    this.scene = null;
-    this.message.replaceChildren(text, make("a", {href: "#view=plan"}, "See the plant as a plan"));
-    this.tools.hidden = true;
-    this.stage.hidden = true;
+    this.scene?.dispose();
+    this.scene = this.app.view3d = null;
+    this.loading = false;
+    this.stage.replaceChildren();
+    this.setShown(false);
+    setText(this.message, text);
+    this.message.append(make("a", {href: "#view=plan"}, "See the plant as a plan"));
   }
 
   /// To the trainer's camera, if it is another one than the last time.

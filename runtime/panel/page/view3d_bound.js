@@ -1,55 +1,24 @@
-// A node of a model that is bound to a device, a value, a track or a place.
-import {Euler, Quaternion} from "./build/three.module.js";
-import {heatOf, poseBetween, poseByValue, posesOf, sumOf} from "./view3d_binding.js";
-import {mixed} from "./view3d_colors.js";
-
-const kTint = .65;  // of a status on the colors of a model
-const kRadians = Math.PI / 180;
+// An entry of `view3d.nodes`: what binds a node of a model to a device, a value, a track or a place.
+import {poseAt} from "./motion.js";
+import {heatOf, kOwnPose, mixPoses, numberOfSymbol, poseByValue, posesOf, sumOf} from "./view3d_binding.js";
 
 export class Bound {
-  /// `device`: its index, or null. `parts`: the batch of a track or place, or null.
-  constructor(app, key, entry, object, device) {
-    Object.assign(this, {app, key, entry, object, device, meshes: [], colors: [], shown: null, parts: null});
-    this.position = object.position.clone();
-    this.rotation = object.quaternion.clone();
-    this.poses = device === null ? null : posesOf(entry, app.plant.devices[device].states);
-    this.byValue = Boolean(entry.move?.by || entry.turn?.by);
+  /// `node`: its BoundNode.
+  constructor(app, key, entry, node) {
+    Object.assign(this, {app, key, entry, node, device: app.names.index("device", key)});
+    this.location = this.device === null && entry.from ? app.names.index("location", key) : null;
+    this.poses = this.device === null ? null : posesOf(entry, app.plant.devices[this.device].states);
+    this.moves = Boolean(this.poses || entry.move?.by || entry.turn?.by);
     /// Of a value or a numeric symbol.
-    this.numberOf = (name) => Number(app.store.numbers[app.names.index("value", name)] ?? app.store.values[app.names.index("symbol", name)] ?? NaN);
+    this.numberOf = (name) => app.store.numbers[app.names.index("value", name)] ?? numberOfSymbol(app.store.values[app.names.index("symbol", name)] ?? null);
   }
 
-  /// What moves with the node and is of no other bound node gets materials of its own.
-  own(isBound) {
-    const take = (object) => {
-      if (object.isMesh) {
-        object.material = object.material.clone();
-        this.meshes.push(object);
-        this.colors.push(object.material.color.toArray());
-      }
-      for (const child of object.children) if (!isBound(child)) take(child);
-    };
-    take(this.object);
+  /// What it adds to the node's pose in the model, at plant time `now`.
+  pose(now) {
+    const byValue = poseByValue(this.entry, this.numberOf);
+    return this.poses ? sumOf(poseAt(this.app.store, this.device, now, (state) => this.poses[state] ?? kOwnPose, mixPoses), byValue) : byValue;
   }
 
-  /// Returns whether it has moved.
-  move(now) {
-    if (!this.poses && !this.byValue) return false;
-    const {store} = this.app;
-    const byState = this.poses ? poseBetween(this.poses, store.state[this.device], store.target[this.device], store.progress(this.device, now).done) : {move: [0, 0, 0], turn: [0, 0, 0]};
-    const pose = sumOf(byState, poseByValue(this.entry, this.numberOf));
-    const key = pose.move.concat(pose.turn).join();
-    if (key === this.shown) return false;
-    this.shown = key;
-    this.object.position.set(...pose.move).add(this.position);
-    this.object.quaternion.setFromEuler(new Euler(...pose.turn.map((degrees) => degrees * kRadians))).multiply(this.rotation);
-    this.object.updateMatrix();
-    return true;
-  }
-
-  /// `status`: the color of the device's status, or null.
-  paint(status) {
-    const heat = this.entry.color?.by ? heatOf(this.entry.color, this.numberOf(this.entry.color.by)) : null;
-    const own = heat ?? status;
-    this.meshes.forEach(({material}, i) => material.color.setRGB(...(own ? mixed(this.colors[i], own, heat ? .9 : kTint) : this.colors[i])));
-  }
+  /// The color by a value; null: it has none.
+  heat() { return this.entry.color?.by ? heatOf(this.entry.color, this.numberOf(this.entry.color.by)) : null; }
 }

@@ -9,6 +9,7 @@ import {fixedLabels, middleOf} from "./view3d_fixed_labels.js";
 import {partMatrix, Parts} from "./view3d_parts.js";
 import {kLit, kSpinning, shapeOf} from "./view3d_shapes.js";
 import {box, joined} from "./view3d_solids.js";
+import {reducedMotion} from "./theme.js";
 
 const kMostDetailed = 2500;  // devices; more are plain boxes
 const kBelt = .3;            // its height
@@ -85,10 +86,12 @@ export class Boxes {
     const {store} = this.app;
     const {kind, values} = this.devices[index];
     if (kind === "tank") return levelOf(store, values) ?? kUnknownLevel;
-    if (kSpinning.has(kind)) return runs(store, index) ? now % kTurn / kTurn : 0;
+    if (kSpinning.has(kind)) return this.spins(index) && !reducedMotion.matches ? now % kTurn / kTurn : 0;
     const {amount, turn: turned} = motionOf(store, index, now);
     return kind === "turntable" ? turned : amount;
   }
+
+  spins(index) { return kSpinning.has(this.devices[index].kind) && runs(this.app.store, index); }
 
   touch(index) {
     const device = this.devices[index];
@@ -110,9 +113,9 @@ export class Boxes {
     for (const index of this.active) {
       const device = this.devices[index];
       const p = device.movers.length > 0 ? this.where(index, now) : null;
-      const goesOn = store.moves(index) || (kSpinning.has(device.kind) && clock.runs && p > 0);
-      again ||= goesOn;
-      if (!goesOn && device.kind !== "tank") this.active.delete(index);
+      const [moves, spins] = [store.moves(index), this.spins(index)];
+      again ||= moves || (spins && clock.runs && !reducedMotion.matches);
+      if (!moves && !spins && device.kind !== "tank") this.active.delete(index);
       if (p === device.at) continue;
       device.at = p;
       for (const {slot, at} of device.movers) this.movers.move(slot, after(device.place, at(p)));

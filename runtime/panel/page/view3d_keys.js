@@ -3,8 +3,12 @@
 const kClick = 4;  // pixels: a longer drag turns the camera
 
 export const kView3dKeys = [["arrow keys", "move along the floor"], ["Shift + arrow keys", "turn"], ["+ and -", "nearer and farther"], ["0", "everything"],
-  ["t", "see through housings"]];
+  ["[ and ]", "to the previous, to the next device"], ["Enter", "open its details"], ["t", "see through housings"]];
 
+/// What a screen reader says of the picture.
+export const kView3dLabel = "The plant in 3D. " + kView3dKeys.map(([key, act]) => key + ": " + act).join("; ") + ".";
+
+const kSteps = {"[": -1, "]": 1};
 const kSides = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
 /// `scene` is the View3dScene.
@@ -16,11 +20,14 @@ export const listenToScene = (canvas, scene) => {
     from = null;
   });
   canvas.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const isBracket = event.key in kSteps;  // with AltGr on some keyboards
+    if (!isBracket && (event.ctrlKey || event.altKey || event.metaKey)) return;
     const side = kSides[event.key];
     if (side) event.shiftKey ? scene.stage.turn(side[0] * 10, side[1] * 10) : scene.stage.pan(side[0] / 10, side[1] / 10);
     else if (event.key === "+" || event.key === "=") scene.stage.zoom(1 / 1.25);
     else if (event.key === "-") scene.stage.zoom(1.25);
+    else if (isBracket) scene.step(kSteps[event.key]);
+    else if (event.key === "Enter") scene.openFocused();
     else if (event.key === "0") scene.goTo("");
     else if (event.key === "t") scene.setTranslucent(!scene.isTranslucent);
     else return;

@@ -4,10 +4,11 @@ import {motionOf} from "./plan_motion.js";
 import {GLTFLoader} from "./three/GLTFLoader.js";
 import {checkGlb} from "./glb_check.js";
 import {cleanGlb} from "./glb_clean.js";
-import {nodeAt, pathsOf} from "./view3d_binding.js";
+import {nodeAt, treeOf} from "./view3d_binding.js";
 import {Bound} from "./view3d_bound.js";
 import {litColor, mixed, sceneColors, statusColor} from "./view3d_colors.js";
 import {ModelParts} from "./view3d_model_parts.js";
+import {BoundNode} from "./view3d_node.js";
 import {kLit} from "./view3d_shapes.js";
 
 /// A loaded and bound model; an Error says what is wrong with it.
@@ -15,19 +16,19 @@ export const loadModel = async (app, name) => {
   const blob = await app.api.file("files/" + encodeURIComponent(name));
   const file = checkGlb(await blob.arrayBuffer());
   const loaded = await new Promise((done, fail) => new GLTFLoader().parse(cleanGlb(file), "", done, (error) => fail(new Error("its data cannot be read: " + error.message))));
-  return new Model(app, loaded.scene, await loaded.parser.getDependencies("node"), pathsOf(file.json));
+  return new Model(app, loaded.scene, await loaded.parser.getDependencies("node"), treeOf(file.json));
 };
 
 export class Model {
-  constructor(app, scene, objects, paths) {
-    Object.assign(this, {app, root: new Group(), slope: .6, selected: null, materials: new Map(), bound: []});
+  constructor(app, scene, objects, tree) {
+    Object.assign(this, {app, root: new Group(), slope: .6, selected: null, materials: new Map(), bound: [], nodes: new Map(), parts: []});
     this.targets = [scene];
     scene.updateMatrixWorld(true);
     this.box = new Box3().setFromObject(scene);
     this.root.add(scene, new HemisphereLight(0xffffff, 0x9a9a9a, .7), new DirectionalLight(0xffffff, .33));
     this.root.children[2].position.set(.35, .85, .4);
     scene.traverse((object) => { if (object.isMesh) object.material = this.simple(object.material); });
-    this.bind(objects, paths);
+    this.bind(objects, tree);
     this.unit = this.box.getSize(new Vector3()).length() / 12;  // a device is about so large, for names
     this.recolor();
   }
@@ -41,20 +42,23 @@ export class Model {
     return this.materials.get(material);
   }
 
-  bind(objects, paths) {
-    const {names, plant} = this.app;
-    for (const [key, entry] of Object.entries(plant.view3d.nodes ?? {})) {
-      const bound = new Bound(this.app, key, entry, objects[nodeAt(paths, entry.node)], names.index("device", key));
-      const location = bound.device === null ? names.index("location", key) : null;
-      if (location !== null && entry.from) bound.parts = new ModelParts(this.app, location, entry, bound.object);
+  bind(objects, tree) {
+    const {nodes} = this;
+    for (const [key, entry] of Object.entries(this.app.plant.view3d.nodes ?? {})) {
+      const object = objects[nodeAt(tree, entry.node)];
+      if (!nodes.has(object)) nodes.set(object, new BoundNode(object));
+      const bound = new Bound(this.app, key, entry, nodes.get(object));
+      nodes.get(object).bounds.push(bound);
       this.bound.push(bound);
     }
-    const nodes = new Set(this.bound.map(({object}) => object));
-    for (const each of this.bound) if (!each.parts) each.own((object) => nodes.has(object));
-    this.tags = new Map(this.bound.flatMap(({device, parts, object}) => device !== null ? [[object, {kind: "device", index: device}]]
-      : parts ? [[object, {kind: "location", index: parts.location}]] : []));
-    this.ofDevice = new Map(this.bound.filter(({device}) => device !== null).map((each) => [each.device, each]));
-    this.colored = this.bound.filter(({entry}) => entry.color?.by);
+    for (const node of nodes.values()) node.own((object) => nodes.get(object));
+    this.parts = this.bound.filter(({location}) => location !== null).map((bound) => new ModelParts(this.app, bound.location, bound.entry, bound.node.object));
+    this.tags = [...this.bound.filter(({device}) => device !== null).map(({device, node}) => ({kind: "device", index: device, node})),
+      ...this.bound.filter(({location}) => location !== null).map(({location, node}) => ({kind: "location", index: location, node}))];
+    this.tagOfObject = new Map([...this.tags].reverse().map((tag) => [tag.node.object, tag]));  // of two the first
+    for (const {location, parts} of this.parts) this.tagOfObject.set(parts.mesh, this.tags.find(({kind, index}) => kind === "location" && index === location));
+    this.ofDevice = new Map(this.bound.filter(({device}) => device !== null).map(({device, node}) => [device, node]));
+    this.colored = [...nodes.values()].filter(({bounds}) => bounds.some(({entry}) => entry.color?.by));
   }
 
   recolor() {
@@ -72,43 +76,43 @@ export class Model {
     return statusColor(statuses.of[index]) ?? (isOn ? litColor(plant.devices[index]) : null);
   }
 
-  touch(index) { this.ofDevice.get(index)?.paint(this.colorOf(index)); }
+  paint(node) { node.paint((device) => this.colorOf(device)); }
 
-  touchAll() {
-    for (const each of this.bound) each.paint(each.device === null ? null : this.colorOf(each.device));
+  touch(index) {
+    const node = this.ofDevice.get(index);
+    if (node) this.paint(node);
   }
+
+  touchAll() { for (const node of this.nodes.values()) this.paint(node); }
 
   /// Moves what has moved until plant time `now`; returns whether something moves on.
   draw(now) {
     let again = false;
-    for (const each of this.bound) {
-      again = each.move(now) || again;
-      if (each.parts) again = each.parts.draw(now, this.colors) || again;
-      again ||= each.device !== null && this.app.store.moves(each.device);
-    }
-    for (const each of this.colored) each.paint(null);
-    return again;
+    for (const node of this.nodes.values()) again = node.move(now) || again;
+    for (const parts of this.parts) again = parts.draw(now, this.colors) || again;
+    for (const node of this.colored) this.paint(node);
+    return again || [...this.ofDevice.keys()].some((device) => this.app.store.moves(device));
   }
 
   names() {
-    return this.bound.filter(({object}) => this.tags.has(object)).map(({device, parts, object}) => {
-      const box = new Box3().setFromObject(object);
+    return this.tags.map(({kind, index, node}) => {
+      const box = node.worldBox();
       const [x, , z] = box.getCenter(new Vector3()).toArray();
-      const text = device !== null ? {device} : {key: "location " + parts.location, text: this.app.plant.locations[parts.location].name};
+      const text = kind === "device" ? {device: index} : {key: "location " + index, text: this.app.plant.locations[index].name};
       return Object.assign(text, {near: true, x, y: box.max.y, z});
     });
   }
 
   /// { center, size, turn } of a device, track or place; null: the model has none.
   outline({kind, index}) {
-    const found = [...this.tags].find(([, tag]) => tag.kind === kind && tag.index === index);
+    const found = this.tags.find((tag) => tag.kind === kind && tag.index === index);
     if (!found) return null;
-    const box = new Box3().setFromObject(found[0]);
+    const box = found.node.worldBox();
     return {center: box.getCenter(new Vector3()).toArray(), size: box.getSize(new Vector3()).addScalar(.03).toArray(), turn: 0};
   }
 
   tagOf({object}) {
-    for (let at = object; at; at = at.parent) if (this.tags.has(at)) return this.tags.get(at);
+    for (let at = object; at; at = at.parent) if (this.tagOfObject.has(at)) return this.tagOfObject.get(at);
     return null;
   }
 

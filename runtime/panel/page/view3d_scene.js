@@ -3,13 +3,14 @@ import {Boxes} from "./view3d_boxes.js";
 import {statusLabel} from "./view3d_colors.js";
 import {listenToScene} from "./view3d_keys.js";
 import {loadModel} from "./view3d_model.js";
+import {describe} from "./plan_pick.js";
 import {Stage} from "./view3d_stage.js";
 import {onTheme} from "./theme.js";
 
 export class View3dScene {
-  /// `say(text)` shows a sentence, or removes it. `toggled(on)`: translucent or not.
-  constructor(app, canvas, say, toggled) {
-    Object.assign(this, {app, say, toggled, dirty: true, isTranslucent: false, drawn: 0});
+  /// `page`: `say(text)` shows a sentence, or removes it; `toggled(on)`: translucent or not; `announce(text)`: what has the focus.
+  constructor(app, canvas, page) {
+    Object.assign(this, {app, page, dirty: true, isTranslucent: false, drawn: 0, focused: null, marked: null});
     this.stage = new Stage(canvas, () => this.changed(), (device) => statusLabel(app, device));
     this.ends = [app.layout.listen(() => this.rebuild()), onTheme(() => this.rebuild())];
     this.observer = new ResizeObserver(() => this.changed());
@@ -17,22 +18,25 @@ export class View3dScene {
     listenToScene(canvas, this);
   }
 
-  /// Boxes at once, then the model if there is one.
-  async open() {
+  showBoxes() {
     this.stage.fit();
     this.setContent(new Boxes(this.app, this.app.layout.placed));
     this.stage.showAll(true);
+  }
+
+  /// Instead of boxes, if there is one.
+  async showModel() {
     const {model} = this.app.plant.view3d ?? {};
     if (!model) return;
     try {
-      this.say("The model " + model + " is loaded ...");
+      this.page.say("The model " + model + " is loaded ...");
       const content = await loadModel(this.app, model);
-      this.say("");
+      this.page.say("");
       this.stage.fit();
       this.setContent(content);
       this.stage.showAll(true);
     } catch (error) {
-      this.say("The model " + model + " cannot be shown: " + error.message + ". Boxes are shown instead.");
+      this.page.say("The model " + model + " cannot be shown: " + error.message + ". Boxes are shown instead.");
     }
   }
 
@@ -63,11 +67,35 @@ export class View3dScene {
     const selection = this.app.router.selection();
     const index = selection && ["device", "location"].includes(selection.kind) ? this.app.names.index(selection.kind, selection.name) : null;
     const tag = index === null ? null : {kind: selection.kind, index};
-    this.stage.named = tag?.kind === "device" ? index : null;
     this.stage.content.select(tag);
+    if (tag?.kind === "device") this.focused = index;
+    this.mark(tag);
+  }
+
+  /// The outline, and the name of a device, stay with what is selected or has the focus.
+  mark(tag) {
+    this.marked = tag;
+    this.stage.named = tag?.kind === "device" ? tag.index : null;
     this.stage.setOutline(tag && this.stage.content.outline(tag));
     this.changed();
   }
+
+  /// The focus to the next (1) or previous (-1) device that the view shows.
+  step(by) {
+    const count = this.app.plant.devices.length;
+    let index = this.focused ?? (by > 0 ? -1 : count);
+    for (let tries = 0; tries < count; ++tries) {
+      index = (index + by + count) % count;
+      const around = this.stage.content.outline({kind: "device", index});
+      if (!around) continue;
+      this.focused = index;
+      this.mark({kind: "device", index});
+      this.stage.reveal(around.center);
+      return this.page.announce(describe(this.app, this.app.layout.placed, this.marked));
+    }
+  }
+
+  openFocused() { if (this.focused !== null) this.app.router.select("device", this.app.names.name("device", this.focused)); }
 
   /// What changed while another view was shown.
   refresh() {
@@ -83,7 +111,7 @@ export class View3dScene {
   setTranslucent(on) {
     this.isTranslucent = on;
     this.stage.content.setTranslucent(on);
-    this.toggled(on);
+    this.page.toggled(on);
     this.changed();
   }
 
@@ -109,9 +137,15 @@ export class View3dScene {
     if (this.dirty || flies || moves) {
       this.dirty = false;
       this.drawn += 1;
-      if (moves && this.stage.named !== null) this.stage.setOutline(this.stage.content.outline({kind: "device", index: this.stage.named}));
+      if (moves && this.marked) this.stage.setOutline(this.stage.content.outline(this.marked));
       this.stage.render();
     }
     return flies || (moves && this.app.clock.runs);
+  }
+
+  dispose() {
+    for (const end of this.ends) end();
+    this.observer.disconnect();
+    this.stage.dispose();
   }
 }

@@ -8,6 +8,7 @@ import {kRest, Pace} from "./view3d_pace.js";
 
 const kFlight = 600;  // ms from one camera to another
 const kNear = 36;     // pixels that a unit has on the screen, for its name to be shown
+const kInside = .95;  // of the half picture: what is farther out is not seen well
 const kMost = 90;     // names at once
 
 /// Whether the graphics are computed by the processor: then fewer pixels are drawn.
@@ -59,11 +60,12 @@ export class Stage {
     this.isWhole = true;
   }
 
-  /// To a camera { from, to }, with a flight unless motion is unwanted or `atOnce`.
+  /// To a camera { from, to }, with a flight unless motion is unwanted or `atOnce`, or there is no camera yet from which to fly.
   goTo({from, to}, atOnce = false) {
     this.isWhole = false;
     const [position, target] = [new Vector3(...from), new Vector3(...to)];
-    if (atOnce || reducedMotion.matches) {
+    const canFly = [...this.camera.position.toArray(), ...this.controls.target.toArray()].every(Number.isFinite);
+    if (atOnce || !canFly || reducedMotion.matches) {
       this.flight = null;
       this.camera.position.copy(position);
       this.controls.target.copy(target);
@@ -111,6 +113,16 @@ export class Stage {
     this.goTo({from: this.controls.target.clone().add(arm).toArray(), to: this.controls.target.toArray()}, true);
   }
 
+  /// To a point if it is not in the picture, from the same side and as far away.
+  reveal(point) {
+    const to = new Vector3(...point);
+    this.camera.updateMatrixWorld();
+    const at = to.clone().project(this.camera);
+    if (Math.abs(at.x) < kInside && Math.abs(at.y) < kInside && at.z < 1) return;
+    const from = this.camera.position.clone().sub(this.controls.target).add(to);
+    this.goTo({from: from.toArray(), to: point});
+  }
+
   /// The tag of what is at a point of the page; null: nothing.
   pick(x, y) {
     const box = this.canvas.getBoundingClientRect();
@@ -134,16 +146,17 @@ export class Stage {
     this.outline.add(line);
   }
 
-  /// Fits the picture to its element, and to how fast frames are.
+  /// Fits the picture to its element, and to how fast frames are. An element that is not shown has no size: then the picture stays as it is.
   fit() {
     const [wide, high] = [this.canvas.parentElement.clientWidth, this.canvas.parentElement.clientHeight];
+    if (wide === 0 || high === 0) return;
     const ratio = this.software ? Math.min(1, devicePixelRatio) * this.sharpness : Math.min(2, devicePixelRatio);
     const isResized = wide !== this.size[0] || high !== this.size[1];
     if (!isResized && ratio === this.size[2]) return;
     this.size = [wide, high, ratio];
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(wide, high, true);
-    this.camera.aspect = wide / Math.max(1, high);
+    this.camera.aspect = wide / high;
     this.camera.updateProjectionMatrix();
     if (isResized && this.isWhole) this.showAll(true);
   }
@@ -180,9 +193,12 @@ export class Stage {
   }
 
   dispose() {
+    clearTimeout(this.rest);
+    this.setOutline(null);
     this.content?.dispose();
     this.labels.dispose();
     this.controls.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 }

@@ -172,7 +172,8 @@ test("Nodes in cycles, with two parents, too deep or too many are refused", () =
   refused(/names -1 of 1/, ({json}) => { json.nodes[1].mesh = -1; });
   refused(/invalid `translation`/, ({json}) => { json.nodes[1].translation = [0, 1e9, 0]; });
   refused(/invalid `matrix`/, ({json}) => { json.nodes[1].matrix = [1, 2, 3]; });
-  refused(/invalid name/, ({json}) => { json.nodes[1].name = "x".repeat(1001); });
+  refused(/invalid name/, ({json}) => { json.nodes[1].name = 5; });
+  for (const name of ["x".repeat(1001), "ä".repeat(501)]) refused(/name of more than 1,000 bytes/, ({json}) => { json.nodes[1].name = name; });
   refused(/no scene/, ({json}) => { json.scene = 5; });
   refused(/no nodes, or one twice/, ({json}) => { json.scenes[0].nodes = [0, 0]; });
   refused(/names the node 9 of 3/, ({json}) => { json.scenes[0].nodes = [9]; });

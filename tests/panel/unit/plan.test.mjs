@@ -159,6 +159,19 @@ test("Names that all objects have are names like others", () => {
   for (const {x, y} of [...frames, ...devices]) assert.ok(Number.isFinite(x) && Number.isFinite(y));
 });
 
+test("A group, a device and a track may have the name __proto__", () => {
+  const plant = smallPlant();
+  plant.devices[0].name = "__proto__";
+  plant.locations[0].name = "__proto__";
+  const placed = layOut(plant);
+  const grouped = groupDevices(plant, placed, wholePlan(plant, placed), [0], "__proto__");
+  const plan = JSON.parse(JSON.stringify(moveThings(plant, placed, grouped, [{kind: "device", index: 0}, {kind: "location", index: 0}], 1, 0)));
+  const after = layOut(plant, plan);
+  assert.deepEqual(after.frames.map(({name, devices}) => [name, devices]), [["LINE S1", [1]], ["__proto__", [0]]]);
+  for (const [now, before] of [[after.devices[0], placed.devices[0]], [after.locations[0], placed.locations[0]]]) assert.deepEqual([now.x, now.y], [before.x + 1, before.y]);
+  assert.equal(after.locations[0].length, placed.locations[0].length);
+});
+
 test("A new revision in the stream loads the layout, once", async () => {
   const plant = smallPlant();
   const asked = [];

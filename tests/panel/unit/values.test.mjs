@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {Names} from "../../../runtime/panel/page/names.js";
+import {levelOf} from "../../../runtime/panel/page/plan_motion.js";
 import {Store, VALUE} from "../../../runtime/panel/page/store.js";
 import {valuesText} from "../../../runtime/panel/page/tile.js";
 import {formulaText, hasRange, isKnown, numberText, partOf, rangeText, shortName, sliderStep, withUnit} from "../../../runtime/panel/page/value_words.js";
@@ -31,6 +32,21 @@ test("A plant whose description has no values has none", () => {
   assert.deepEqual(store.valuesOf(0), []);
 });
 
+test("A number that is not known, or not yet, is no zero", () => {
+  const store = new Store(plantWithValues());
+  assert.ok(store.numbers.every(Number.isNaN));
+  store.picture({...pictureWithValues(), values: [[4, 0], [null, 0], [40, 0]]});
+  assert.deepEqual([...store.numbers], [4, NaN, 40]);
+  store.changes({rev: 2, t: 1, values: [[1, 0, 0], [2, null, 0]]});
+  assert.deepEqual([...store.numbers], [4, 0, NaN]);
+  assert.equal(withUnit(NaN, {unit: "l"}), "-");
+  assert.equal(partOf({min: 0, max: 120}, NaN), 0);
+  assert.equal(levelOf(store, [2]), null);
+  assert.equal(levelOf(store, [1]), 0);
+  store.changes({rev: 3, t: 2, values: [[1, null, 0]]});
+  assert.equal(levelOf(store, [1]), null);
+});
+
 test("Values belong to the device whose name they begin with, and its tile shows the first three", () => {
   const store = startedStore();
   assert.deepEqual([store.valuesOf(0), store.valuesOf(1)], [[1, 2], []]);
@@ -38,7 +54,7 @@ test("Values belong to the device whose name they begin with, and its tile shows
   assert.equal(valuesText(store, 1), "");
   const many = plantWithValues();
   many.values = Array.from({length: 5}, (_, i) => ({...many.values[1], name: "LINE_S1_CLAMP.v" + i}));
-  assert.equal(valuesText(new Store(many), 0), "v0 0 l, v1 0 l, v2 0 l");
+  assert.equal(valuesText(new Store(many), 0), "v0 -, v1 -, v2 -");
 });
 
 test("Values are found by name and by unit", () => {

@@ -5,7 +5,7 @@ import {dirname, join} from "node:path";
 import {test} from "node:test";
 import {fileURLToPath} from "node:url";
 import {after, kSame, placed, pointAt, shift, stretch, turn} from "../../../runtime/panel/page/view3d_affine.js";
-import {amountOf, heatOf, nodeAt, pathsOf, poseBetween, poseByValue, posesOf, sumOf} from "../../../runtime/panel/page/view3d_binding.js";
+import {amountOf, heatOf, mixPoses, nodeAt, numberOfSymbol, poseByValue, posesOf, sumOf, treeOf} from "../../../runtime/panel/page/view3d_binding.js";
 import {overviewOf} from "../../../runtime/panel/page/view3d_overview.js";
 import {Pace} from "../../../runtime/panel/page/view3d_pace.js";
 import {shapeOf} from "../../../runtime/panel/page/view3d_shapes.js";
@@ -21,11 +21,14 @@ test("A node has the pose of its device's state, and the model's own pose in a s
   assert.equal(posesOf({node: "AGV", from: [0, 0, 0]}, ["from"]), null);  // a key of its own is no state
 });
 
-test("During a move the pose is between both, by the progress; a target that is no state changes nothing", () => {
+test("Poses are mixed by the progress of a move", () => {
   const poses = posesOf({P1: {move: [0, 0, 1]}, P2: {move: [2, 0, 1], turn: [0, 270, 0]}}, ["P1", "P2"]);
-  assert.deepEqual(poseBetween(poses, 0, 1, .25), {move: [.5, 0, 1], turn: [0, 67.5, 0]});
-  assert.deepEqual(poseBetween(poses, 1, 0, .25), {move: [1.5, 0, 1], turn: [0, 202.5, 0]});  // back
-  assert.deepEqual(poseBetween(poses, 1, -1, .5), poses[1]);
+  assert.deepEqual(mixPoses(poses[0], poses[1], .25), {move: [.5, 0, 1], turn: [0, 67.5, 0]});
+  assert.deepEqual(mixPoses(poses[1], poses[0], .25), {move: [1.5, 0, 1], turn: [0, 202.5, 0]});  // back
+});
+
+test("A symbol without a number adds nothing", () => {
+  assert.deepEqual([null, false, true, "x", 0, 7, "9007199254740993", "2.5"].map(numberOfSymbol), [NaN, NaN, NaN, NaN, 0, 7, 9007199254740992, 2.5]);
 });
 
 test("A value moves or turns a node by number * scale + offset, along or about an axis", () => {
@@ -47,22 +50,40 @@ test("A value colors from blue to red, and stays at the ends", () => {
 });
 
 test("A path names a node by its ancestors, which may be left out if that is unique", () => {
-  const paths = pathsOf({scenes: [{nodes: [0, 4]}], nodes: [{name: "Cell", children: [1, 2]}, {name: "AGV"}, {name: "Arm", children: [3]}, {name: "Jaw"}, {name: "Jaw"}, {name: "outside"}]});
-  assert.deepEqual(paths, ["Cell", "Cell/AGV", "Cell/Arm", "Cell/Arm/Jaw", "Jaw", null]);
-  assert.equal(nodeAt(paths, "AGV"), 1);
-  assert.equal(nodeAt(paths, "Arm/Jaw"), 3);
-  assert.equal(nodeAt(paths, "Jaw"), 4);  // exactly so
-  assert.throws(() => nodeAt(paths, "GV"), /no node `GV`/);
-  assert.throws(() => nodeAt(paths, "outside"), /no node/);
-  assert.throws(() => nodeAt([...paths, "B/AGV"], "AGV"), /2 nodes `AGV`/);
+  const nodes = [{name: "Cell", children: [1, 2]}, {name: "AGV"}, {name: "Arm", children: [3]}, {name: "Jaw"}, {name: "Jaw"}, {name: "outside"}];
+  const tree = treeOf({scenes: [{nodes: [0, 4]}], nodes});
+  assert.deepEqual(tree.parents, [null, 0, 0, 2, null, undefined]);
+  assert.deepEqual(["AGV", "Cell/AGV", "Arm/Jaw", "Cell/Arm/Jaw"].map((path) => nodeAt(tree, path)), [1, 1, 3, 3]);
+  assert.equal(nodeAt(tree, "Jaw"), 4);  // exactly so
+  for (const path of ["GV", "/AGV", "Cell/", "X/Cell/AGV", "ell/AGV", "Cell//AGV", "", "outside"]) assert.throws(() => nodeAt(tree, path), /no node/, path);
+  const twice = treeOf({scenes: [{nodes: [0, 6]}], nodes: [...nodes, {name: "B", children: [7]}, {name: "AGV"}]});
+  assert.throws(() => nodeAt(twice, "AGV"), /2 nodes `AGV`/);
+  assert.equal(nodeAt(twice, "B/AGV"), 7);
+});
+
+test("Ancestors without a name are left out of paths, and a name may have a stroke", () => {
+  const tree = treeOf({scenes: [{nodes: [0]}], nodes: [{children: [1]}, {name: "Cell", children: [2]}, {children: [3, 4]}, {name: "Door"}, {name: "A/B", children: [5]}, {}]});
+  assert.deepEqual(tree.parents, [null, null, 1, 1, 1, 4]);
+  assert.equal(nodeAt(tree, "Cell/Door"), 3);
+  assert.equal(nodeAt(tree, "Cell/A/B"), 4);
+  assert.throws(() => nodeAt(tree, "Cell//Door"), /no node/);
+});
+
+test("Paths of many nodes with long names below each other are compared without being made", () => {
+  const name = "n".repeat(1000);
+  const nodes = Array.from({length: 20000}, (_, i) => ({name, children: i % 64 < 63 && i < 19999 ? [i + 1] : []}));
+  const tree = treeOf({scenes: [{nodes: nodes.flatMap((_, i) => i % 64 === 0 ? [i] : [])}], nodes: nodes.map((node, i) => i === 63 ? {name: "last"} : node)});
+  const before = process.memoryUsage().heapUsed;
+  assert.equal(nodeAt(tree, name + "/last"), 63);
+  assert.ok(process.memoryUsage().heapUsed - before < 1e8);
 });
 
 test("The nodes of the examples are in their models", () => {
   for (const [folder, file] of [["cell", "cell.glb"], ["harbour-crane", "crane.glb"]]) {
     const bytes = readFileSync(join(kRoot, "examples", folder, file));
-    const paths = pathsOf(JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString()));
+    const tree = treeOf(JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString()));
     const text = readFileSync(join(kRoot, "examples", folder, "plant.json"), "utf8").replace(/\/\/.*$/gm, "");
-    for (const {node} of Object.values(JSON.parse(text).view3d.nodes)) nodeAt(paths, node);
+    for (const {node} of Object.values(JSON.parse(text).view3d.nodes)) nodeAt(tree, node);
   }
 });
 

@@ -80,7 +80,7 @@ await withPlant(["run", "examples/cell/plant.json"], async () => {
   await page.emulateMedia({colorScheme: "dark", reducedMotion: "reduce"});
   await view3d();
   await act({state: {EXLINE_MB_DOOR: "OPEN2"}}, {force: {EXLINE_MB_AGV_O_P2: true}});
-  await until("the vehicle on its way", () => page.evaluate(() => symplant.view3d.stage.content.bound[0].object.position.x > 2.2));
+  await until("the vehicle on its way", () => page.evaluate(() => symplant.view3d.stage.content.bound[0].node.object.position.x > 2.2));
   await act({freeze: true}, {force: {EXLINE_S1_STOPPER1_O_ADV: true}});
   await page.getByRole("combobox", {name: "Camera"}).selectOption("machine");
   await sharp();

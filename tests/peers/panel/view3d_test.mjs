@@ -7,6 +7,7 @@ import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
 import {join} from "node:path";
 import {Browser, kSoftware3d, until} from "./browser.mjs";
+import {pack, smallModel} from "../../panel/unit/glb.mjs";
 import {kProject, startProgram} from "./plants.mjs";
 
 const [playwright, axe, symplant] = process.argv.slice(2);
@@ -32,7 +33,7 @@ const modelShown = (page) => until("the model", async () => page.evaluate(() => 
 const sentence = (page) => page.locator(".view3d > p").innerText();
 const pressed = (page, name) => page.getByRole("button", {name}).getAttribute("aria-pressed");
 const cameraAt = (page) => page.evaluate(() => symplant.view3d.stage.camera.position.toArray().map((value) => Math.round(value * 100) / 100));
-const nodeAt = (page, device) => page.evaluate((name) => symplant.view3d.stage.content.bound.find(({key}) => key === name).object.position.toArray(), device);
+const nodeAt = (page, device) => page.evaluate((name) => symplant.view3d.stage.content.bound.find(({key}) => key === name).node.object.position.toArray(), device);
 const act = (page, ...acts) => page.evaluate((list) => symplant.api.acts(...list), acts);
 const noFaults = async (page, where) => {
   for (const colorScheme of ["light", "dark"]) {
@@ -93,6 +94,79 @@ const kTests = [
     assert.equal(await pressed(page, "See through"), "false");
     assert.equal(await page.evaluate(() => symplant.router.route.view), "3d");
   })],
+  ["keys go from device to device, open details, and a screen reader hears which device it is", () => run("examples/training-line/plant.json", async (page, link) => {
+    await open3d(page, link);
+    await page.locator("canvas").focus();
+    const names = await page.evaluate(() => symplant.plant.devices.map(({name}) => name));
+    const said = () => page.locator(".view3d > [role=status].hidden-text").innerText();
+    for (const [key, index] of [["]", 0], ["]", 1], ["[", 0], ["[", names.length - 1], ["]", 0], ["]", 1]]) {
+      await page.keyboard.press(key);
+      assert.ok((await said()).startsWith(names[index] + ", "), key + ": " + await said());
+      assert.equal(await page.evaluate(() => symplant.view3d.stage.outline.children.length), 1);
+    }
+    await page.keyboard.press("Enter");
+    await page.getByRole("complementary", {name: "Details"}).getByRole("heading", {name: names[1], exact: true}).waitFor();
+  })],
+  ["a track and a place of a model have outlines and parts", () => run("examples/training-line/plant.json", async (page, link) => {
+    const {json, bin} = smallModel();
+    const untextured = {...json, images: [], textures: [], materials: [{}]};
+    await page.route("**/api/v1/files/small.glb", (route) => route.fulfill({body: Buffer.from(pack({json: untextured, bin})), contentType: "model/gltf-binary"}));
+    await page.route("**/api/v1/plant", async (route) => {
+      const plant = await (await route.fetch()).json();
+      const nodes = Object.fromEntries(plant.locations.slice(0, 2).map(({name}, i) => [name, {node: ["AGV", "Door"][i], from: [0, .5, 0], to: [2, .5, 0]}]));
+      await route.fulfill({json: {...plant, view3d: {model: "small.glb", cameras: {}, nodes}}});
+    });
+    await open3d(page, link);
+    await modelShown(page);
+    await until("a part", async () => page.evaluate(() => symplant.view3d.stage.content.parts.some(({parts}) => parts.shown > 0)));
+    const outline = () => page.evaluate(() => symplant.view3d.stage.content.outline({kind: "location", index: 0}));
+    const before = await outline();
+    assert.ok([...before.center, ...before.size].every(Number.isFinite), JSON.stringify(before));
+    await page.waitForTimeout(300);
+    assert.deepEqual(await outline(), before);
+    await page.evaluate(() => symplant.router.select("location", symplant.plant.locations[0].name));
+    await until("an outline", async () => page.evaluate(() => symplant.view3d.stage.outline.children.length === 1));
+    assert.deepEqual(await sentence(page), "");
+  })],
+  ["a view that is left while its model is loaded shows it when it is back", () => run(kCell, async (page, link) => {
+    let answer = () => {};
+    const asked = new Promise((done) => { answer = done; });
+    await page.route("**/api/v1/files/cell.glb", (route) => answer(route));
+    await open3d(page, link);
+    const route = await asked;
+    await page.getByRole("link", {name: "Plan"}).click();
+    await page.evaluate(() => symplant.view3d.changed());
+    await route.continue();
+    await modelShown(page);
+    await page.waitForTimeout(300);
+    await page.getByRole("link", {name: "3D"}).click();
+    await until("everything", () => page.evaluate(() => {
+      const {stage} = symplant.view3d;
+      const {clientWidth, clientHeight} = stage.canvas.parentElement;
+      const at = stage.camera.position.toArray();
+      const isWhole = stage.overview().from.every((value, i) => Math.abs(value - at[i]) < 1e-6);
+      return (isWhole && stage.camera.aspect === clientWidth / clientHeight) || JSON.stringify([at, stage.overview(), stage.camera.aspect, clientWidth, clientHeight]);
+    }));
+  })],
+  ["after a failure there is a sentence, nothing stays behind, and the view is tried again when it is next shown", () => run("examples/training-line/plant.json", async (page, link) => {
+    await page.goto(link + "&view=plan");
+    await page.waitForSelector("body[data-ready]");
+    const listeners = () => page.evaluate(() => symplant.layout.listeners.size);
+    const before = await listeners();
+    await page.evaluate(() => {
+      const {layout} = symplant;
+      Object.defineProperty(layout, "placed", {configurable: true, get: () => { throw new Error("no layout"); }});
+    });
+    await page.evaluate(() => symplant.router.view("3d"));
+    await until("the sentence", async () => /^The 3D view cannot be shown: no layout\. See the plant as a plan$/.test(await sentence(page)) || await sentence(page));
+    assert.deepEqual([await page.locator("canvas").count(), await listeners(), await page.evaluate(() => symplant.view3d)], [0, before, null]);
+    await page.evaluate(() => { delete symplant.layout.placed; });
+    await page.getByRole("link", {name: "See the plant as a plan"}).click();
+    await page.getByRole("link", {name: "3D"}).click();
+    await until("a picture in 3D", async () => page.evaluate(() => (symplant.view3d?.drawn ?? 0) > 0), 30000);
+    assert.equal(await sentence(page), "");
+    assert.ok(await page.getByRole("button", {name: "Show everything"}).isVisible());
+  })],
   ["a node of the model moves with its device, and back when the command turns around", () => run(kCell, async (page, link) => {
     await open3d(page, link);
     await modelShown(page);
@@ -113,12 +187,12 @@ const kTests = [
   ["values turn, move and color the nodes of the crane", () => run("examples/harbour-crane/plant.json", async (page, link) => {
     await open3d(page, link);
     await modelShown(page);
-    const load = () => page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "load").meshes[0].material.color.getHex());
+    const load = () => page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "load").node.meshes[0].material.color.getHex());
     const [height, cold] = [await nodeAt(page, "height"), await load()];
     await act(page, {set: {"hoist.height": 20, "slew.angle": 90, load: 40}});
     await until("the height", async () => Math.abs((await nodeAt(page, "height"))[1] - height[1] - 10) < .01);
     await until("the color", async () => await load() !== cold);
-    const turned = await page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "slewing").object.rotation.y * 180 / Math.PI);
+    const turned = await page.evaluate(() => symplant.view3d.stage.content.bound.find(({key}) => key === "slewing").node.object.rotation.y * 180 / Math.PI);
     assert.ok(Math.abs(turned - 90) < .1, String(turned));
   })],
   ["a trainer shows a camera to everyone, and everything again", () => run(kCell, async (page, link) => {
