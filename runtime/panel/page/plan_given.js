@@ -39,10 +39,10 @@ export const putGiven = (plant, plan, model, out) => {
     if (!given) return;
     const isFree = (x, y) => fixed.every(([ox, oy]) => Math.abs(ox - given.x - x) >= kPitch || Math.abs(oy - given.y - y) >= kPitch)
       && belts.every((belt) => !overlaps(belt, {x: given.x + x - 1, y: given.y + y - 1, w: kPitch, h: kPitch}));
-    const block = gridBlock(things, frame, 1.6, (thing) => {
+    const block = gridBlock(things, frame, 1.6, things.map((thing) => {
       const at = givenOf(thing);
       return at ? [at.x, at.y] : null;
-    }, isFree);
+    }), isFree);
     block.emit(makeInto(1, given.x, given.y), out);
     enclose(out.frames[frame], model.locations.filter((location) => location.given && location.home === frame).map(({index}) => rectOf(out.locations[index])));
     fixed.push(...things.map(({device}) => device).filter((device) => device !== undefined).map((device) => [out.devices[device].x, out.devices[device].y]));

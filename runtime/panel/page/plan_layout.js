@@ -2,6 +2,7 @@
 // gave. Pure and deterministic, without elements. Time: O(k * (n log n + p)) for n devices, tracks and places, p passes of parts, and k shapes of
 // stations that are tried.
 import {bareBlock, gridBlock, longBlock, measureLong, stationBlock} from "./plan_blocks.js";
+import {shiftInto} from "./plan_cells.js";
 import {layered, sizeCost} from "./plan_flow.js";
 import {boundsOf, makeInto} from "./plan_geometry.js";
 import {putGiven} from "./plan_given.js";
@@ -58,11 +59,11 @@ const makeBlocks = (plant, plan, model, parts, shape) => {
   frames.forEach(({given, things}, frame) => {
     if (given) return;
     if (parts.own[frame].length > 0 && parts.host[frame] === null) blocks.push(stationBlock(model, frame, parts.own[frame], shape));
-    else if (parts.host[frame] === null) grids.push(gridBlock(things, frame, shape * 1.6, givenOf));
+    else if (parts.host[frame] === null) grids.push(gridBlock(things, frame, shape * 1.6, shiftInto(things.map(givenOf))));
   });
   for (const index of parts.bare) if (locations[index].hangsFrom === null) blocks.push(bareBlock(model, index));
   const loose = model.loose.filter((thing) => givenOf(thing) === null);
-  if (loose.length > 0) grids.push(gridBlock(loose, null, kScreen, () => null));
+  if (loose.length > 0) grids.push(gridBlock(loose, null, kScreen, loose.map(() => null)));
   return {blocks, grids, loose};
 };
 
