@@ -15,15 +15,15 @@ const enclose = (frame, rects) => {
 };
 
 /// What has a given position. Things of a frame with a given position that have none themselves fill its free cells.
-export const putGiven = (plant, plan, model, out) => {
+export const putGiven = (plant, plan, model, kept, out) => {
   for (const {index, location, given, length} of model.locations) {
     if (!given) continue;
     const {columns, rows} = slotsOf(location);
     out.locations[index] = location.kind === "place" ? {kind: "place", x: given.x, y: given.y, w: columns, h: rows, columns}
       : {kind: "track", x: given.x, y: given.y, length: given.length ?? length, turn: given.turn ?? 0, width: kBelt};
   }
-  const givenOf = ({device}) => {
-    const given = device === undefined ? undefined : givenFor(plan.devices, plant.devices[device].name);
+  const givenOf = ({device, symbol}) => {
+    const given = device === undefined ? kept.get(symbol) : givenFor(plan.devices, plant.devices[device].name);
     return given?.x !== undefined ? given : null;
   };
   const fixed = [];  // centers of symbols

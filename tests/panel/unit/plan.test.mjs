@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 import {LayoutState} from "../../../runtime/panel/page/layout_state.js";
 import {Camera} from "../../../runtime/panel/page/plan_camera.js";
-import {devicesOf, groupDevices, moveThings, turnThings, wholePlan} from "../../../runtime/panel/page/plan_change.js";
+import {devicesOf, groupDevices, moveThings, operatorsOf, turnThings, wholePlan} from "../../../runtime/panel/page/plan_change.js";
 import {layOut, pointOn, slotOf} from "../../../runtime/panel/page/plan_layout.js";
 import {amountOf, levelOf, motionOf, runs, valuesByDevice} from "../../../runtime/panel/page/plan_motion.js";
 import {boxOf, describe, nextThing, pick, thingsOf} from "../../../runtime/panel/page/plan_pick.js";
@@ -112,6 +112,19 @@ test("A plan that gives every position has the same layout, in any plant", () =>
     assert.deepEqual(again.devices, placed.devices, "plant " + seed);
     assert.deepEqual(again.locations, placed.locations, "plant " + seed);
     assert.deepEqual(again.frames.map(({x, y}) => [x, y]), placed.frames.map(({x, y}) => [x, y]), "plant " + seed);
+  }
+});
+
+test("While a plan with every position is edited, operated symbols stay in their frames", () => {
+  for (let seed = 1; seed <= kSeeds / 4; ++seed) {
+    const plant = inventedPlant(seed);
+    const placed = layOut(plant);
+    const kept = operatorsOf(placed);
+    const bySymbol = ({operators}) => [...operators].sort((a, b) => a.symbol - b.symbol).map(({symbol, x, y, frame}) => [symbol, frame, Math.round(x * 1e6), Math.round(y * 1e6)]);
+    const plan = wholePlan(plant, placed);
+    assert.deepEqual(bySymbol(layOut(plant, plan, kept)), bySymbol(placed), "plant " + seed);
+    const moved = layOut(plant, moveThings(plant, placed, plan, [{kind: "frame", index: 0}], 3, -1), kept);
+    assert.deepEqual(bySymbol(moved), bySymbol(placed).map(([symbol, frame, x, y]) => [symbol, frame, x + (frame === 0 ? 3e6 : 0), y - (frame === 0 ? 1e6 : 0)]), "plant " + seed);
   }
 });
 
