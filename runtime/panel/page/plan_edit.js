@@ -8,6 +8,7 @@ import {boxOf, pick, thingsOf} from "./plan_pick.js";
 const kMostSteps = 100;  // that can be undone
 const kKeyStep = .5;
 const kArrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+const kMeanwhile = "Another layout was saved meanwhile: Cancel shows it, a second Save replaces it.";
 const kKinds = ["device", "location", "frame"];
 
 const keyOf = ({kind, index}) => kind + index;
@@ -17,7 +18,7 @@ export class PlanEdit {
   static isPossible(app) { return app.canAct && app.plant.role === "trainer"; }
 
   constructor(app, view) {
-    Object.assign(this, {app, view, isOn: false, plan: {}, kept: new Map(), done: [], undone: [], saved: "{}", selected: new Map(), band: null});
+    Object.assign(this, {app, view, isOn: false, isSaving: false, revision: undefined, plan: {}, kept: new Map(), done: [], undone: [], saved: "{}", selected: new Map(), band: null});
     this.button = button("Edit layout", () => this.begin());
     this.panel = new EditBar(app, this);
     this.bar = this.panel.element;
@@ -25,7 +26,7 @@ export class PlanEdit {
   }
 
   begin() {
-    Object.assign(this, {isOn: true, done: [], undone: [], saved: JSON.stringify(this.app.layout.plan), selected: new Map()});
+    Object.assign(this, {isOn: true, revision: this.app.layout.revision, done: [], undone: [], saved: JSON.stringify(this.app.layout.plan), selected: new Map()});
     this.set(this.app.layout.plan, new Map());
     this.panel.show(true);
     this.button.hidden = true;
@@ -37,8 +38,12 @@ export class PlanEdit {
     this.isOn = false;
     this.panel.show(false);
     this.button.hidden = false;
+    this.view.note("");
     this.view.place();
   }
+
+  /// The layout that all see is no longer the one on which the edit is based. While a save waits for its answer it may be that of the edit.
+  newer() { if (!this.isSaving && this.app.layout.revision !== this.revision) this.view.note(kMeanwhile); }
 
   isChanged() { return JSON.stringify(this.plan) !== this.saved; }
 
@@ -54,6 +59,7 @@ export class PlanEdit {
 
   /// A step that can be undone. `from`: what was before it.
   apply(plan, kept, from = this.now()) {
+    if (this.isSaving) return;
     this.done = [...this.done, from].slice(-kMostSteps);
     this.undone = [];
     this.set(plan, kept);
@@ -66,7 +72,7 @@ export class PlanEdit {
   redo() { this.step(this.undone, this.done); }
 
   step(from, to) {
-    if (from.length === 0) return;
+    if (from.length === 0 || this.isSaving) return;
     to.push(this.now());
     const {plan, kept} = from.pop();
     this.set(plan, kept);
@@ -129,6 +135,7 @@ export class PlanEdit {
     let kept = null;
     return {
       move: (to) => {
+        if (this.isSaving) return;
         if (before === null) {
           if (!this.selected.has(keyOf(thing))) this.select([thing]);
           [before, whole, start, kept] = [this.now(), this.whole(), this.placed, operatorsOf(this.placed)];

@@ -13,7 +13,6 @@ import {rank} from "./status.js";
 import {fitCanvas, onTheme, theme} from "./theme.js";
 
 const kAround = 6;    // grid units around what was selected elsewhere
-const kMeanwhile = "Another layout was saved meanwhile: Save replaces it, Cancel shows it.";
 const kPause = 250;  // ms between two drawings of frames for their statuses
 
 export class PlanView {
@@ -34,7 +33,7 @@ export class PlanView {
     this.board.addEventListener("blur", () => this.mark());
     new ResizeObserver(() => this.resize()).observe(this.board);
     onTheme(() => this.moved());
-    app.layout.listen(() => this.edit?.isOn ? this.note(kMeanwhile) : this.place());
+    app.layout.listen(() => this.edit?.isOn ? this.edit.newer() : this.place());
     app.planView = this;  // for tests and the console
     this.place();
   }
