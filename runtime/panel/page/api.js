@@ -84,8 +84,8 @@ export class Api {
 
   /// The positions that were given: { revision, plan }.
   layout() { return this.get("layout"); }
-  /// All see the plan; the answer is { file }, null without a folder.
-  saveLayout(plan) { return this.post("layout", {plan}); }
+  /// All see the plan, unless `revision`, on which it is based, is not the newest: then the status is 422. The answer is { file }, null without a folder.
+  saveLayout(plan, revision) { return this.post("layout", {plan, revision}); }
   /// The names of the pictures and models of the folder of --panel-files.
   async files() { return (await this.get("files")).files; }
 

@@ -1,9 +1,12 @@
 // The layout that all see: the positions that were given, and where everything is. A new revision in the stream is loaded at once.
 import {layOut} from "./plan_layout.js";
 
+const kAgain = 2000;  // ms until a layout that did not come is asked for again
+
 export class LayoutState {
-  constructor(app) {
-    Object.assign(this, {app, plan: {}, revision: undefined, asked: undefined, listeners: new Set(), found: null});
+  /// `again`: ms until a layout that did not come is asked for again.
+  constructor(app, again = kAgain) {
+    Object.assign(this, {app, again, plan: {}, revision: undefined, isLoading: false, timer: null, listeners: new Set(), found: null});
   }
 
   /// The result of layOut() for the plan.
@@ -15,22 +18,39 @@ export class LayoutState {
     return () => this.listeners.delete(listener);
   }
 
-  /// After an event of the stream. A recording has no revision: its layout is loaded once.
-  change({all, keys}) {
+  /// After an event of the stream.
+  change({all, keys}) { if (all || keys.has("layout")) this.follow(); }
+
+  /// Whether the layout is that of the stream. A recording has no revision: its layout is loaded once.
+  isCurrent() {
     const {layout} = this.app.store;
-    if ((all || keys.has("layout")) && layout !== this.revision && layout !== this.asked) this.load(layout);
+    return this.revision !== undefined && (layout === null || layout <= this.revision);
   }
 
-  async load(revision) {
-    this.asked = revision;
+  /// Loads layouts, one after the other, until it is that of the stream.
+  async follow() {
+    if (this.isLoading) return;
+    clearTimeout(this.timer);
+    this.isLoading = true;
+    for (let asked; !this.isCurrent() && asked !== this.app.store.layout;) {
+      asked = this.app.store.layout;
+      if (!await this.load()) break;
+    }
+    this.isLoading = false;
+    if (!this.isCurrent()) this.timer = setTimeout(() => this.follow(), this.again);
+  }
+
+  /// Asks for the layout. An answer that is older than what is shown is dropped. Returns whether there was one.
+  async load() {
     try {
-      const {plan} = await this.app.api.layout();
-      this.revision = revision;
-      this.set(plan);
+      const {revision, plan} = await this.app.api.layout();
+      if (this.revision === undefined || revision > this.revision) {
+        this.revision = revision;
+        this.set(plan);
+      }
+      return true;
     } catch {
-      // The layout stays as it is; the next picture of the stream asks again.
-    } finally {
-      this.asked = undefined;
+      return false;
     }
   }
 

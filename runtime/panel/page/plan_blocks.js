@@ -100,10 +100,9 @@ export const bareBlock = (model, index) => {
   return {w: flow.w, h: flow.h, axis: flow.ports.get(index), ports: flow.ports, emit: flow.emit};
 };
 
-/// Things in rows and columns; `frame`: null for those in none. Things with a given center, relative to the corner, keep it.
-export const gridBlock = (things, frame, shape, givenOf, isFree) => {
+/// Things in rows and columns; `frame`: null for those in none. Things with a center in `given`, relative to the corner, keep it.
+export const gridBlock = (things, frame, shape, given, isFree) => {
   const columns = columnsFor(things.length, shape);
-  const given = things.map(givenOf);
   const centers = fillCells(given, columns, kSide, kHead, isFree);
   const w = Math.max(2, ...centers.map(([x]) => x + kPitch / 2)) + kSide;
   const h = Math.max(kHead + kPitch, ...centers.map(([, y]) => y + kPitch / 2)) + kFoot;

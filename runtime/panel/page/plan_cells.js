@@ -8,6 +8,14 @@ export const kFoot = .5;   // below the last row
 /// The cell of a symbol with its texts and badges.
 export const cellOf = ({x, y}) => ({x: x - kPitch / 2, y: y - .55, w: kPitch, h: kPitch});
 
+/// Centers (or null), moved together so that none is left of or above the cells of its frame.
+export const shiftInto = (centers) => {
+  const cells = centers.filter((center) => center).map(([x, y]) => cellOf({x, y}));
+  const [left, top] = [Math.min(0, ...cells.map(({x}) => x)), Math.min(0, ...cells.map(({y}) => y))];
+  const [dx, dy] = [left < 0 ? kSide - left : 0, top < 0 ? kHead - top : 0];
+  return centers.map((center) => center && [center[0] + dx, center[1] + dy]);
+};
+
 /// The width of a frame with so many columns.
 export const widthOf = (columns) => columns * kPitch + 2 * kSide;
 

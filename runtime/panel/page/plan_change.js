@@ -35,6 +35,12 @@ export const wholePlan = (plant, placed, {background} = {}) => {
   return plan;
 };
 
+/// Where the symbols are that a person operates, relative to their frames, for layOut(): a plan cannot give it, but during an edit they stay there.
+export const operatorsOf = (placed) => new Map(placed.operators.map(({symbol, x, y, frame}) => {
+  const corner = frameAt(placed, frame);
+  return [symbol, {x: x - corner.x, y: y - corner.y}];
+}));
+
 /// The tracks and places that move with a frame: those in it.
 const inside = (placed, {x, y, w, h}) => placed.locations.flatMap((location, index) => {
   const rect = rectOf(location);

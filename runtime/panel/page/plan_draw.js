@@ -40,7 +40,7 @@ const paintBackground = (context, camera, background) => {
   if (!background?.image) return;
   const {image, x, y, width, opacity = 1} = background;
   const [left, top] = camera.toScreen([x, y]);
-  const high = width * image.naturalHeight / Math.max(1, image.naturalWidth);
+  const high = width * image.height / image.width;
   context.globalAlpha = opacity;
   context.drawImage(image, left, top, width * camera.scale, high * camera.scale);
   context.globalAlpha = 1;

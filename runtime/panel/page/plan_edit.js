@@ -1,6 +1,6 @@
 // Edits the layout: things are dragged, turned and grouped, on the grid. Others see it once it is saved.
 import {layOut} from "./plan_layout.js";
-import {devicesOf, groupDevices, moveThings, snap, turnThings, wholePlan} from "./plan_change.js";
+import {devicesOf, groupDevices, moveThings, operatorsOf, snap, turnThings, wholePlan} from "./plan_change.js";
 import {EditBar} from "./plan_edit_bar.js";
 import {button} from "./dom.js";
 import {boxOf, pick, thingsOf} from "./plan_pick.js";
@@ -8,6 +8,7 @@ import {boxOf, pick, thingsOf} from "./plan_pick.js";
 const kMostSteps = 100;  // that can be undone
 const kKeyStep = .5;
 const kArrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+const kMeanwhile = "Another layout was saved meanwhile: Cancel shows it, a second Save replaces it.";
 const kKinds = ["device", "location", "frame"];
 
 const keyOf = ({kind, index}) => kind + index;
@@ -17,7 +18,7 @@ export class PlanEdit {
   static isPossible(app) { return app.canAct && app.plant.role === "trainer"; }
 
   constructor(app, view) {
-    Object.assign(this, {app, view, isOn: false, plan: {}, done: [], undone: [], saved: "{}", selected: new Map(), band: null});
+    Object.assign(this, {app, view, isOn: false, isSaving: false, revision: undefined, plan: {}, kept: new Map(), done: [], undone: [], saved: "{}", selected: new Map(), band: null});
     this.button = button("Edit layout", () => this.begin());
     this.panel = new EditBar(app, this);
     this.bar = this.panel.element;
@@ -25,8 +26,8 @@ export class PlanEdit {
   }
 
   begin() {
-    Object.assign(this, {isOn: true, done: [], undone: [], saved: JSON.stringify(this.app.layout.plan), selected: new Map()});
-    this.set(this.app.layout.plan);
+    Object.assign(this, {isOn: true, revision: this.app.layout.revision, done: [], undone: [], saved: JSON.stringify(this.app.layout.plan), selected: new Map()});
+    this.set(this.app.layout.plan, new Map());
     this.panel.show(true);
     this.button.hidden = true;
     this.view.board.focus();
@@ -37,32 +38,44 @@ export class PlanEdit {
     this.isOn = false;
     this.panel.show(false);
     this.button.hidden = false;
+    this.view.note("");
     this.view.place();
   }
 
+  /// The layout that all see is no longer the one on which the edit is based. While a save waits for its answer it may be that of the edit.
+  newer() { if (!this.isSaving && this.app.layout.revision !== this.revision) this.view.note(kMeanwhile); }
+
   isChanged() { return JSON.stringify(this.plan) !== this.saved; }
 
-  /// Shows a plan.
-  set(plan) {
-    Object.assign(this, {plan, placed: layOut(this.app.plant, plan)});
+  /// Shows a plan. `kept`: where operated symbols stay, see layOut().
+  set(plan, kept) {
+    Object.assign(this, {plan, kept, placed: layOut(this.app.plant, plan, kept)});
     this.view.place();
     this.panel.update();
   }
 
-  /// A step that can be undone. `from`: the plan before it.
-  apply(plan, from = this.plan) {
+  /// What undo returns to.
+  now() { return {plan: this.plan, kept: this.kept}; }
+
+  /// A step that can be undone. `from`: what was before it.
+  apply(plan, kept, from = this.now()) {
+    if (this.isSaving) return;
     this.done = [...this.done, from].slice(-kMostSteps);
     this.undone = [];
-    this.set(plan);
+    this.set(plan, kept);
   }
+
+  /// A step from the plan with the position of everything.
+  change(plan) { this.apply(plan, operatorsOf(this.placed)); }
 
   undo() { this.step(this.done, this.undone); }
   redo() { this.step(this.undone, this.done); }
 
   step(from, to) {
-    if (from.length === 0) return;
-    to.push(this.plan);
-    this.set(from.pop());
+    if (from.length === 0 || this.isSaving) return;
+    to.push(this.now());
+    const {plan, kept} = from.pop();
+    this.set(plan, kept);
   }
 
   things() { return [...this.selected.values()]; }
@@ -70,24 +83,24 @@ export class PlanEdit {
   /// The plan with the position of everything.
   whole() { return wholePlan(this.app.plant, this.placed, this.plan); }
 
-  move(dx, dy) { this.apply(moveThings(this.app.plant, this.placed, this.whole(), this.things(), dx, dy)); }
-  turn() { if (this.selected.size > 0) this.apply(turnThings(this.app.plant, this.whole(), this.things())); }
+  move(dx, dy) { this.change(moveThings(this.app.plant, this.placed, this.whole(), this.things(), dx, dy)); }
+  turn() { if (this.selected.size > 0) this.change(turnThings(this.app.plant, this.whole(), this.things())); }
 
   group(name) {
-    this.apply(groupDevices(this.app.plant, this.placed, this.whole(), devicesOf(this.placed, this.things()), name));
+    this.change(groupDevices(this.app.plant, this.placed, this.whole(), devicesOf(this.placed, this.things()), name));
     this.select([]);
   }
 
   /// Back to the layout that the plant itself has; the picture behind it stays.
   automatic() {
-    this.apply(this.plan.background ? {background: this.plan.background} : {});
+    this.apply(this.plan.background ? {background: this.plan.background} : {}, new Map());
     this.select([]);
     this.view.whole();
   }
 
   setBackground(background) {
     const {background: _, ...rest} = this.plan;
-    this.apply(background ? {...rest, background} : rest);
+    this.apply(background ? {...rest, background} : rest, this.kept);
   }
 
   select(things) {
@@ -119,15 +132,17 @@ export class PlanEdit {
     let before = null;
     let whole = null;
     let start = null;
+    let kept = null;
     return {
       move: (to) => {
+        if (this.isSaving) return;
         if (before === null) {
           if (!this.selected.has(keyOf(thing))) this.select([thing]);
-          [before, whole, start] = [this.plan, this.whole(), this.placed];
+          [before, whole, start, kept] = [this.now(), this.whole(), this.placed, operatorsOf(this.placed)];
         }
-        this.set(moveThings(this.app.plant, start, whole, this.things(), snap(to[0] - point[0]), snap(to[1] - point[1])));
+        this.set(moveThings(this.app.plant, start, whole, this.things(), snap(to[0] - point[0]), snap(to[1] - point[1])), kept);
       },
-      end: () => { if (before !== null) this.apply(this.plan, before); },
+      end: () => { if (before !== null) this.apply(this.plan, kept, before); },
     };
   }
 

@@ -2,8 +2,9 @@
 import {resultOutput, showResult} from "./acts.js";
 import {ask} from "./dialog.js";
 import {button, download, make, select} from "./dom.js";
+import {savePlan} from "./plan_save.js";
 
-const kPicture = /\.(svg|png)$/i;
+const kPicture = /\.(svg|png)$/;
 const kInclude = 'Add "include": ["layout.json"] to plant.json to keep it.';
 const kFields = [["x", "x", .5], ["y", "y", .5], ["width", "Width", .5], ["opacity", "Opacity", .05]];
 
@@ -28,6 +29,7 @@ export class EditBar {
 
   show(on) {
     this.element.hidden = !on;
+    showResult(this.result, "");
     if (on) this.loadFiles();
   }
 
@@ -84,18 +86,28 @@ export class EditBar {
       : {file: this.file.value, ...before});
   }
 
+  /// Until the answer nothing can be changed.
   async toSave() {
     const {edit, app} = this;
+    if (edit.isSaving) return;
     const {plan} = edit;
-    try {
-      const {file} = await app.api.saveLayout(plan);
-      if (file === null) download(new Blob([JSON.stringify({symplant: 1, plan}, null, 2) + "\n"], {type: "application/json"}), "layout.json");
-      app.layout.set(plan);
-      edit.end();
-      edit.view.note((file === null ? "All see the layout. There is no --panel-files: layout.json was downloaded; put it next to plant.json. " : "All see the layout. It was written to " + file + ". ") + kInclude);
-    } catch (error) {
-      showResult(this.result, error.status === 401 ? app.deniedText : error.message, true);
+    this.hold(true);
+    const {file, error, revision} = await savePlan(app, plan, edit.revision);
+    this.hold(false);
+    if (error) {
+      edit.newer();
+      edit.revision = revision;
+      return showResult(this.result, error.status === 401 ? app.deniedText : error.message, true);
     }
+    if (file === null) download(new Blob([JSON.stringify({symplant: 1, plan}, null, 2) + "\n"], {type: "application/json"}), "layout.json");
+    edit.end();
+    edit.view.note((file === null ? "All see the layout. There is no --panel-files: layout.json was downloaded; put it next to plant.json. " : "All see the layout. It was written to " + file + ". ") + kInclude);
+  }
+
+  hold(on) {
+    this.edit.isSaving = on;
+    this.element.inert = on;
+    this.element.setAttribute("aria-busy", on);
   }
 
   async toCancel() {

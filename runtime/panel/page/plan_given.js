@@ -15,15 +15,15 @@ const enclose = (frame, rects) => {
 };
 
 /// What has a given position. Things of a frame with a given position that have none themselves fill its free cells.
-export const putGiven = (plant, plan, model, out) => {
+export const putGiven = (plant, plan, model, kept, out) => {
   for (const {index, location, given, length} of model.locations) {
     if (!given) continue;
     const {columns, rows} = slotsOf(location);
     out.locations[index] = location.kind === "place" ? {kind: "place", x: given.x, y: given.y, w: columns, h: rows, columns}
       : {kind: "track", x: given.x, y: given.y, length: given.length ?? length, turn: given.turn ?? 0, width: kBelt};
   }
-  const givenOf = ({device}) => {
-    const given = device === undefined ? undefined : givenFor(plan.devices, plant.devices[device].name);
+  const givenOf = ({device, symbol}) => {
+    const given = device === undefined ? kept.get(symbol) : givenFor(plan.devices, plant.devices[device].name);
     return given?.x !== undefined ? given : null;
   };
   const fixed = [];  // centers of symbols
@@ -39,10 +39,10 @@ export const putGiven = (plant, plan, model, out) => {
     if (!given) return;
     const isFree = (x, y) => fixed.every(([ox, oy]) => Math.abs(ox - given.x - x) >= kPitch || Math.abs(oy - given.y - y) >= kPitch)
       && belts.every((belt) => !overlaps(belt, {x: given.x + x - 1, y: given.y + y - 1, w: kPitch, h: kPitch}));
-    const block = gridBlock(things, frame, 1.6, (thing) => {
+    const block = gridBlock(things, frame, 1.6, things.map((thing) => {
       const at = givenOf(thing);
       return at ? [at.x, at.y] : null;
-    }, isFree);
+    }), isFree);
     block.emit(makeInto(1, given.x, given.y), out);
     enclose(out.frames[frame], model.locations.filter((location) => location.given && location.home === frame).map(({index}) => rectOf(out.locations[index])));
     fixed.push(...things.map(({device}) => device).filter((device) => device !== undefined).map((device) => [out.devices[device].x, out.devices[device].y]));

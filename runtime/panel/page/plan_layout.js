@@ -2,6 +2,7 @@
 // gave. Pure and deterministic, without elements. Time: O(k * (n log n + p)) for n devices, tracks and places, p passes of parts, and k shapes of
 // stations that are tried.
 import {bareBlock, gridBlock, longBlock, measureLong, stationBlock} from "./plan_blocks.js";
+import {shiftInto} from "./plan_cells.js";
 import {layered, sizeCost} from "./plan_flow.js";
 import {boundsOf, makeInto} from "./plan_geometry.js";
 import {putGiven} from "./plan_given.js";
@@ -45,7 +46,7 @@ const divide = (model) => {
 };
 
 /// Blocks with tracks or places, and grids of devices of stations without.
-const makeBlocks = (plant, plan, model, parts, shape) => {
+const makeBlocks = (plant, plan, model, parts, isPlaced, shape) => {
   const {frames, locations} = model;
   const measured = parts.long.map(({stations}) => measureLong(model, stations, shape));
   const unit = Math.max(0, ...measured.map(({needed}, i) => needed / locations[parts.long[i].index].location.length));
@@ -58,11 +59,11 @@ const makeBlocks = (plant, plan, model, parts, shape) => {
   frames.forEach(({given, things}, frame) => {
     if (given) return;
     if (parts.own[frame].length > 0 && parts.host[frame] === null) blocks.push(stationBlock(model, frame, parts.own[frame], shape));
-    else if (parts.host[frame] === null) grids.push(gridBlock(things, frame, shape * 1.6, givenOf));
+    else if (parts.host[frame] === null) grids.push(gridBlock(things, frame, shape * 1.6, shiftInto(things.map(givenOf))));
   });
   for (const index of parts.bare) if (locations[index].hangsFrom === null) blocks.push(bareBlock(model, index));
-  const loose = model.loose.filter((thing) => givenOf(thing) === null);
-  if (loose.length > 0) grids.push(gridBlock(loose, null, kScreen, () => null));
+  const loose = model.loose.filter((thing) => !isPlaced(thing));
+  if (loose.length > 0) grids.push(gridBlock(loose, null, kScreen, loose.map(() => null)));
   return {blocks, grids, loose};
 };
 
@@ -93,15 +94,15 @@ const makeComponents = (model, blocks) => {
   });
 };
 
-/// The best arrangement of what has no given position.
-const arrange = (plant, plan, model) => {
+/// The best arrangement of what has no given position. `isPlaced(thing)`: it has one.
+const arrange = (plant, plan, model, isPlaced) => {
   const parts = divide(model);
   setLengths(model);
   setBranches(model, parts.homes);
   let best = null;
   let least = Infinity;
   for (const shape of kShapes) {
-    const {blocks, grids} = makeBlocks(plant, plan, model, parts, shape);
+    const {blocks, grids} = makeBlocks(plant, plan, model, parts, isPlaced, shape);
     const components = makeComponents(model, blocks);
     const boxes = [...components, ...grids];
     const joins = Math.max(0, ...components.map(({joinCost}) => joinCost));
@@ -118,6 +119,7 @@ const arrange = (plant, plan, model) => {
 const makeOut = (plant, frames) => {
   const out = {frames: frames.map(() => null), devices: new Array(plant.devices.length), operators: [], locations: new Array(plant.locations.length)};
   const frameOf = new Map(frames.flatMap(({things}, frame) => things.map((thing) => [thing, frame])));
+  out.has = ({device, symbol}) => device !== undefined ? out.devices[device] !== undefined : out.operators.some((operator) => operator.symbol === symbol);
   out.put = (thing, [x, y]) => {
     const frame = frameOf.get(thing) ?? null;
     if (thing.device !== undefined) out.devices[thing.device] = {x, y, turn: 0, frame};
@@ -126,14 +128,15 @@ const makeOut = (plant, frames) => {
   return out;
 };
 
-/// The layout of a plant; see docs/panel-interface.md for `plan`. Returns { bounds, frames, devices, operators, locations, joins }.
-export const layOut = (plant, plan = {}) => {
+/// The layout of a plant; see docs/panel-interface.md for `plan`. `kept`: positions of operated symbols, { x, y } by symbol, relative to their frames; they
+/// count where the plan gives the position of the frame, and for those in none. Returns { bounds, frames, devices, operators, locations, joins }.
+export const layOut = (plant, plan = {}, kept = new Map()) => {
   const model = modelOf(plant, plan);
   const out = makeOut(plant, model.frames);
   setLengths(model);
-  putGiven(plant, plan, model, out);
+  putGiven(plant, plan, model, kept, out);
   const fixed = boundsOf(out);
-  const {boxes, placed} = arrange(plant, plan, model) ?? {boxes: []};
+  const {boxes, placed} = arrange(plant, plan, model, out.has) ?? {boxes: []};
   const [x0, y0] = fixed ? [fixed.x, fixed.y + fixed.h + 2] : [0, 0];
   boxes.forEach((box, i) => box.emit(makeInto(1, x0 + placed.at[i][0], y0 + placed.at[i][1]), out));
   plant.devices.forEach(({name}, device) => {

@@ -9,11 +9,11 @@ import {PlanEdit} from "./plan_edit.js";
 import {PlanInput} from "./plan_input.js";
 import {PlanLive} from "./plan_live.js";
 import {boxOf, describe, nameOf, nextThing, pick, thingsOf} from "./plan_pick.js";
+import {openPicture} from "./plan_picture.js";
 import {rank} from "./status.js";
 import {fitCanvas, onTheme, theme} from "./theme.js";
 
 const kAround = 6;    // grid units around what was selected elsewhere
-const kMeanwhile = "Another layout was saved meanwhile: Save replaces it, Cancel shows it.";
 const kPause = 250;  // ms between two drawings of frames for their statuses
 
 export class PlanView {
@@ -25,16 +25,17 @@ export class PlanView {
     this.said = make("div", {class: "hidden-text", role: "status"});
     this.board = make("div", {class: "board", role: "application", tabindex: 0, "aria-label": "Plan of the plant",
       "aria-description": "Arrow keys move between devices, tracks and places, Enter opens the details, + and - zoom, 0 shows the whole plant."}, this.canvases);
-    this.background = new Background(app, () => this.moved());
+    this.pictureNote = make("p", {class: "note", role: "alert", hidden: true});
+    this.background = new Background(app, openPicture, {loaded: () => this.moved(), failed: (text) => this.noPicture(text)});
     this.edit = PlanEdit.isPossible(app) ? new PlanEdit(app, this) : null;
-    this.element = make("div", {class: "view fills plan-view"}, this.makeTools(), this.edit?.bar ?? null, this.noted, this.board, this.said);
+    this.element = make("div", {class: "view fills plan-view"}, this.makeTools(), this.edit?.bar ?? null, this.noted, this.pictureNote, this.board, this.said);
     this.input = new PlanInput(this.board, this);
     this.board.addEventListener("keydown", (event) => this.key(event));
     this.board.addEventListener("focus", () => this.say());
     this.board.addEventListener("blur", () => this.mark());
     new ResizeObserver(() => this.resize()).observe(this.board);
     onTheme(() => this.moved());
-    app.layout.listen(() => this.edit?.isOn ? this.note(kMeanwhile) : this.place());
+    app.layout.listen(() => this.edit?.isOn ? this.edit.newer() : this.place());
     app.planView = this;  // for tests and the console
     this.place();
   }
@@ -56,6 +57,12 @@ export class PlanView {
   note(text) {
     this.noted.hidden = text === "";
     setText(this.noted, text);
+  }
+
+  /// Shows why there is no picture behind the plan, until it is there; "" for none.
+  noPicture(text) {
+    this.pictureNote.hidden = text === "";
+    this.pictureNote.replaceChildren(...(text === "" ? [] : [text + " ", button("Try again", () => this.background.load()), button("Close", () => this.noPicture(""))]));
   }
 
   /// The layout that is shown: while it is edited, that of the editor.

@@ -1,9 +1,8 @@
-// The plan without a browser: its camera, what symbols show, what is under a pointer, changes of the layout, and the layout that all see.
+// The plan without a browser: its camera, what symbols show, what is under a pointer, and changes of the layout.
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {LayoutState} from "../../../runtime/panel/page/layout_state.js";
 import {Camera} from "../../../runtime/panel/page/plan_camera.js";
-import {devicesOf, groupDevices, moveThings, turnThings, wholePlan} from "../../../runtime/panel/page/plan_change.js";
+import {devicesOf, groupDevices, moveThings, operatorsOf, turnThings, wholePlan} from "../../../runtime/panel/page/plan_change.js";
 import {layOut, pointOn, slotOf} from "../../../runtime/panel/page/plan_layout.js";
 import {amountOf, levelOf, motionOf, runs, valuesByDevice} from "../../../runtime/panel/page/plan_motion.js";
 import {boxOf, describe, nextThing, pick, thingsOf} from "../../../runtime/panel/page/plan_pick.js";
@@ -115,6 +114,19 @@ test("A plan that gives every position has the same layout, in any plant", () =>
   }
 });
 
+test("While a plan with every position is edited, operated symbols stay in their frames", () => {
+  for (let seed = 1; seed <= kSeeds / 4; ++seed) {
+    const plant = inventedPlant(seed);
+    const placed = layOut(plant);
+    const kept = operatorsOf(placed);
+    const bySymbol = ({operators}) => [...operators].sort((a, b) => a.symbol - b.symbol).map(({symbol, x, y, frame}) => [symbol, frame, Math.round(x * 1e6), Math.round(y * 1e6)]);
+    const plan = wholePlan(plant, placed);
+    assert.deepEqual(bySymbol(layOut(plant, plan, kept)), bySymbol(placed), "plant " + seed);
+    const moved = layOut(plant, moveThings(plant, placed, plan, [{kind: "frame", index: 0}], 3, -1), kept);
+    assert.deepEqual(bySymbol(moved), bySymbol(placed).map(([symbol, frame, x, y]) => [symbol, frame, x + (frame === 0 ? 3e6 : 0), y - (frame === 0 ? 1e6 : 0)]), "plant " + seed);
+  }
+});
+
 test("Things move on the grid: a frame takes its devices and tracks along, once", () => {
   const plant = smallPlant();
   const placed = layOut(plant);
@@ -170,32 +182,4 @@ test("A group, a device and a track may have the name __proto__", () => {
   assert.deepEqual(after.frames.map(({name, devices}) => [name, devices]), [["LINE S1", [1]], ["__proto__", [0]]]);
   for (const [now, before] of [[after.devices[0], placed.devices[0]], [after.locations[0], placed.locations[0]]]) assert.deepEqual([now.x, now.y], [before.x + 1, before.y]);
   assert.equal(after.locations[0].length, placed.locations[0].length);
-});
-
-test("A new revision in the stream loads the layout, once", async () => {
-  const plant = smallPlant();
-  const asked = [];
-  const app = {plant, store: {layout: 1}, api: {layout: async () => (asked.push(app.store.layout), {revision: app.store.layout, plan: {frames: {"LINE S1": {x: 10 * app.store.layout, y: 0}}}})}};
-  const layout = new LayoutState(app);
-  let calls = 0;
-  const end = layout.listen(() => ++calls);
-  const change = (keys) => layout.change({all: false, keys: new Set(keys)});
-  change(["clock"]);
-  assert.deepEqual(asked, []);
-  layout.change({all: true, keys: new Set()});
-  change(["layout"]);
-  await new Promise((done) => setTimeout(done));
-  assert.deepEqual([asked, calls, layout.placed.frames[0].x], [[1], 1, 10]);
-  app.store.layout = 2;
-  change(["layout"]);
-  await new Promise((done) => setTimeout(done));
-  assert.deepEqual([calls, layout.placed.frames[0].x], [2, 20]);
-  const recording = new LayoutState({...app, store: {layout: null}});
-  recording.change({all: true, keys: new Set()});
-  await new Promise((done) => setTimeout(done));
-  recording.change({all: true, keys: new Set()});
-  assert.equal(asked.length, 3);
-  end();
-  layout.set({});
-  assert.equal(calls, 2);
 });

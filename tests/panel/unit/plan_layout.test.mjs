@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {layOut, overlaps, pointOn, rectOf, slotOf} from "../../../runtime/panel/page/plan_layout.js";
-import {addDevice, addPlace, addTrack, inventedPlant, lineOf, somePositions} from "./plan_plants.mjs";
+import {addDevice, addPlace, addTrack, inventedPlant, lineOf, someNegative, somePositions} from "./plan_plants.mjs";
 
 const kPlants = 400;
 
@@ -60,6 +60,23 @@ test("Given positions win, and nothing that is placed automatically lies over th
     symbols.forEach((a, i) => symbols.forEach((b, j) => {
       if (i < j && !(fixed.has(i) && fixed.has(j))) assert.ok(!overlaps(a, b), "plant " + seed + ": devices " + i + " and " + j);
     }));
+  }
+});
+
+test("A frame without a given position encloses devices with negative ones, which stay as they are to each other", () => {
+  for (let seed = 1; seed <= kPlants; ++seed) {
+    const plant = inventedPlant(seed);
+    const plan = someNegative(plant, layOut(plant), seed);
+    const placed = layOut(plant, plan);
+    assert.deepEqual(faultsOf(placed), [], "plant " + seed);
+    const first = new Map();
+    plant.devices.forEach(({name}, i) => {
+      const given = plan.devices[name];
+      if (!given) return;
+      const {x, y, frame} = placed.devices[i];
+      const [dx, dy] = first.get(frame) ?? first.set(frame, [x - given.x, y - given.y]).get(frame);
+      assert.ok(Math.abs(x - given.x - dx) + Math.abs(y - given.y - dy) < 1e-6, "plant " + seed + ", " + name);
+    });
   }
 });
 

@@ -63,6 +63,16 @@ export const inventedPlant = (seed) => {
   return plant;
 };
 
+/// Positions for some devices of frames without one: those of `placed`, moved in each frame by up to -40.
+export const someNegative = (plant, placed, seed) => {
+  const random = randomFrom(seed + 2000);
+  const off = placed.frames.map(() => [-40 * random(), -40 * random()]);
+  return {devices: Object.fromEntries(plant.devices.flatMap(({name}, i) => {
+    const {x, y, frame} = placed.devices[i];
+    return frame === null || random() < .5 ? [] : [[name, {x: x - placed.frames[frame].x + off[frame][0], y: y - placed.frames[frame].y + off[frame][1]}]];
+  }))};
+};
+
 /// Positions for some of the things of a plant, none over another.
 export const somePositions = (plant, placed, seed) => {
   const random = randomFrom(seed + 1000);

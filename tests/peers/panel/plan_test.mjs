@@ -23,7 +23,7 @@ writeFileSync(join(files, "hall.svg"), kPicture);
 const start = (...more) => startProgram(symplant, ["run", join(example, "plant.json"), "--panel", "127.0.0.1:0", "--panel-files", files, ...more]);
 const browser = await Browser.open({playwright, axe});
 let plant = await start("--scenario", join(example, "shift.json"));
-const page = await browser.page(/willReadFrequently/);
+const page = await browser.page(/willReadFrequently|files\/hall\.svg/);
 await page.setViewportSize({width: 1280, height: 800});
 
 const board = (of = page) => of.getByRole("application", {name: "Plan of the plant"});
@@ -203,12 +203,27 @@ const kSteps = [
     assert.equal(await page.evaluate(() => "attacked" in globalThis), false);
     assert.deepEqual(await browser.faults(page), []);
   }],
+  ["a picture that is missing or broken is reported, and can be loaded again", async () => {
+    const note = page.getByRole("alert").filter({hasText: "hall.svg"});
+    const again = async () => page.evaluate(() => symplant.planView.background.load());
+    rmSync(join(files, "hall.svg"));
+    await again();
+    assert.match(await note.innerText(), /The picture hall\.svg is not shown: .*hall\.svg.* is neither in the folder/);
+    writeFileSync(join(files, "hall.svg"), "<svg");
+    await note.getByRole("button", {name: "Try again"}).click();
+    await note.filter({hasText: "the browser cannot show it"}).waitFor();
+    assert.deepEqual(await browser.faults(page), []);
+    writeFileSync(join(files, "hall.svg"), kPicture);
+    await note.getByRole("button", {name: "Try again"}).click();
+    await until("the picture", () => page.evaluate(() => symplant.planView.background.shown()?.image.width === 4096));
+    assert.ok(!await note.isVisible());
+  }],
   ["it is saved: others see it at once, and the page says what to add to plant.json", async () => {
     const other = await browser.page();
     await load(other);
     const before = await placed();
     await press("Save");
-    const note = page.locator(".plan-view .note");
+    const note = page.locator(".plan-view .note:not([role])");
     await note.waitFor();
     assert.match(await note.innerText(), /layout\.json\. Add "include": \["layout\.json"\] to plant\.json/);
     assert.ok(!await bar.isVisible());
