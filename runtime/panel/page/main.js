@@ -14,7 +14,7 @@ import {followPlant} from "./follow_plant.js";
 import {Frames} from "./frames.js";
 import {refreshHolds} from "./hold_button.js";
 import {Holds} from "./holds.js";
-import {LayoutState} from "./layout_state.js";
+import {LayoutState} from "./plan/layout_state.js";
 import {MessageBand} from "./message_band.js";
 import {Names} from "./names.js";
 import {Notice} from "./notice.js";

@@ -1,8 +1,8 @@
 // Keys of the page, and the help that lists them. Keys of one letter can be switched off.
 import {button, make, table} from "./dom.js";
 import {kChartKeys} from "./chart_input.js";
-import {kPlanKeys} from "./plan_input.js";
-import {kView3dKeys} from "./view3d_keys.js";
+import {kPlanKeys} from "./plan/input.js";
+import {kView3dKeys} from "./view3d/keys.js";
 
 const kOffKey = "symplant keys off";
 

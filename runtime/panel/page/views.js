@@ -9,11 +9,11 @@ import {IoView} from "./io.js";
 import {LineView} from "./line.js";
 import {LinksView} from "./links.js";
 import {MalfunctionsView} from "./malfunctions.js";
-import {PlanView} from "./plan_view.js";
+import {PlanView} from "./plan/view.js";
 import {SessionView} from "./session.js";
 import {UtilizationView} from "./utilization.js";
 import {ValuesView} from "./values.js";
-import {View3d} from "./view3d.js";
+import {View3d} from "./view3d/view3d.js";
 
 const kOfTrainer = ["malfunctions", "session"];
 

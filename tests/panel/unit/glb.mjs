@@ -1,5 +1,5 @@
 // A small GLB file for the tests: a triangle under three nodes, and a picture. Each test changes one thing of it.
-import {packGlb} from "../../../runtime/panel/page/glb_clean.js";
+import {packGlb} from "../../../runtime/panel/page/view3d/glb_clean.js";
 
 /// The head of a PNG file.
 export const pngOf = (wide, high) => {

@@ -4,9 +4,9 @@ import {readFileSync} from "node:fs";
 import {dirname, join} from "node:path";
 import {test} from "node:test";
 import {fileURLToPath} from "node:url";
-import {checkGlb, kMostBytes} from "../../../runtime/panel/page/glb_check.js";
-import {cleanGlb, cleanJson, packGlb} from "../../../runtime/panel/page/glb_clean.js";
-import {sizeOfPicture} from "../../../runtime/panel/page/glb_images.js";
+import {checkGlb, kMostBytes} from "../../../runtime/panel/page/view3d/glb_check.js";
+import {cleanGlb, cleanJson, packGlb} from "../../../runtime/panel/page/view3d/glb_clean.js";
+import {sizeOfPicture} from "../../../runtime/panel/page/view3d/glb_images.js";
 import {jpegOf, pack, pngOf, smallModel} from "./glb.mjs";
 
 const kExamples = join(dirname(fileURLToPath(import.meta.url)), "../../../examples");

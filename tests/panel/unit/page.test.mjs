@@ -6,7 +6,7 @@ import {test} from "node:test";
 import {fileURLToPath} from "node:url";
 
 const kFolder = join(dirname(fileURLToPath(import.meta.url)), "../../../runtime/panel/page");
-const files = readdirSync(kFolder);
+const files = readdirSync(kFolder, {recursive: true}).filter((name) => name.includes("."));
 const text = (name) => readFileSync(join(kFolder, name), "utf8");
 const modules = files.filter((name) => name.endsWith(".js"));
 
@@ -29,11 +29,20 @@ test("No module makes elements from strings, evaluates text, or fetches from els
 
 const kWorker = "stream_worker.js";
 
+/// The module of the page that `name` calls `specifier`; null: three.js, which is of another folder.
+const moduleOf = (name, specifier) => {
+  const module = join(dirname(name), specifier);
+  return /^(build|three)\//.test(module) ? null : module;
+};
+
 /// The modules that a module imports, and it. `later`: also those that are loaded when they are needed.
 const reachedFrom = (name, later = false, reached = new Set()) => {
   if (reached.has(name)) return reached;
   reached.add(name);
-  for (const [, next] of text(name).matchAll(later ? /(?:from |import\()"\.\/([a-z0-9_]+\.js)"/g : /from "\.\/([a-z0-9_]+\.js)"/g)) reachedFrom(next, later, reached);
+  for (const [, next] of text(name).matchAll(later ? /(?:from |import\()"(\.[^"]+)"/g : /from "(\.[^"]+)"/g)) {
+    const module = moduleOf(name, next);
+    if (module) reachedFrom(module, later, reached);
+  }
   return reached;
 };
 
@@ -48,9 +57,11 @@ test("Every module states its purpose, is short, and is reached from main.js or 
 
 test("Every imported name is exported by its module and used", () => {
   for (const name of modules) {
-    for (const [, names, from] of text(name).matchAll(/import \{([^}]*)\} from "\.\/([a-z0-9_]+\.js)"/g)) {
+    for (const [, names, from] of text(name).matchAll(/import \{([^}]*)\} from "(\.[^"]+)"/g)) {
+      const module = moduleOf(name, from);
+      if (!module) continue;
       for (const [imported, local = imported] of names.split(",").map((part) => part.trim().split(" as "))) {
-        assert.match(text(from), new RegExp("export ((const|class) |\\{[^}]*\\b)" + imported + "\\b"), name + " imports " + imported);
+        assert.match(text(module), new RegExp("export ((const|class) |\\{[^}]*\\b)" + imported + "\\b"), name + " imports " + imported);
         const uses = text(name).match(new RegExp("(?<![-.])\\b" + local + "\\b", "g")).length;
         assert.ok(uses > 1, name + " does not use " + local);
       }
@@ -64,10 +75,10 @@ test("The page asks for all its modules at once, and for those of the 3D view wh
   const asked = [...html.matchAll(/<link rel="modulepreload" href="([^"]+)">/g)].map(([, name]) => name);
   for (const name of first) if (name !== "main.js") assert.ok(asked.includes(name), name);
   for (const name of asked) assert.ok(first.has(name) || reachedFrom(kWorker).has(name), name + " is not needed at first");
-  assert.ok(!first.has("view3d_scene.js") && reachedFrom("main.js", true).has("view3d_scene.js"));
+  assert.ok(!first.has("view3d/scene.js") && reachedFrom("main.js", true).has("view3d/scene.js"));
 });
 
 test("The program carries every file of the page", () => {
   const list = readFileSync(join(kFolder, "../CMakeLists.txt"), "utf8");
-  for (const name of files) assert.match(list, new RegExp("\\b" + name.replace(".", "\\.") + "\\b"), name);
+  for (const name of files) assert.match(list, new RegExp("\\b" + name.replaceAll(".", "\\.") + "\\b"), name);
 });

@@ -1,11 +1,11 @@
 // The plan without a browser: its camera, what symbols show, what is under a pointer, and changes of the layout.
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {Camera} from "../../../runtime/panel/page/plan_camera.js";
-import {devicesOf, groupDevices, moveThings, operatorsOf, turnThings, wholePlan} from "../../../runtime/panel/page/plan_change.js";
-import {layOut, pointOn, slotOf} from "../../../runtime/panel/page/plan_layout.js";
-import {amountOf, levelOf, motionOf, runs, valuesByDevice} from "../../../runtime/panel/page/plan_motion.js";
-import {boxOf, describe, nextThing, pick, thingsOf} from "../../../runtime/panel/page/plan_pick.js";
+import {Camera} from "../../../runtime/panel/page/plan/camera.js";
+import {devicesOf, groupDevices, moveThings, operatorsOf, turnThings, wholePlan} from "../../../runtime/panel/page/plan/change.js";
+import {layOut, pointOn, slotOf} from "../../../runtime/panel/page/plan/layout.js";
+import {amountOf, levelOf, motionOf, runs, valuesByDevice} from "../../../runtime/panel/page/plan/motion.js";
+import {boxOf, describe, nextThing, pick, thingsOf} from "../../../runtime/panel/page/plan/pick.js";
 import {Names} from "../../../runtime/panel/page/names.js";
 import {Statuses} from "../../../runtime/panel/page/status.js";
 import {Store} from "../../../runtime/panel/page/store.js";

@@ -1,8 +1,8 @@
 // The picture behind the plan: it is loaded once, and again after a fault.
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {Background} from "../../../runtime/panel/page/plan_background.js";
-import {bitmapSize, openPicture} from "../../../runtime/panel/page/plan_picture.js";
+import {Background} from "../../../runtime/panel/page/plan/background.js";
+import {bitmapSize, openPicture} from "../../../runtime/panel/page/plan/picture.js";
 
 const pause = () => new Promise((done) => setTimeout(done));
 const kHall = {file: "a hall.svg", x: 0, y: 0, width: 4};

@@ -13,8 +13,8 @@ class Element {
 }
 globalThis.document = {createElement: () => new Element()};
 globalThis.addEventListener = () => {};
-const {LayoutState} = await import("../../../runtime/panel/page/layout_state.js");
-const {PlanEdit} = await import("../../../runtime/panel/page/plan_edit.js");
+const {LayoutState} = await import("../../../runtime/panel/page/plan/layout_state.js");
+const {PlanEdit} = await import("../../../runtime/panel/page/plan/edit.js");
 
 const pause = () => new Promise((done) => setTimeout(done));
 const kDrag = {shiftKey: false};

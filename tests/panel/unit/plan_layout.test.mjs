@@ -1,7 +1,7 @@
 // The layout of the plan: nothing lies over anything else, lines look like lines, given positions win.
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {layOut, overlaps, pointOn, rectOf, slotOf} from "../../../runtime/panel/page/plan_layout.js";
+import {layOut, overlaps, pointOn, rectOf, slotOf} from "../../../runtime/panel/page/plan/layout.js";
 import {addDevice, addPlace, addTrack, inventedPlant, lineOf, someNegative, somePositions} from "./plan_plants.mjs";
 
 const kPlants = 400;

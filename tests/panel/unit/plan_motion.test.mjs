@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {poseAt} from "../../../runtime/panel/page/motion.js";
-import {motionOf} from "../../../runtime/panel/page/plan_motion.js";
+import {motionOf} from "../../../runtime/panel/page/plan/motion.js";
 import {Store} from "../../../runtime/panel/page/store.js";
 import {smallPicture, smallPlant} from "./plant.mjs";
 

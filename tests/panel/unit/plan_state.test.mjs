@@ -1,7 +1,7 @@
 // The layout that all see: it follows the revisions of the stream.
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {LayoutState} from "../../../runtime/panel/page/layout_state.js";
+import {LayoutState} from "../../../runtime/panel/page/plan/layout_state.js";
 import {smallPlant} from "./plant.mjs";
 
 const pause = (time = 0) => new Promise((done) => setTimeout(done, time));

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {Names} from "../../../runtime/panel/page/names.js";
-import {levelOf} from "../../../runtime/panel/page/plan_motion.js";
+import {levelOf} from "../../../runtime/panel/page/plan/motion.js";
 import {Store, VALUE} from "../../../runtime/panel/page/store.js";
 import {valuesText} from "../../../runtime/panel/page/tile.js";
 import {formulaText, hasRange, isKnown, numberText, partOf, rangeText, shortName, sliderStep, withUnit} from "../../../runtime/panel/page/value_words.js";

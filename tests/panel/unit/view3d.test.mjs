@@ -4,11 +4,11 @@ import {readFileSync} from "node:fs";
 import {dirname, join} from "node:path";
 import {test} from "node:test";
 import {fileURLToPath} from "node:url";
-import {after, kSame, placed, pointAt, shift, stretch, turn} from "../../../runtime/panel/page/view3d_affine.js";
-import {amountOf, heatOf, mixPoses, nodeAt, numberOfSymbol, poseByValue, posesOf, sumOf, treeOf} from "../../../runtime/panel/page/view3d_binding.js";
-import {overviewOf} from "../../../runtime/panel/page/view3d_overview.js";
-import {Pace} from "../../../runtime/panel/page/view3d_pace.js";
-import {shapeOf} from "../../../runtime/panel/page/view3d_shapes.js";
+import {after, kSame, placed, pointAt, shift, stretch, turn} from "../../../runtime/panel/page/view3d/affine.js";
+import {amountOf, heatOf, mixPoses, nodeAt, numberOfSymbol, poseByValue, posesOf, sumOf, treeOf} from "../../../runtime/panel/page/view3d/binding.js";
+import {overviewOf} from "../../../runtime/panel/page/view3d/overview.js";
+import {Pace} from "../../../runtime/panel/page/view3d/pace.js";
+import {shapeOf} from "../../../runtime/panel/page/view3d/shapes.js";
 
 const kRoot = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 const near = (found, expected, what) => expected.forEach((value, i) => assert.ok(Math.abs(found[i] - value) < 1e-9, (what ?? "") + " " + found + ", expected " + expected));

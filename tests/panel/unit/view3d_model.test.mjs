@@ -7,13 +7,13 @@ import {Statuses} from "../../../runtime/panel/page/status.js";
 import {Store} from "../../../runtime/panel/page/store.js";
 import {pictureWithValues, plantWithValues} from "./plant.mjs";
 
-const {Stage} = await import("../../../runtime/panel/page/view3d_stage.js");
+const {Stage} = await import("../../../runtime/panel/page/view3d/stage.js");
 const {reducedMotion} = await import("../../../runtime/panel/page/theme.js");
 const {BoxGeometry, Group, Mesh, MeshStandardMaterial, PerspectiveCamera, Raycaster, Vector3} = await import("../../../runtime/panel/page/build/three.module.js");
-const {layOut} = await import("../../../runtime/panel/page/plan_layout.js");
-const {Boxes} = await import("../../../runtime/panel/page/view3d_boxes.js");
-const {kView3dKeys, kView3dLabel, listenToScene} = await import("../../../runtime/panel/page/view3d_keys.js");
-const {Model} = await import("../../../runtime/panel/page/view3d_model.js");
+const {layOut} = await import("../../../runtime/panel/page/plan/layout.js");
+const {Boxes} = await import("../../../runtime/panel/page/view3d/boxes.js");
+const {kView3dKeys, kView3dLabel, listenToScene} = await import("../../../runtime/panel/page/view3d/keys.js");
+const {Model} = await import("../../../runtime/panel/page/view3d/model.js");
 
 /// A cube of 1 m whose middle is `at`.
 const cube = (name, at = [0, 0, 0]) => {
