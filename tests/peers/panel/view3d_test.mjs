@@ -36,6 +36,7 @@ const cameraAt = (page) => page.evaluate(() => symplant.view3d.stage.camera.posi
 const nodeAt = (page, device) => page.evaluate((name) => symplant.view3d.stage.content.bound.find(({key}) => key === name).node.object.position.toArray(), device);
 const act = (page, ...acts) => page.evaluate((list) => symplant.api.acts(...list), acts);
 const noFaults = async (page, where) => {
+  await page.waitForFunction(() => document.body.dataset.ready === "1");
   for (const colorScheme of ["light", "dark"]) {
     await page.emulateMedia({colorScheme, reducedMotion: "reduce"});
     assert.deepEqual(await browser.faults(page), [], where + ", " + colorScheme);

@@ -15,7 +15,7 @@ const hasWebGl = () => {
 
 export class View3d {
   constructor(app) {
-    Object.assign(this, {app, scene: null, loading: false, lastCamera: null});
+    Object.assign(this, {app, scene: null, loading: false, lastCamera: null, sent: null});
     this.message = make("p", {class: "soft", role: "status"});
     this.said = make("div", {class: "hidden-text", role: "status"});
     this.stage = make("div", {class: "stage3d"});
@@ -25,7 +25,7 @@ export class View3d {
     const step = (label, text, act) => button(label, () => this.scene && act(this.scene), {"aria-label": text, title: text});
     this.see = button("See through", () => this.scene?.setTranslucent(!this.scene.isTranslucent), {class: "toggle", "aria-pressed": "false", title: "Housings become translucent (t)"});
     this.tools = make("div", {class: "row tools"}, this.camera,
-      app.canAct ? actButton(app, this.result, "For everyone", () => ({camera: this.camera.value}), {title: "Show this view to everyone who looks at the plant in 3D"}) : null,
+      app.canAct ? actButton(app, this.result, "For everyone", () => ({camera: this.sent = this.camera.value}), {title: "Show this view to everyone who looks at the plant in 3D"}) : null,
       step("+", "Nearer", (scene) => scene.stage.zoom(1 / 1.25)), step("−", "Farther", (scene) => scene.stage.zoom(1.25)),
       step("⟲", "Turn left", (scene) => scene.stage.turn(-15, 0)), step("⟳", "Turn right", (scene) => scene.stage.turn(15, 0)),
       step("▲", "Move ahead", (scene) => scene.stage.pan(0, .1)), step("▼", "Move back", (scene) => scene.stage.pan(0, -.1)),
@@ -80,6 +80,9 @@ export class View3d {
     const {camera} = this.app.store;
     if (!this.scene || !camera || (camera.n === this.lastCamera && !again)) return;
     this.lastCamera = camera.n;
+    const isOwn = camera.name === this.sent;
+    this.sent = null;
+    if (isOwn && this.camera.value !== camera.name) return;  // this page has chosen another one since it sent that one
     this.camera.value = camera.name;
     this.scene.goTo(camera.name);
   }
