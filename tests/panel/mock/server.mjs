@@ -35,7 +35,7 @@ const makePlant = (name, activity, exercises) => {
 
 const sendFile = (response, path) => {
   const name = path === "/" ? "index.html" : path.slice(1);
-  if (!/^[a-z0-9_]+\.(html|js|css)$/.test(name) && !(name in kThree)) return send(response, 404, {error: "not found"});
+  if (!/^([a-z0-9_]+\/)?[a-z0-9_]+\.(html|js|css)$/.test(name) && !(name in kThree)) return send(response, 404, {error: "not found"});
   try {
     const bytes = readFileSync(kThree[name] ?? join(page, name));
     response.writeHead(200, {"Content-Type": kTypes[name.split(".").pop()], "Content-Security-Policy": kCsp, "X-Content-Type-Options": "nosniff", "Cache-Control": "no-store"});
