@@ -16,6 +16,7 @@ foreach(file ${files})
 endforeach()
 file(
   WRITE ${OUTPUT}
-  "// The files of the page as the program carries them.\n#include \"symplant/panel/web/page_files.hpp\"\n\nnamespace symplant::panel {\n"
+  "// The files of the page as the program carries them.\n#include \"symplant/panel/web/page_files.hpp\"\n\n"
+  "// g++ and clang take literals of any length.\n#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n\nnamespace symplant::panel {\n"
   "namespace {\n\nconstexpr PageFile kFiles[] = {\n${rows}};\n\n}  // namespace\n\n"
   "std::span<const PageFile> page_files() { return kFiles; }\n\n}  // namespace symplant::panel\n")
