@@ -133,7 +133,7 @@ const kSteps = [
     await page.evaluate((index) => symplant.planView.focus({kind: "frame", index}), frame);
     assert.match(await said(), /^FT C2, station, 6 devices, /);
     await page.keyboard.press("Enter");
-    await until("the station", async () => /station=FT\+C2/.test(page.url()));
+    await until("the station", async () => page.evaluate(() => symplant.router.route.station === "FT C2"));
     await page.keyboard.press("0");
     await until("the whole", async () => /#view=plan$/.test(page.url()));
   }],
