@@ -135,7 +135,7 @@ const kSteps = [
     await page.keyboard.press("Enter");
     await until("the station", async () => page.evaluate(() => symplant.router.route.station === "FT C2"));
     await page.keyboard.press("0");
-    await until("the whole", async () => /#view=plan$/.test(page.url()));
+    await until("the whole", async () => /#view=plan$/.test(page.url()) && page.evaluate(() => symplant.planView.camera.isWhole));
   }],
   ["a link and the search show a station", async () => {
     const scale = () => page.evaluate(() => symplant.planView.camera.scale);
@@ -146,7 +146,7 @@ const kSteps = [
     await page.getByRole("combobox", {name: "Search"}).fill("ft c2");
     await page.getByRole("option").filter({hasText: "station"}).first().click();
     await until("the station", async () => /view=plan&station=FT\+C2/.test(page.url()));
-    assert.equal(await page.getByRole("combobox", {name: "Station"}).inputValue(), "FT C2");
+    await until("its name in the list", async () => await page.getByRole("combobox", {name: "Station"}).inputValue() === "FT C2");
     await go("view=plan");
   }],
   ["a layout is edited: dragged on the grid, moved and turned by keys, undone, grouped", async () => {
