@@ -45,7 +45,7 @@ export const neighbor = (cells, from, key) => {
   return best;
 };
 
-/// The station whose line and process begin a name; null if there is none.
+/// The station whose line and process begin a name; null without one.
 export const stationFinder = ({stations}) => {
   const known = new Map(stations.map(({line, process}, index) => [line + "_" + process, index]));
   return (name) => known.get(name.split("_").slice(0, 2).join("_")) ?? null;

@@ -18,7 +18,7 @@ test("A node has the pose of its device's state, and the model's own pose in a s
   assert.deepEqual(poses[1], {move: [2, 0, 0], turn: [0, 90, 0]});
   assert.deepEqual(poses[2], {move: [0, 0, 0], turn: [0, 0, 0]});
   assert.equal(posesOf({node: "AGV", color: {by: "x"}}, ["P1"]), null);
-  assert.equal(posesOf({node: "AGV", from: [0, 0, 0]}, ["from"]), null);  // a key of its own is no state
+  assert.equal(posesOf({node: "AGV", from: [0, 0, 0]}, ["from"]), null);  // a key of the format is no state
 });
 
 test("Poses are mixed by the progress of a move", () => {
@@ -93,7 +93,7 @@ test("Every shape has a body of whole triangles in its cell, and moves without l
   assert.equal(names.length, 19);
   for (const name of [...names, "unknown"]) {
     const {body, movers} = shapeOf(name);
-    if (!["device", "unknown"].includes(name)) assert.notEqual(shapeOf(name), shapeOf("device"), name + " has a shape of its own");
+    if (!["device", "unknown"].includes(name)) assert.notEqual(shapeOf(name), shapeOf("device"), name + " has the shape of a plain box");
     for (const {positions, normals} of [body, ...movers.map(({solid}) => solid)]) {
       assert.ok(positions.length > 0 && positions.length % 9 === 0 && positions.length === normals.length, name);
       for (let i = 0; i < positions.length; ++i) assert.ok(Math.abs(positions[i]) <= 1.5 && Number.isFinite(normals[i]), name);

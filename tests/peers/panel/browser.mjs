@@ -104,3 +104,32 @@ export const until = async (what, probe, limit = 10000) => {
   }
   throw new Error(what + " did not come; the last value: " + JSON.stringify(last));
 };
+
+/// Runs tests, [what, run], and says how each ended; the number that failed. `only`: a part of the names. `inOrder`: each goes on where the one before
+/// ended, so the first failure is the last test; SYMPLANT_SHOT names a file for a picture of `page` then.
+export const runTests = async (tests, {only = "", inOrder = false, page = null} = {}) => {
+  let failed = 0;
+  for (const [what, run] of tests) {
+    if (!what.includes(only)) continue;
+    try {
+      await run();
+      console.log("ok " + what);
+    } catch (error) {
+      ++failed;
+      console.log("not ok " + what + "\n" + error.stack);
+      if (page && process.env.SYMPLANT_SHOT) await page.screenshot({path: process.env.SYMPLANT_SHOT});
+      if (inOrder) break;
+    }
+  }
+  return failed;
+};
+
+/// Ends the process: what the browser reported counts as failed, too. `cleanUp()` runs before.
+export const finish = async (browser, failed, cleanUp = () => {}) => {
+  for (const problem of browser.problems) console.log("the browser reports: " + problem);
+  const all = failed + browser.problems.length;
+  await browser.close();
+  await cleanUp();
+  console.log(all === 0 ? "passed" : all + " failed");
+  process.exit(all === 0 ? 0 : 1);
+};

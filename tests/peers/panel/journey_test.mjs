@@ -5,7 +5,7 @@
 import {mkdtempSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
-import {Browser} from "./browser.mjs";
+import {Browser, finish} from "./browser.mjs";
 import {kSteps} from "./journey.mjs";
 import {startBodyShop} from "./plants.mjs";
 
@@ -46,10 +46,7 @@ try {
   console.log(error.stack);
   if (process.env.SYMPLANT_SHOT) await page.screenshot({path: process.env.SYMPLANT_SHOT});
 }
-for (const problem of browser.problems) console.log("the browser reports: " + problem);
-failed += browser.problems.length;
-await browser.close();
-await plant.stop();
-rmSync(folder, {recursive: true, force: true});
-console.log(failed === 0 ? "passed" : failed + " failed");
-process.exit(failed === 0 ? 0 : 1);
+await finish(browser, failed, async () => {
+  await plant.stop();
+  rmSync(folder, {recursive: true, force: true});
+});

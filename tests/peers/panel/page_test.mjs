@@ -5,7 +5,7 @@
 // Exit code: 0 passed, 1 failed, 77 there is no chromium
 import assert from "node:assert/strict";
 import {startServer} from "../../panel/mock/server.mjs";
-import {Browser, until} from "./browser.mjs";
+import {Browser, finish, runTests, until} from "./browser.mjs";
 import {kEveryday} from "./everyday_cases.mjs";
 import {kCases} from "./page_cases.mjs";
 
@@ -278,19 +278,4 @@ for (const [what, name, check] of [...kCases, ...kEveryday]) kTests.push([what, 
   await check({page, server, setWidth, view: (hash) => view(page, hash)});
 })]);
 
-let failed = 0;
-for (const [what, test] of kTests) {
-  if (process.argv[4] && !what.includes(process.argv[4])) continue;
-  try {
-    await test();
-    console.log("ok " + what);
-  } catch (error) {
-    ++failed;
-    console.log("not ok " + what + "\n" + error.stack);
-  }
-}
-for (const problem of browser.problems) console.log("the browser reports: " + problem);
-failed += browser.problems.length;
-await browser.close();
-console.log(failed === 0 ? "passed" : failed + " failed");
-process.exit(failed === 0 ? 0 : 1);
+await finish(browser, await runTests(kTests, {only: process.argv[4]}));

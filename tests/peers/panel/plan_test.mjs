@@ -7,7 +7,7 @@ import {execFileSync} from "node:child_process";
 import {cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
-import {Browser, until} from "./browser.mjs";
+import {Browser, finish, runTests, until} from "./browser.mjs";
 import {kProject, startProgram} from "./plants.mjs";
 
 const kPicture = '<svg xmlns="http://www.w3.org/2000/svg" width="80" height="20"><script>globalThis.attacked = true</script><rect width="80" height="20" fill="#123456"/></svg>\n';
@@ -56,8 +56,18 @@ const placed = (of = page) => of.evaluate((name) => {
   return {x, y, turn, frame: frames[frame].name};
 }, kRam);
 
-/// The pixel of a device on the screen, by what is under the pointer.
+/// The pixel of a device on the screen, once the view is at rest: it changes when the details close, two frames later.
 const pixelOf = async (name) => {
+  let at = await pixelNow(name);
+  await until("a view at rest", async () => {
+    await new Promise((done) => setTimeout(done, 100));
+    const before = at;
+    at = await pixelNow(name);
+    return at.join() === before.join();
+  });
+  return at;
+};
+const pixelNow = async (name) => {
   const box = await board().boundingBox();
   const at = await page.evaluate((of) => {
     const {names} = symplant;
@@ -123,6 +133,7 @@ const kSteps = [
     await page.keyboard.press("Enter");
     await details.getByRole("heading", {name, exact: true}).waitFor();
     await page.keyboard.press("Escape");
+    await details.waitFor({state: "hidden"});
     await page.mouse.click(...await pixelOf(kRam));
     await details.getByRole("heading", {name: kRam, exact: true}).waitFor();
     await page.keyboard.press("Escape");
@@ -279,22 +290,7 @@ const kSteps = [
   }],
 ];
 
-let failed = 0;
-for (const [what, step] of kSteps) {
-  try {
-    await step();
-    console.log("ok " + what);
-  } catch (error) {
-    ++failed;
-    console.log("not ok " + what + "\n" + error.stack);
-    if (process.env.SYMPLANT_SHOT) await page.screenshot({path: process.env.SYMPLANT_SHOT});
-    break;
-  }
-}
-for (const problem of browser.problems) console.log("the browser reports: " + problem);
-failed += browser.problems.length;
-await browser.close();
-await plant.stop();
-rmSync(folder, {recursive: true, force: true});
-console.log(failed === 0 ? "passed" : failed + " failed");
-process.exit(failed === 0 ? 0 : 1);
+await finish(browser, await runTests(kSteps, {inOrder: true, page}), async () => {
+  await plant.stop();
+  rmSync(folder, {recursive: true, force: true});
+});

@@ -7,7 +7,7 @@ import assert from "node:assert/strict";
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
-import {Browser, until} from "./browser.mjs";
+import {Browser, finish, until} from "./browser.mjs";
 import {startProgram} from "./plants.mjs";
 
 const kPlant = "examples/gallery/malfunctions/plant.json";
@@ -130,10 +130,7 @@ try {
   ++failed;
   console.log(error.stack);
 }
-for (const problem of browser.problems) console.log("the browser reports: " + problem);
-failed += browser.problems.length;
-await browser.close();
-await plant.stop();
-rmSync(folder, {recursive: true, force: true});
-console.log(failed === 0 ? "passed" : failed + " failed");
-process.exit(failed === 0 ? 0 : 1);
+await finish(browser, failed, async () => {
+  await plant.stop();
+  rmSync(folder, {recursive: true, force: true});
+});

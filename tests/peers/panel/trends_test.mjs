@@ -5,7 +5,7 @@
 // Exit code: 0 passed, 1 failed, 77 there is no chromium
 import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
-import {Browser, until} from "./browser.mjs";
+import {Browser, finish, runTests, until} from "./browser.mjs";
 import {startProgram} from "./plants.mjs";
 
 const kTemp = "oven.temp";
@@ -178,21 +178,4 @@ const kSteps = [
   }],
 ];
 
-let failed = 0;
-for (const [what, step] of kSteps) {
-  try {
-    await step();
-    console.log("ok " + what);
-  } catch (error) {
-    ++failed;
-    console.log("not ok " + what + "\n" + error.stack);
-    if (process.env.SYMPLANT_SHOT) await page.screenshot({path: process.env.SYMPLANT_SHOT});
-    break;
-  }
-}
-for (const problem of browser.problems) console.log("the browser reports: " + problem);
-failed += browser.problems.length;
-await browser.close();
-await plant.stop();
-console.log(failed === 0 ? "passed" : failed + " failed");
-process.exit(failed === 0 ? 0 : 1);
+await finish(browser, await runTests(kSteps, {inOrder: true, page}), () => plant.stop());

@@ -6,7 +6,7 @@
 import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
 import {join} from "node:path";
-import {Browser, kSoftware3d, until} from "./browser.mjs";
+import {Browser, finish, kSoftware3d, runTests, until} from "./browser.mjs";
 import {pack, smallModel} from "../../panel/unit/glb.mjs";
 import {kProject, startProgram} from "./plants.mjs";
 
@@ -244,19 +244,4 @@ const kTests = [
   })],
 ];
 
-let failed = 0;
-for (const [what, test] of kTests) {
-  if (process.argv[5] && !what.includes(process.argv[5])) continue;
-  try {
-    await test();
-    console.log("ok " + what);
-  } catch (error) {
-    ++failed;
-    console.log("not ok " + what + "\n" + error.stack);
-  }
-}
-for (const problem of browser.problems) console.log("the browser reports: " + problem);
-failed += browser.problems.length;
-await browser.close();
-console.log(failed === 0 ? "passed" : failed + " failed");
-process.exit(failed === 0 ? 0 : 1);
+await finish(browser, await runTests(kTests, {only: process.argv[5]}));

@@ -12,7 +12,7 @@ export const rgb = (text) => {
 
 export const mixed = (a, b, part) => a.map((value, i) => value + (b[i] - value) * part);
 
-/// The color of a status in the style sheet; null: it has none of its own.
+/// The color of a status in the style sheet; null: the style sheet gives it no color.
 const kOfStatus = {moving: "moving", stopped: "stopped", disabled: "disabled", blocked: "blocked", frozen: "malfunction", malfunction: "malfunction", finding: "finding"};
 export const statusColor = (status) => {
   const name = kOfStatus[STATUSES[status].key];
