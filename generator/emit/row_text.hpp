@@ -34,26 +34,48 @@ class FieldText {
   void operator()(bool value) { next().text(value ? "true" : "false"); }
   void operator()(std::uint8_t value) { next().number(unsigned{value}); }
   void operator()(double value) { next().text(double_text(value)); }
-  void operator()(tables::Index index) { or_name(index.value, tables::kNone, "tables::kNone"); }
-  void operator()(tables::Location location) { or_name(location.value, tables::kOut, "tables::kOut"); }
-  void operator()(tables::Position position) { or_name(position.value, tables::kWhole, "tables::kWhole"); }
-  void operator()(tables::Count count) { or_name(count.value, tables::kAnyNumber, "tables::kAnyNumber"); }
-  void operator()(tables::Bits bits) { next().hex(bits.value); }
-  void operator()(tables::Word word) { next().number(word.value).text("U"); }
-  void operator()(tables::UnitPosition state) {
+  template <class Number>
+  void operator()(tables::Index<Number> index) {
+    or_name(index.value, tables::kNone, "tables::kNone");
+  }
+  template <class Number>
+  void operator()(tables::Location<Number> location) {
+    or_name(location.value, tables::kOut, "tables::kOut");
+  }
+  template <class Number>
+  void operator()(tables::Position<Number> position) {
+    or_name(position.value, tables::kWhole, "tables::kWhole");
+  }
+  template <class Number>
+  void operator()(tables::Count<Number> count) {
+    or_name(count.value, tables::kAnyNumber, "tables::kAnyNumber");
+  }
+  template <class Number>
+  void operator()(tables::Bits<Number> bits) {
+    next().hex(bits.value);
+  }
+  template <class Number>
+  void operator()(tables::Word<Number> word) {
+    next().number(word.value).text("U");
+  }
+  template <class Number>
+  void operator()(tables::UnitPosition<Number> state) {
     if (state.value == tables::kNoState) {
       next().text("tables::kNoState");
     } else {
       or_name(unsigned{state.value}, unsigned{tables::kMovingState}, "tables::kMovingState");
     }
   }
-  void operator()(tables::Optional time) {
+  template <class Number>
+  void operator()(tables::Optional<Number> time) {
     if (time.value != 0) next().number(time.value);
   }
-  void operator()(tables::OptionalIndex index) {
+  template <class Number>
+  void operator()(tables::OptionalIndex<Number> index) {
     if (index.value != tables::kNone) next().number(index.value);
   }
-  void operator()(tables::OptionalNumber number) {
+  template <class Number>
+  void operator()(tables::OptionalNumber<Number> number) {
     if (number.value != 0) (*this)(number.value);
   }
   template <class Other>

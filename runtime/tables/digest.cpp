@@ -22,26 +22,24 @@ struct Add {
   void operator()(std::uint64_t value) const noexcept { hash.u64(value); }
   void operator()(double value) const noexcept { hash.u64(std::bit_cast<std::uint64_t>(value)); }
   void operator()(std::int64_t value) const noexcept { hash.u64(static_cast<std::uint64_t>(value)); }
-  void operator()(Index index) const noexcept { hash.u32(index.value); }
-  void operator()(Location location) const noexcept { hash.u32(location.value); }
-  void operator()(Position position) const noexcept { (*this)(position.value); }
-  void operator()(Bits bits) const noexcept { hash.u64(bits.value); }
-  void operator()(Word word) const noexcept { hash.u64(word.value); }
-  void operator()(Count count) const noexcept { hash.u64(count.value); }
-  void operator()(UnitPosition state) const noexcept { hash.byte(state.value); }
-  void operator()(Optional time) const noexcept {
+  template <class Number>
+  void operator()(Optional<Number> time) const noexcept {
     if (time.value != 0) hash.time(time.value);
   }
-  void operator()(OptionalIndex index) const noexcept {
+  template <class Number>
+  void operator()(OptionalIndex<Number> index) const noexcept {
     if (index.value != kNone) hash.u32(index.value);
   }
-  void operator()(OptionalNumber number) const noexcept {
+  template <class Number>
+  void operator()(OptionalNumber<Number> number) const noexcept {
     if (number.value != 0) (*this)(number.value);
   }
   template <class Other>
   void operator()(const Other& value) const noexcept {
     if constexpr (std::is_enum_v<Other>) {
       hash.byte(static_cast<std::uint8_t>(value));
+    } else if constexpr (Meant<Other>) {
+      (*this)(value.value);
     } else {
       fields(value, *this);
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "symplant/tables/tables.hpp"
 
@@ -40,15 +41,21 @@ class MalfunctionNumbers {
   }
 
   /// Whether an ordinary malfunction is of a unit; otherwise it is of a symbol.
-  bool is_of_unit(std::uint32_t number) const noexcept { return number < first_symbol_; }
+  constexpr bool is_of_unit(std::uint32_t number) const noexcept { return number < first_symbol_; }
   std::uint32_t unit(std::uint32_t number) const noexcept { return (number - written_) / 2; }
   std::uint32_t symbol(std::uint32_t number) const noexcept { return (number - first_symbol_) / 2; }
-  bool is_on(std::uint32_t number) const noexcept { return (number - first_symbol_) % 2 != 0; }
+  constexpr bool is_on(std::uint32_t number) const noexcept { return (number - first_symbol_) % 2 != 0; }
 
   /// What an ordinary malfunction does: it is a `stuck` or `slower` of a unit, or a `force` of a symbol.
-  MalfunctionKind ordinary_kind(std::uint32_t number) const noexcept {
+  constexpr MalfunctionKind ordinary_kind(std::uint32_t number) const noexcept {
     if (!is_of_unit(number)) return MalfunctionKind::force;
     return (number - written_) % 2 == 0 ? MalfunctionKind::stuck : MalfunctionKind::slower;
+  }
+
+  /// What the name of an ordinary malfunction has after that of its unit or symbol.
+  constexpr std::string_view ordinary_name(std::uint32_t number) const noexcept {
+    if (!is_of_unit(number)) return is_on(number) ? "stuck on" : "stuck off";
+    return ordinary_kind(number) == MalfunctionKind::stuck ? "stuck" : "slow";
   }
 
   /// Whether a malfunction has an effect of this kind, `slower` or `stuck`, on a unit. O(effects * log their units).

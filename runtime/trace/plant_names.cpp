@@ -84,11 +84,9 @@ std::string PlantNames::output(std::uint32_t output) const {
 std::string PlantNames::malfunction(std::uint32_t number) const {
   const tables::MalfunctionNumbers numbers(tables_);
   if (numbers.is_written(number)) return std::string(malfunctions_[number]);
-  if (!numbers.is_of_unit(number)) {
-    return std::string(symbol(numbers.symbol(number))) + (numbers.is_on(number) ? " stuck on" : " stuck off");
-  }
-  const bool stuck = numbers.ordinary_kind(number) == tables::MalfunctionKind::stuck;
-  return std::string(unit(numbers.unit(number))) + (stuck ? " stuck" : " slow");
+  const std::string_view of =
+      numbers.is_of_unit(number) ? unit(numbers.unit(number)) : symbol(numbers.symbol(number));
+  return std::string(of).append(" ").append(numbers.ordinary_name(number));
 }
 
 std::string_view PlantNames::task(std::uint32_t symbol) const {

@@ -10,6 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/depfile.hpp"
+#include "app/generate_fmu.hpp"
 #include "app/options.hpp"
 #include "emit/emit.hpp"
 #include "symplant/host/exit_codes.hpp"
@@ -21,6 +22,8 @@ struct GenerateOptions {
   std::string plant;
   PlantOptions plant_options;
   std::string folder;
+  std::string fmu;
+  std::vector<std::string> fmu_libraries;
   std::string depfile;
   std::string templates;
   std::string behaviours;
@@ -95,18 +98,17 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, std:
                              changed);
 }
 
-void generate(const GenerateOptions& options, Context& context) {
-  auto made = compile_for(context, options.plant, options.plant_options);
-  if (!made) return;
-  const auto compiled = std::make_shared<const Compiled>(std::move(*made));
-  context.kept = compiled;
+bool has_templates(const GenerateOptions& options, Context& context) {
   std::error_code unknown;
-  if (!options.templates.empty() && !std::filesystem::is_directory(options.templates, unknown)) {
-    context.err << "error: `" << options.templates << "` is not a folder: give the folder with your templates\n";
-    context.exit_code = host::kBadInput;
-    return;
-  }
-  const emit::EmitResult emitted = emit::emit(compiled->plant, compiled->tables, {options.templates}, context.files);
+  if (options.templates.empty() || std::filesystem::is_directory(options.templates, unknown)) return true;
+  context.err << "error: `" << options.templates << "` is not a folder: give the folder with your templates\n";
+  context.exit_code = host::kBadInput;
+  return false;
+}
+
+void generate_code(const GenerateOptions& options, const Compiled& compiled, Context& context) {
+  if (!has_templates(options, context)) return;
+  const emit::EmitResult emitted = emit::emit(compiled.plant, compiled.tables, {options.templates}, context.files);
   if (!emitted.errors.empty()) {
     for (const std::string& error : emitted.errors) context.err << "error: " << error << "\n";
     context.exit_code = host::kBadInput;
@@ -115,7 +117,19 @@ void generate(const GenerateOptions& options, Context& context) {
   if (options.check) {
     compare(options, emitted, context);
   } else {
-    write(options, emitted, compiled->plant.input_files(), context);
+    write(options, emitted, compiled.plant.input_files(), context);
+  }
+}
+
+void generate(const GenerateOptions& options, Context& context) {
+  auto made = compile_for(context, options.plant, options.plant_options);
+  if (!made) return;
+  const auto compiled = std::make_shared<const Compiled>(std::move(*made));
+  context.kept = compiled;
+  if (options.fmu.empty()) {
+    generate_code(options, *compiled, context);
+  } else {
+    generate_fmu({options.fmu, options.fmu_libraries, options.depfile, options.check}, *compiled, context);
   }
 }
 
@@ -123,26 +137,39 @@ void generate(const GenerateOptions& options, Context& context) {
 
 void add_generate(CLI::App& app, Context& context) {
   auto options = std::make_shared<GenerateOptions>();
-  CLI::App* command =
-      app.add_subcommand("generate", "Write the plant as C++ classes, tables, a main and a CMakeLists.txt");
+  CLI::App* command = app.add_subcommand("generate", "Write the plant as C++, or as an FMU for co-simulation");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
-  command->add_option("-o,--output-dir", options->folder, "the folder for the generated files")
-      ->required()
-      ->type_name("DIR");
+  CLI::Option_group* const made = command->add_option_group("what is made", "");
+  CLI::Option* const folder = made->add_option("-o,--output-dir", options->folder,
+                                               "the folder for C++ classes, tables, a main and a CMakeLists.txt")
+                                  ->type_name("DIR");
+  CLI::Option* const fmu =
+      made->add_option("--fmu", options->fmu, "the file for the plant as an FMU (FMI 2.0, co-simulation)")
+          ->type_name("FILE");
+  made->require_option(1);
   command->add_option("--depfile", options->depfile, "write what the files were made from, for make and ninja")
       ->type_name("FILE");
   command->add_option("--templates", options->templates, "a folder with templates that replace the built-in ones")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->needs(folder);
   command
       ->add_option("--behaviours", options->behaviours,
                    "the folder of your behavior classes: missing ones are written there, once")
-      ->type_name("DIR");
-  command->add_flag("--check", options->check, "write nothing; exit code 1 if the folder is out of date");
+      ->type_name("DIR")
+      ->needs(folder);
+  command
+      ->add_option(
+          "--fmu-library", options->fmu_libraries,
+          "a library for the FMU instead of all that the tool has: `linux64=FILE`, `win64=FILE`; several are possible")
+      ->type_name("PLATFORM=FILE")
+      ->needs(fmu);
+  command->add_flag("--check", options->check, "write nothing; exit code 1 if the folder or the FMU is out of date");
   add_plant_options(*command, options->plant_options);
   command->footer(
       "The generated code is yours: the license of symplant does not extend to it.\n"
       "Examples:\n  symplant generate plant.json -o plant\n  symplant generate symbols.csv -o plant --check\n"
-      "  symplant generate plant.json -o plant --behaviours behaviours");
+      "  symplant generate plant.json -o plant --behaviours behaviours\n"
+      "  symplant generate plant.json --fmu plant.fmu");
   command->callback([options, &context] { generate(*options, context); });
 }
 
