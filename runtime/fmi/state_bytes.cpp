@@ -26,12 +26,6 @@ std::uint64_t own_version() {
   return digest.value();
 }
 
-std::uint64_t digest_of(std::string_view bytes) {
-  tables::Fnv1a64 digest;
-  digest.text(bytes);
-  return digest.value();
-}
-
 }  // namespace
 
 std::string state_bytes(const InstanceState& state, std::uint8_t extra, std::uint64_t model_hash) {
@@ -41,7 +35,7 @@ std::string state_bytes(const InstanceState& state, std::uint8_t extra, std::uin
   append(&head, sizeof head);
   append(state.plant.data(), state.plant.size());
   append(state.numbers.data(), state.numbers.size() * sizeof(std::uint64_t));
-  const std::uint64_t digest = digest_of(bytes);
+  const std::uint64_t digest = tables::digest_of(bytes);
   append(&digest, sizeof digest);
   return bytes;
 }
@@ -54,7 +48,7 @@ std::optional<ReadState> read_state(std::string_view bytes, std::uint64_t model_
   const std::string_view digested = bytes.substr(0, bytes.size() - sizeof digest);
   std::memcpy(&digest, bytes.data() + digested.size(), sizeof digest);
   const std::size_t rest = digested.size() - sizeof head;
-  if (head.version != own_version() || head.model_hash != model_hash || digest != digest_of(digested)) {
+  if (head.version != own_version() || head.model_hash != model_hash || digest != tables::digest_of(digested)) {
     return std::nullopt;
   }
   if (head.plant > rest || (rest - head.plant) != head.numbers * sizeof(std::uint64_t)) return std::nullopt;

@@ -135,7 +135,7 @@ class Reader {
  public:
   Reader(std::string_view bytes, Memory& memory) : rest_(bytes), memory_(memory) {}
 
-  bool failed() const { return failed_; }
+  std::string_view rest() const { return rest_; }
   bool at_end() const { return !failed_ && rest_.empty(); }
 
   template <class Value>
@@ -205,14 +205,14 @@ class Reader {
 }  // namespace
 
 std::string write_tables(const tables::PlantTables& tables) {
+  std::string body;
+  Writer body_writer(body);
+  members(tables, body_writer);
   std::string bytes(kMark);
   Writer writer(bytes);
   writer(static_cast<std::uint32_t>(tables::kTablesVersion));
-  tables::PlantTables plain = tables;
-  plain.values.compiled = {};
-  writer(tables::model_hash(plain));
-  members(plain, writer);
-  return bytes;
+  writer(tables::digest_of(body));
+  return bytes + body;
 }
 
 std::variant<std::unique_ptr<const LoadedTables>, std::string> LoadedTables::read(std::string_view bytes) {
@@ -220,15 +220,16 @@ std::variant<std::unique_ptr<const LoadedTables>, std::string> LoadedTables::rea
   std::unique_ptr<LoadedTables> loaded(new LoadedTables());
   Reader reader(bytes.substr(kMark.size()), loaded->memory_);
   std::uint32_t version = 0;
-  std::uint64_t hash = 0;
+  std::uint64_t digest = 0;
   reader(version);
   if (version != static_cast<std::uint32_t>(tables::kTablesVersion)) {
     return "its tables have the layout " + std::to_string(version) + ", this library reads " +
            std::to_string(tables::kTablesVersion);
   }
-  reader(hash);
+  reader(digest);
+  if (digest != tables::digest_of(reader.rest())) return "it is damaged";
   members(loaded->tables_, reader);
-  if (!reader.at_end() || tables::model_hash(loaded->tables_) != hash) return "it is damaged";
+  if (!reader.at_end()) return "it is damaged";
   return std::unique_ptr<const LoadedTables>(std::move(loaded));
 }
 

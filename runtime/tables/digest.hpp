@@ -28,6 +28,12 @@ class Fnv1a64 {
   std::uint64_t hash_ = 0xCBF2'9CE4'8422'2325;
 };
 
+inline std::uint64_t digest_of(std::string_view bytes) noexcept {
+  Fnv1a64 digest;
+  digest.text(bytes);
+  return digest.value();
+}
+
 /// The identity of a plant as one number: the same for equal tables on every machine, different if any row or name
 /// differs. The plant's name and its controllers count. The line numbers and file names of the symbol lists, and the
 /// distribution of a controller's symbols over lists, do not. O(tables).
