@@ -32,7 +32,7 @@ function(symplant_add_plant TARGET)
   add_custom_command(
     OUTPUT "${folder}/tables_gen.cpp"
     BYPRODUCTS "${folder}/main_gen.cpp" "${folder}/plant_gen.hpp" "${folder}/types_gen.hpp"
-               "${folder}/formulas_gen.hpp" "${folder}/tables_gen.hpp" "${folder}/CMakeLists.txt"
+               "${folder}/formulas_gen.hpp" "${folder}/tables_gen.hpp" "${folder}/fmu_gen.cpp" "${folder}/CMakeLists.txt"
     COMMAND symplant::symplant generate "${plant}" -o "${folder}" --depfile "${folder}/plant.d" ${options}
     COMMAND ${CMAKE_COMMAND} -E touch "${folder}/tables_gen.cpp"
     DEPENDS "${plant}" symplant::symplant
@@ -54,6 +54,8 @@ function(symplant_add_plant TARGET)
       target_compile_definitions(${TARGET}_plant PRIVATE SYMPLANT_FORMULAS)
     endif()
   endif()
+
+  set_target_properties(${TARGET}_plant PROPERTIES SYMPLANT_PLANT_FILE "${plant}" SYMPLANT_PLANT_CODE "${folder}")
 
   add_executable(${TARGET} "${folder}/main_gen.cpp")
   target_link_libraries(${TARGET} PRIVATE ${TARGET}_plant symplant::runtime)

@@ -5,7 +5,7 @@ set(tool COMPONENT symplant)
 set(development COMPONENT libsymplant-dev)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/symplant)
-set(targets symplant_tables symplant_engine symplant_plant symplant_condition symplant_json symplant_share symplant_exec symplant_link symplant_trace symplant_why symplant_scenario symplant_program symplant_panel symplant_host symplant_runtime)
+set(targets symplant_tables symplant_engine symplant_plant symplant_condition symplant_fmi symplant_json symplant_share symplant_exec symplant_link symplant_trace symplant_why symplant_scenario symplant_program symplant_panel symplant_host symplant_runtime)
 if(SYMPLANT_BUILD_GENERATOR)
   list(APPEND targets symplant)
 endif()
@@ -16,7 +16,7 @@ install(
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ${development}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${tool})
 install(EXPORT symplantTargets NAMESPACE symplant:: DESTINATION ${package_dir} ${development})
-foreach(floor tables engine plant condition json share exec link trace why scenario program panel host)
+foreach(floor tables engine plant condition fmi json share exec link trace why scenario program panel host)
   install(
     DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/${floor}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant ${development}
@@ -49,4 +49,5 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/generator/cmake/symplantConf
                               ${PROJECT_BINARY_DIR}/symplantConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/symplantConfig.cmake ${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake
-              generator/cmake/SymplantAddPlant.cmake generator/cmake/SymplantAddProgram.cmake DESTINATION ${package_dir} ${development})
+              generator/cmake/SymplantAddPlant.cmake generator/cmake/SymplantAddProgram.cmake
+              generator/cmake/SymplantAddFmu.cmake generator/cmake/fmi_exports.map DESTINATION ${package_dir} ${development})

@@ -30,13 +30,14 @@ struct Point {
 };
 
 struct Play {
-  std::string example;  ///< a file of the folder examples
-  bool on_grid;         ///< steps are multiples of 10 ms, so that much happens at communication points
+  std::string fmu;  ///< its file
+  std::string run;  ///< the command that runs the same plant
+  bool on_grid;     ///< steps are multiples of 10 ms, so that much happens at communication points
 };
 
-void run_tool(const std::string& arguments) {
-  INFO(arguments);
-  REQUIRE(std::system(("'" SYMPLANT_TOOL "' " + arguments + " > /dev/null").c_str()) == 0);
+void execute(const std::string& command) {
+  INFO(command);
+  REQUIRE(std::system(command.c_str()) == 0);
 }
 
 /// Random points, from time 0 to 20 s.
@@ -227,11 +228,9 @@ void advance(const Fmu& fmu, Side& side) {
 
 /// `play` with two instances whose steps alternate at random. Returns the number of short pulses.
 int play(const Play& play, std::uint64_t seed) {
-  INFO(play.example << ", seed " << seed);
-  const std::string plant = std::string(SYMPLANT_SOURCE "/examples/") + play.example;
+  INFO(play.fmu << ", " << play.run << ", seed " << seed);
   const TemporaryFolder folder;
-  run_tool("generate '" + plant + "' --fmu '" + (folder / "plant.fmu") + "'");
-  const Fmu fmu(folder / "plant.fmu", folder / "fmu");
+  const Fmu fmu(play.fmu, folder / "fmu");
   std::mt19937_64 random(seed);
   std::vector<std::unique_ptr<Side>> sides;
   for (int i = 0; i < 2; ++i) {
@@ -239,9 +238,8 @@ int play(const Play& play, std::uint64_t seed) {
     std::vector<Point> points = random_points(fmu, play.on_grid, random);
     write_scenario(fmu, points, folder / (name + ".json"));
     const int plant_seed = static_cast<int>(random() % 1000);
-    run_tool("run '" + plant + "' --seed " + std::to_string(plant_seed) + " --scenario '" +
-             (folder / (name + ".json")) + "' --trace '" + (folder / (name + ".jsonl")) +
-             "' > /dev/null 2>&1 || [ $? = 1 ]");
+    execute(play.run + " --seed " + std::to_string(plant_seed) + " --scenario '" + (folder / (name + ".json")) +
+            "' --trace '" + (folder / (name + ".jsonl")) + "' > /dev/null 2>&1 || [ $? = 1 ]");
     sides.push_back(std::unique_ptr<Side>(
         new Side{{fmu, name}, std::move(points), {fmu, folder / (name + ".jsonl")}, i == 0 ? 0 : 12.5}));
     Side& side = *sides.back();
@@ -275,10 +273,18 @@ TEST_CASE("FMUs of the examples equal `symplant run` at each communication point
   for (const char* const example :
        {"cell/plant.json", "excell/excell.csv", "body-shop/plant.json", "dosing/plant.json", "oven/plant.json",
         "sorting/plant.json", "harbour-crane/plant.json", "training-line/plant.json", "two-plcs/plant.json"}) {
-    pulses += play({example, false}, seed);
-    pulses += play({example, true}, seed);
+    const std::string plant = std::string("'" SYMPLANT_SOURCE "/examples/") + example + "'";
+    const TemporaryFolder folder;
+    const std::string fmu = folder / "plant.fmu";
+    execute("'" SYMPLANT_TOOL "' generate " + plant + " --fmu '" + fmu + "' > /dev/null");
+    for (const bool on_grid : {false, true}) pulses += play({fmu, "'" SYMPLANT_TOOL "' run " + plant, on_grid}, seed);
   }
   CHECK(pulses > 0);
+}
+
+TEST_CASE("The FMU of a plant with C++ of the user equals its program") {
+  const auto seed = GENERATE(range<std::uint64_t>(1, SYMPLANT_FMU_SEEDS + 1));
+  for (const bool on_grid : {false, true}) play({SYMPLANT_SCALE_FMU, "'" SYMPLANT_SCALE "'", on_grid}, seed);
 }
 
 }  // namespace symplant::test

@@ -122,6 +122,11 @@ void generate_code(const GenerateOptions& options, const Compiled& compiled, Con
 }
 
 void generate(const GenerateOptions& options, Context& context) {
+  if (options.folder.empty() && options.fmu.empty()) {
+    context.err << "error: give `-o DIR` for C++, or `--fmu FILE` for an FMU\n";
+    context.exit_code = host::kBadInput;
+    return;
+  }
   auto made = compile_for(context, options.plant, options.plant_options);
   if (!made) return;
   const auto compiled = std::make_shared<const Compiled>(std::move(*made));
@@ -139,14 +144,14 @@ void add_generate(CLI::App& app, Context& context) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", "Write the plant as C++, or as an FMU for co-simulation");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
-  CLI::Option_group* const made = command->add_option_group("what is made", "");
-  CLI::Option* const folder = made->add_option("-o,--output-dir", options->folder,
+  CLI::Option* const folder = command
+                                  ->add_option("-o,--output-dir", options->folder,
                                                "the folder for C++ classes, tables, a main and a CMakeLists.txt")
                                   ->type_name("DIR");
   CLI::Option* const fmu =
-      made->add_option("--fmu", options->fmu, "the file for the plant as an FMU (FMI 2.0, co-simulation)")
-          ->type_name("FILE");
-  made->require_option(1);
+      command->add_option("--fmu", options->fmu, "the file for the plant as an FMU (FMI 2.0, co-simulation)")
+          ->type_name("FILE")
+          ->excludes(folder);
   command->add_option("--depfile", options->depfile, "write what the files were made from, for make and ninja")
       ->type_name("FILE");
   command->add_option("--templates", options->templates, "a folder with templates that replace the built-in ones")

@@ -7,10 +7,10 @@
 namespace symplant::test {
 namespace {
 
-const std::vector<std::string> kFiles{"CMakeLists.txt", "formulas_gen.hpp", "main_gen.cpp", "plant_gen.hpp",
-                                      "tables_gen.cpp", "tables_gen.hpp",   "types_gen.hpp"};
+const std::vector<std::string> kFiles{"CMakeLists.txt", "fmu_gen.cpp",    "formulas_gen.hpp", "main_gen.cpp",
+                                      "plant_gen.hpp",  "tables_gen.cpp", "tables_gen.hpp",   "types_gen.hpp"};
 
-TEST_CASE("generate: Seven files are written, and no other") {
+TEST_CASE("generate: Eight files are written, and no other") {
   MemoryFileSystem files = lists();
   const std::size_t before = files.files.size();
   CHECK(run_tool({"generate", "excell.csv", "-o", "out"}, files).code == 0);
@@ -178,6 +178,59 @@ TEST_CASE("run: A behavior is absent if nothing is compiled, with a message") {
   CHECK(contains(run.out,
                  "behavior `SlowCylinder` of 1 device has no code in this program, the derived model applies; to "
                  "include its code, use `symplant generate`\n"));
+}
+
+TEST_CASE("generate: The plant is written as an FMU, with equal bytes for equal inputs") {
+  MemoryFileSystem files = lists();
+  const ToolRun run = run_tool({"generate", "excell.csv", "--fmu", "cell.fmu", "--depfile", "cell.d"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.out, "cell.fmu: FMI 2.0 for co-simulation, "));
+  CHECK(files.files["cell.d"] == "cell.fmu: \\\n  excell.csv\n");
+  const std::string first = files.files["cell.fmu"];
+  CHECK(first.substr(0, 2) == "PK");
+  CHECK(run_tool({"generate", "excell.csv", "--fmu", "cell.fmu", "--check"}, files).code == 0);
+  files.files["cell.fmu"].back() ^= 1;
+  CHECK(run_tool({"generate", "excell.csv", "--fmu", "cell.fmu", "--check"}, files).code == 1);
+  CHECK(run_tool({"generate", "excell.csv", "--fmu", "cell.fmu"}, files).code == 0);
+  CHECK(files.files["cell.fmu"] == first);
+}
+
+TEST_CASE("generate: An FMU has the libraries that are given, and no other") {
+  MemoryFileSystem files = lists();
+  files.files["mine.dll"] = "MZ of mine";
+  const ToolRun run =
+      run_tool({"generate", "excell.csv", "--fmu", "cell.fmu", "--fmu-library", "win64=mine.dll"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.out, "for win64\n"));
+  CHECK(contains(files.files["cell.fmu"], "binaries/win64/excell.dll"));
+  CHECK_FALSE(contains(files.files["cell.fmu"], "linux"));
+}
+
+TEST_CASE("generate: What an FMU cannot be made of is an error, and nothing is written") {
+  MemoryFileSystem files = lists();
+  files.files["mine.dll"] = "MZ";
+  files.files["behaves.json"] =
+      R"({"symplant": 1, "symbols": ["excell.csv"], "devices": {"EXLINE_MB_AGV": {"behaviour": "MyAgv"}}})";
+  files.files["twice.json"] = R"({"symplant": 1, "symbols": ["excell.csv"],
+                                  "malfunctions": [{"name": "EXLINE_MB_AGV_I_P1", "of": "EXLINE_MB_AGV", "stuck": true}]})";
+  const auto error = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "generate");
+    const ToolRun run = run_tool(std::move(arguments), files);
+    CHECK(run.code == 2);
+    CHECK(files.files.count("cell.fmu") == 0);
+    return run.err;
+  };
+  CHECK(error({"excell.csv"}) == "error: give `-o DIR` for C++, or `--fmu FILE` for an FMU\n");
+  CHECK(contains(error({"excell.csv", "-o", "out", "--fmu", "cell.fmu"}), "--output-dir excludes --fmu"));
+  CHECK(contains(error({"excell.csv", "--fmu", "cell.fmu", "--templates", "t"}), "--templates requires"));
+  CHECK(contains(error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "mine.dll"}),
+                 "`--fmu-library mine.dll`: give PLATFORM=FILE"));
+  CHECK(contains(error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "win64=none.dll"}), "none.dll"));
+  CHECK(contains(
+      error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "win64=mine.dll", "--fmu-library", "win64=mine.dll"}),
+      "two files for win64"));
+  CHECK(contains(error({"behaves.json", "--fmu", "cell.fmu"}), "has the custom behavior `MyAgv`, which is C++"));
+  CHECK(contains(error({"twice.json", "--fmu", "cell.fmu"}), "the name `EXLINE_MB_AGV_I_P1`"));
 }
 
 }  // namespace
