@@ -21,14 +21,14 @@ constexpr std::size_t kMostLines = 500;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 31> kGenerator = {
-    "base",    "text",  "diag",  "address", "read",      "name",     "description", "naming",
-    "pairing", "infer", "model", "score",   "convert",   "lower",    "check",       "findings",
-    "emit",    "view",  "diff",  "map",     "recording", "record",   "compare",     "observe",
-    "study",   "learn", "watch", "batch",   "suite",     "campaign", "app"};
-constexpr std::array<std::string_view, 14> kRuntime = {"tables",   "engine",  "plant", "condition", "json",
-                                                       "share",    "exec",    "link",  "trace",     "why",
-                                                       "scenario", "program", "panel", "host"};
+constexpr std::array<std::string_view, 32> kGenerator = {
+    "base",     "text",  "diag",  "address", "read",    "name",      "description", "naming",
+    "pairing",  "infer", "model", "score",   "convert", "fmu",       "lower",       "check",
+    "findings", "emit",  "view",  "diff",    "map",     "recording", "record",      "compare",
+    "observe",  "study", "learn", "watch",   "batch",   "suite",     "campaign",    "app"};
+constexpr std::array<std::string_view, 15> kRuntime = {"tables", "engine",   "plant",   "condition", "fmi",
+                                                       "json",   "share",    "exec",    "link",      "trace",
+                                                       "why",    "scenario", "program", "panel",     "host"};
 
 /// What an element of plant.json needs lies in one folder, generator/elements/NAME: the files of these names belong to
 /// these layers, all others to `model`.
@@ -61,6 +61,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"pairing", " tables "},
     RuntimeUse{"model", " tables condition link "},
     RuntimeUse{"score", " tables condition "},
+    RuntimeUse{"fmu", " tables condition fmi "},
     RuntimeUse{"lower", " tables condition "},
     RuntimeUse{"check", " tables condition "},
     RuntimeUse{"findings", " json "},
