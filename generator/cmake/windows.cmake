@@ -10,6 +10,7 @@ set(libraries ${project}/build/windows-libraries/prefix)
 
 # No DLL next to the program, and no byte that depends on the folder or the time of the build.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--no-insert-timestamp")
+set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static -s -Wl,--no-insert-timestamp")
 set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")
 set(CMAKE_CXX_FLAGS_INIT "\"-ffile-prefix-map=${project}/=\" -D_WIN32_WINNT=0x0A00 -DNOMINMAX -DWIN32_LEAN_AND_MEAN -DZIP_STATIC -DUTF8PROC_STATIC -Wa,-mbig-obj")
 set(CMAKE_C_FLAGS_INIT "\"-ffile-prefix-map=${project}/=\" -D_WIN32_WINNT=0x0A00")

@@ -156,10 +156,15 @@ fmi2Status refuse_derivatives(fmi2Component component, std::size_t count) noexce
   });
 }
 
-std::string bytes_of(const Component& component, fmi2FMUstate state) {
-  const auto& kept = *static_cast<const State*>(state);
-  return symplant::fmi::state_bytes(kept.instance, static_cast<std::uint8_t>(kept.phase),
-                                    component.instance.plant().model_hash());
+/// Calls `function` with the bytes of an FMU state.
+template <class Function>
+fmi2Status with_bytes(fmi2Component component, fmi2FMUstate state, Function function) noexcept {
+  return with(component, [&](const Component& c) {
+    if (state == nullptr) return c.log.error("there is no FMU state to serialize");
+    const auto& kept = *static_cast<const State*>(state);
+    return function(c, symplant::fmi::state_bytes(kept.instance, static_cast<std::uint8_t>(kept.phase),
+                                                  c.instance.plant().model_hash()));
+  });
 }
 
 }  // namespace
@@ -333,15 +338,14 @@ fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
 }
 
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, std::size_t* size) {
-  return with(component, [&](const Component& c) {
-    *size = bytes_of(c, state).size();
+  return with_bytes(component, state, [&](const Component&, const std::string& bytes) {
+    *size = bytes.size();
     return fmi2OK;
   });
 }
 
 fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], std::size_t size) {
-  return with(component, [&](const Component& c) {
-    const std::string all = bytes_of(c, state);
+  return with_bytes(component, state, [&](const Component& c, const std::string& all) {
     if (size < all.size()) return c.log.error("the memory for the FMU state is too small");
     std::memcpy(bytes, all.data(), all.size());
     return fmi2OK;
