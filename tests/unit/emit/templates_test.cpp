@@ -34,7 +34,7 @@ TEST_CASE("templates/README.md is the contract: its table lists the keys") {
 }
 
 TEST_CASE("The templates in the tool are the files in templates/") {
-  CHECK(emit::embedded_templates().size() == 8);
+  CHECK(emit::embedded_templates().size() == 9);
   for (const emit::Template& own : emit::embedded_templates()) {
     INFO(own.name);
     CHECK(own.text == read_bytes(kSource + "/templates/" + std::string(own.name) + ".mustache"));
@@ -103,7 +103,7 @@ TEST_CASE("A folder may hold templates for further files, and nothing else") {
   CHECK(result.errors.empty());
   CHECK(file_of(result, "a.st") == "symbols");
   CHECK(file_of(result, "b.puml") == "@startuml D\n");
-  CHECK(result.files.size() == 9);
+  CHECK(result.files.size() == 10);
   CHECK(result.inputs.size() == 2);
   folder.write("notes.txt", "");
   const Emitted refused = emitted(compiled.plant(), compiled.tables(), {folder.path()});
