@@ -40,7 +40,7 @@ void execute(const std::string& command) {
   REQUIRE(std::system(command.c_str()) == 0);
 }
 
-/// Random points, from time 0 to 20 s.
+/// Random points, from time 0 to 60 s.
 std::vector<Point> random_points(const Fmu& fmu, bool on_grid, std::mt19937_64& random) {
   std::vector<std::string> inputs;
   std::vector<std::string> malfunctions;
@@ -56,16 +56,16 @@ std::vector<Point> random_points(const Fmu& fmu, bool on_grid, std::mt19937_64& 
     return std::round(least + (greatest - least) * static_cast<double>(random() % 1001) / 1000);
   };
   std::vector<Point> points;
-  for (std::int64_t time = 0; time < 20 * kSecond;) {
+  for (std::int64_t time = 0; time < 60 * kSecond;) {
     Point point{time, {}, {}};
     for (const std::string& name : inputs) {
       if (chance(30)) point.inputs[name] = number(fmu.variables().at(name));
     }
     if (chance(20)) point.malfunctions[malfunctions[random() % malfunctions.size()]] = !chance(4);
     points.push_back(std::move(point));
-    const std::int64_t most = chance(4) ? 2 * kSecond : kSecond / 5;
-    time += on_grid ? 10'000'000 * (1 + static_cast<std::int64_t>(random() % 20))
-                    : 1 + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most));
+    const std::int64_t most = chance(3) ? 5 * kSecond : kSecond / 5;  // long ones hide pulses
+    const std::int64_t unit = on_grid ? 10'000'000 : 1;
+    time += unit * (1 + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most / unit)));
   }
   return points;
 }
