@@ -227,8 +227,9 @@ TEST_CASE("A step begins where the last one ended") {
 }
 
 TEST_CASE("The state of an instance can be saved and restored, also before the first step") {
-  Simulation plant(kCylinder, kFast + R"(, "malfunctions": [{"name": "blink", "flicker":
-      {"symbol": "L_P_CYL_I_ADV", "every": "10ms", "for": "1ms"}}])");
+  const std::string members = kFast + R"(, "malfunctions": [{"name": "blink", "flicker":
+      {"symbol": "L_P_CYL_I_ADV", "every": "10ms", "for": "1ms"}}])";
+  Simulation plant(kCylinder, members);
   plant.instance.begin_at(5);
   plant.set("seed", 4).set("L_P_CYL_O_ADV", 1);
   const fmi::InstanceState early = plant.instance.save();
@@ -249,6 +250,13 @@ TEST_CASE("The state of an instance can be saved and restored, also before the f
   plant.instance.begin();
   plant.step(100);
   CHECK(plant.get("L_P_CYL_I_ADV") == 1);
+
+  Simulation same(kCylinder, members);
+  REQUIRE(same.instance.restore(held));
+  CHECK(same.instance.time() == Approx(5.015));
+  CHECK(same.get("L_P_CYL_O_ADV") == 1);
+  CHECK(same.get("short pulses") == 1);
+  CHECK_FALSE(same.try_set("seed", 1).empty());
 
   Simulation other({{"L_P_CYL_O_ADV"}, {"L_P_CYL_I_ADV"}}, R"("name": "t")");
   CHECK_FALSE(other.instance.restore(held));
