@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <filesystem>
 #include <optional>
 #include <ostream>
 
@@ -31,37 +30,57 @@ struct Libraries {
   std::vector<std::string> files;
 };
 
-/// Those of the tool, or only those of the user if there are any. Nothing, with a message, if one cannot be read.
+bool is_of(std::string_view platform, std::string_view system) { return platform.substr(0, system.size()) == system; }
+
+/// How the libraries of a platform's system end and begin.
+std::string_view extension_of(std::string_view platform) {
+  return is_of(platform, "win") ? ".dll" : is_of(platform, "darwin") ? ".dylib" : ".so";
+}
+bool is_library(std::string_view platform, std::string_view bytes) {
+  if (is_of(platform, "darwin")) return !bytes.empty();
+  const std::string_view begin = is_of(platform, "win") ? "MZ"
+                                                        : "\x7F"
+                                                          "ELF";
+  return bytes.substr(0, begin.size()) == begin;
+}
+
+/// Reads a library of the user, `PLATFORM=FILE`. Returns what is wrong with it; empty: nothing.
+std::string add_library(const std::string& given, const base::FileSystem& files, Libraries& libraries) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  const std::size_t equals = given.find('=');
+  const std::string platform = given.substr(0, equals);
+  if (equals == std::string::npos || platform.empty() || platform.find_first_not_of(kLetters) != std::string::npos) {
+    return "`--fmu-library " + given + "`: give PLATFORM=FILE, such as `win64=plant.dll`";
+  }
+  const std::string file = given.substr(equals + 1);
+  auto bytes = files.read(file);
+  if (!bytes) return bytes.error().message;
+  if (!is_library(platform, *bytes)) return "`" + file + "` is not a shared library for " + platform;
+  const auto is_same = [&](const fmu::Library& library) { return library.platform == platform; };
+  if (std::any_of(libraries.all.begin(), libraries.all.end(), is_same)) {
+    return "`--fmu-library` has two files for " + platform + ": give one";
+  }
+  const std::string& kept = libraries.texts.emplace_back(platform);
+  libraries.all.push_back({kept, extension_of(kept), libraries.texts.emplace_back(std::move(*bytes))});
+  libraries.files.push_back(file);
+  return {};
+}
+
+/// Those of the tool, or only those of the user if there are any. Nothing, with a message, if one is not a library.
 std::optional<Libraries> libraries_of(const FmuOptions& options, Context& context) {
   Libraries libraries;
   for (const std::string& given : options.libraries) {
-    const std::size_t equals = given.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      fail(context, host::kBadInput, "`--fmu-library " + given + "`: give PLATFORM=FILE, such as `win64=plant.dll`");
+    if (const std::string fault = add_library(given, context.files, libraries); !fault.empty()) {
+      fail(context, host::kBadInput, fault);
       return std::nullopt;
     }
-    const std::string file = given.substr(equals + 1);
-    auto bytes = context.files.read(file);
-    if (!bytes) {
-      fail(context, host::kBadInput, bytes.error().message);
-      return std::nullopt;
-    }
-    const std::string& platform = libraries.texts.emplace_back(given.substr(0, equals));
-    const auto is_same = [&](const fmu::Library& library) { return library.platform == platform; };
-    if (std::any_of(libraries.all.begin(), libraries.all.end(), is_same)) {
-      fail(context, host::kBadInput, "`--fmu-library` has two files for " + platform + ": give one");
-      return std::nullopt;
-    }
-    const std::string& extension = libraries.texts.emplace_back(std::filesystem::path(file).extension().string());
-    libraries.all.push_back({platform, extension, libraries.texts.emplace_back(std::move(*bytes))});
-    libraries.files.push_back(file);
   }
   // A library of the user may have C++ that those of the tool do not have: they are never mixed.
   if (options.libraries.empty()) libraries.all.assign(fmu::libraries().begin(), fmu::libraries().end());
   return libraries;
 }
 
-/// Whether the FMU has no C++ of the user that it needs; otherwise reports it.
+/// Whether the plant needs none of the user's C++, or the user gave libraries; otherwise reports it.
 bool needs_no_code(const FmuOptions& options, const tables::PlantTables& tables, Context& context) {
   if (tables.behaviour_units.empty() || !options.libraries.empty()) return true;
   const tables::BehaviourUnit& first = tables.behaviour_units.front();

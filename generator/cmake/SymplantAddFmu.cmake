@@ -50,7 +50,8 @@ function(symplant_fmu_library TARGET FMI)
     target_link_options(${TARGET} PRIVATE -static)
   else()
     # With the system's libgcc, which every system has: a static one needs the C library of the build's system or a later one.
-    target_link_options(${TARGET} PRIVATE -static-libstdc++ -Wl,--gc-sections "-Wl,--version-script=${SYMPLANT_FMI_EXPORTS}")
+    target_link_options(${TARGET} PRIVATE -static-libstdc++ -Wl,--gc-sections $<$<CONFIG:Release,MinSizeRel>:-s>
+                                                "-Wl,--version-script=${SYMPLANT_FMI_EXPORTS}")
     set_target_properties(${TARGET} PROPERTIES LINK_DEPENDS "${SYMPLANT_FMI_EXPORTS}")
   endif()
 endfunction()

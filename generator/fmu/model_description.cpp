@@ -237,7 +237,7 @@ class Description {
     return unit.empty() ? "" : attribute("unit", unit);
   }
 
-  /// The least and the greatest number, if they say more than the base type.
+  /// The least and the greatest number, if they are narrower than the base type.
   std::string range(const Variable& v) const {
     if (is_value(v)) {
       const tables::ValueRow& row = tables_.values.rows[value_of(v)];
@@ -256,7 +256,8 @@ class Description {
     return attribute("min", -half) + attribute("max", half - 1);
   }
 
-  /// Which variables are unknown, by their numbers from 1: the outputs, also in the initialization mode.
+  /// Which variables are unknown, by their numbers from 1: the outputs, also in the initialization mode. None depends
+  /// on an input before the next step.
   void structure() {
     xml_.open("ModelStructure");
     for (const char* const list : {"Outputs", "InitialUnknowns"}) {
@@ -264,7 +265,7 @@ class Description {
       for (std::size_t v = 0; v < variables_.all().size(); ++v) {
         if (variables_.all()[v].kind != Kind::event) continue;
         if (!std::exchange(any, true)) xml_.open(list);
-        xml_.line(fmt::format("<Unknown index=\"{}\"/>", v + 1));
+        xml_.line(fmt::format("<Unknown index=\"{}\" dependencies=\"\"/>", v + 1));
       }
       if (any) xml_.close(list);
     }

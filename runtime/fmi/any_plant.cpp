@@ -1,4 +1,4 @@
-// The library in FMUs of plants without C++ of the user: it reads the plant from the FMU.
+// The library in FMUs of plants without the user's C++: it reads the plant from the FMU.
 #include "symplant/fmi/library_plant.hpp"
 
 namespace symplant::fmi {

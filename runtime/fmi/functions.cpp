@@ -1,9 +1,9 @@
 // The C functions of an FMU.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,6 +16,12 @@
 #include "symplant/fmi/library_plant.hpp"
 #include "symplant/fmi/state_bytes.hpp"
 #include "symplant/tables/names.hpp"
+
+#ifdef __GLIBCXX__
+namespace __gnu_cxx {
+void __freeres();
+}
+#endif
 
 namespace {
 
@@ -66,12 +72,14 @@ struct Component {
       : log(std::move(to)),
         plant(std::move(from)),
         variables(plant.tables()),
-        instance({plant.tables(), plant.behaviours(), variables}) {}
+        instance({plant.tables(), plant.behaviours(), variables}),
+        symbol_names(symplant::tables::split_names(plant.tables().symbol_names)) {}
 
   Log log;
   LibraryPlant plant;
   Variables variables;
   Instance instance;
+  std::vector<std::string_view> symbol_names;  ///< name and address of each
   Phase phase = Phase::instantiated;
   bool logs_pulses = false;
 };
@@ -138,13 +146,22 @@ fmi2Status each(fmi2Component component, const fmi2ValueReference references[], 
   });
 }
 
+/// The same, to set variables.
+template <class Function>
+fmi2Status set_each(fmi2Component component, const fmi2ValueReference references[], std::size_t count, BaseType type,
+                    Function function) noexcept {
+  const fmi2Status allowed = with(component, [](const Component& c) {
+    return c.phase == Phase::terminated ? c.log.error("after fmi2Terminate, variables can only be read") : fmi2OK;
+  });
+  return allowed == fmi2OK ? each(component, references, count, type, function) : allowed;
+}
+
 void log_pulses(const Component& component) {
   const std::vector<std::uint32_t> held = component.instance.held_events();
   if (held.empty()) return;
-  const auto names = symplant::tables::split_names(component.plant.tables().symbol_names);
   std::string text = "pulses shorter than the step, held to its end:";
   for (std::size_t i = 0; i < held.size() && i < kMostNames; ++i) {
-    text.append(i == 0 ? " " : ", ").append(names[2 * std::size_t{held[i]}]);
+    text.append(i == 0 ? " " : ", ").append(component.symbol_names[2 * std::size_t{held[i]}]);
   }
   if (held.size() > kMostNames) text += " and " + std::to_string(held.size() - kMostNames) + " more";
   component.log.write(fmi2OK, kPulses, text);
@@ -167,6 +184,12 @@ fmi2Status with_bytes(fmi2Component component, fmi2FMUstate state, Function func
   });
 }
 
+#ifdef __GLIBCXX__
+/// The C++ library in this one allocates memory for exceptions when it is loaded, and gives it back only when it is
+/// asked to: otherwise each importer that loads and unloads the FMU again would lose 72 kB.
+[[gnu::destructor]] void free_memory_for_exceptions() { __gnu_cxx::__freeres(); }
+#endif
+
 }  // namespace
 
 const char* fmi2GetTypesPlatform() { return "default"; }
@@ -185,8 +208,8 @@ fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, std::siz
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                               const fmi2CallbackFunctions* functions, fmi2Boolean /*visible*/, fmi2Boolean logging) {
   if (functions == nullptr) return nullptr;
+  const Log log(name, *functions);
   try {
-    const Log log(name, *functions);
     if (type != fmi2CoSimulation) return log.error("this FMU is for co-simulation, not for model exchange"), nullptr;
     auto loaded = LibraryPlant::load(resources != nullptr ? resources : "");
     if (const auto* const error = std::get_if<std::string>(&loaded)) return log.error(*error), nullptr;
@@ -199,20 +222,18 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     }
     component->logs_pulses = logging != 0;
     return component.release();
-  } catch (const std::exception&) {
-    return nullptr;
+  } catch (const std::exception& error) {
+    return log.error(error.what()), nullptr;
   }
 }
 
 void fmi2FreeInstance(fmi2Component component) { delete static_cast<Component*>(component); }
 
 fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean /*tolerance_defined*/, fmi2Real /*tolerance*/,
-                               fmi2Real start, fmi2Boolean /*stop_defined*/, fmi2Real /*stop*/) {
+                               fmi2Real start, fmi2Boolean stop_defined, fmi2Real stop) {
   return with(component, [&](Component& c) {
     if (!is_phase(c, Phase::instantiated, "fmi2SetupExperiment")) return fmi2Error;
-    if (!std::isfinite(start)) return c.log.error("the start time is not a number of seconds");
-    c.instance.begin_at(start);
-    return fmi2OK;
+    return result(c, c.instance.begin_at(start, stop_defined != 0 ? stop : std::numeric_limits<double>::infinity()));
   });
 }
 
@@ -278,26 +299,26 @@ fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference refe
 
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                        const fmi2Real values[]) {
-  return each(component, references, count, BaseType::real,
-              [&](Instance& instance, std::size_t i, std::uint32_t variable) {
-                return instance.set_real(variable, values[i]);
-              });
+  return set_each(component, references, count, BaseType::real,
+                  [&](Instance& instance, std::size_t i, std::uint32_t variable) {
+                    return instance.set_real(variable, values[i]);
+                  });
 }
 
 fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           const fmi2Integer values[]) {
-  return each(component, references, count, BaseType::integer,
-              [&](Instance& instance, std::size_t i, std::uint32_t variable) {
-                return instance.set_integer(variable, values[i]);
-              });
+  return set_each(component, references, count, BaseType::integer,
+                  [&](Instance& instance, std::size_t i, std::uint32_t variable) {
+                    return instance.set_integer(variable, values[i]);
+                  });
 }
 
 fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           const fmi2Boolean values[]) {
-  return each(component, references, count, BaseType::boolean,
-              [&](Instance& instance, std::size_t i, std::uint32_t variable) {
-                return instance.set_integer(variable, values[i]);
-              });
+  return set_each(component, references, count, BaseType::boolean,
+                  [&](Instance& instance, std::size_t i, std::uint32_t variable) {
+                    return instance.set_integer(variable, values[i]);
+                  });
 }
 
 fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference[], std::size_t count, fmi2String[]) {

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "symplant/engine/behaviour.hpp"
@@ -30,7 +30,7 @@ using Fault = std::string;
 /// An instance at a communication point.
 struct InstanceState {
   std::vector<std::byte> plant;        ///< Plant::save()
-  std::vector<std::uint64_t> numbers;  ///< what the instance keeps besides
+  std::vector<std::uint64_t> numbers;  ///< all other numbers of the instance
 };
 
 /// An instance of the plant. It is not thread-safe; instances share nothing that changes.
@@ -45,7 +45,6 @@ class Instance {
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
-  const Variables& variables() const noexcept { return model_.variables; }
   const plant::Plant& plant() const noexcept { return plant_; }
 
   // Variables are given by their index in Variables::all(). A boolean is 0 or 1. All O(1), except that setting costs
@@ -53,13 +52,14 @@ class Instance {
 
   double real(std::uint32_t variable) const;           ///< of a real variable
   std::int32_t integer(std::uint32_t variable) const;  ///< of all others
-  /// Refuses a variable that cannot be set, a number that the symbol's type does not have, a parameter that is not
-  /// finite, the seed after begin(), and a malfunction that is one too many.
+  /// Refuses a variable that cannot be set, a number outside of the symbol's type or the parameter's limits, the seed
+  /// after begin(), and a malfunction that is one too many.
   Fault set_real(std::uint32_t variable, double number);
   Fault set_integer(std::uint32_t variable, std::int32_t number);
 
-  /// The time of the experiment at which plant time is 0, in s. To be called before begin().
-  void begin_at(double start) noexcept { start_ = start; }
+  /// The time of the experiment at which plant time is 0, and its end, which may be infinite; in s. To be called before
+  /// begin().
+  Fault begin_at(double start, double stop);
   /// Ends the settings before the first step: the plant begins with the seed that was set. O(plant).
   void begin();
   /// Advances from `time`, at which the last step ended, by `duration` >= 0, both in s. O(changes).
@@ -90,9 +90,11 @@ class Instance {
 
   void restart();
   Fault set(std::uint32_t variable, std::uint64_t value);
+  Fault set_symbol(std::uint32_t variable, double number);
   Fault apply(const Variable& variable, std::uint64_t value);
   void write_operation(std::uint32_t symbol, std::uint64_t value) noexcept;
   std::uint64_t event(std::uint32_t symbol) const noexcept;
+  tables::Time end_of_step(double time, double duration) const noexcept;
   std::uint64_t sampled(std::uint32_t symbol) const noexcept;
   std::uint64_t initial(const Variable& variable) const noexcept;
   std::uint64_t value(std::uint32_t variable) const noexcept;
@@ -101,11 +103,12 @@ class Instance {
   PlantModel model_;
   plant::OwnedPlant plant_;
   Observer observer_;
-  std::vector<std::string_view> symbol_names_;  ///< name and address of each
   std::vector<std::uint32_t> symbol_of_event_;  ///< by bit of a BOOL event
   std::vector<std::uint64_t> set_;              ///< by settable variable: what was set last
-  std::vector<std::uint32_t> early_;            ///< variables set before begin(), in order
+  std::vector<std::uint64_t> early_;            ///< bits by settable variable: set before begin()
+  std::vector<bool> leads_;                     ///< by symbol: others are on its address
   double start_ = 0;
+  double stop_ = std::numeric_limits<double>::infinity();
   bool begun_ = false;
 };
 

@@ -41,7 +41,7 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Null if it cannot be opened. Streams of C++ would treble the size of the library.
+/// Null if it cannot be opened. Streams of C++ would triple the size of the library.
 std::unique_ptr<std::FILE, CloseFile> open_file(const std::string& path) {
 #ifdef _WIN32
   const int size = MultiByteToWideChar(CP_UTF8, 0, path.c_str(), -1, nullptr, 0);
@@ -88,6 +88,10 @@ std::variant<LibraryPlant, std::string> LibraryPlant::load(std::string_view reso
   auto read = LoadedTables::read(*bytes);
   if (auto* const error = std::get_if<std::string>(&read)) return "`" + path + "`: " + *error;
   plant.loaded_ = std::get<std::unique_ptr<const LoadedTables>>(std::move(read));
+  if (!plant.tables().behaviour_units.empty()) {
+    return "the plant has custom behaviors, which are C++: this library does not have them; make the FMU with "
+           "symplant_add_fmu()";
+  }
   return plant;
 }
 

@@ -26,6 +26,11 @@ std::uint32_t reference_of(std::string_view name, std::uint32_t attempt) noexcep
   return static_cast<std::uint32_t>(hash.value() ^ hash.value() >> 32) & 0x7FFF'FFFF;
 }
 
+/// Whether only the importer changes it; the plant changes a value with `changes`, such as a counter.
+bool is_parameter(const tables::ValueRow& row) noexcept {
+  return row.kind == tables::ValueKind::parameter && row.changes.count == 0;
+}
+
 /// By symbol: whether it, or another one on its address, is driven.
 std::vector<bool> driven_symbols(const tables::PlantTables& tables) {
   std::vector<std::uint32_t> leader(tables.symbols.size());
@@ -52,7 +57,7 @@ Variables::Variables(const tables::PlantTables& tables) {
   add(Kind::seed, BaseType::integer, 0, "seed");
   const auto values = tables::split_names(tables.values.names);
   for (std::uint32_t v = 0; v < tables.values.rows.size(); ++v) {
-    if (tables.values.rows[v].kind != tables::ValueKind::parameter) continue;
+    if (!is_parameter(tables.values.rows[v])) continue;
     add(Kind::parameter, BaseType::real, v, std::string(values[2 * std::size_t{v}]));
   }
   add_malfunctions(tables);
@@ -120,7 +125,7 @@ void Variables::add_local(const tables::PlantTables& tables) {
   const auto values = tables::split_names(tables.values.names);
   for (std::uint32_t v = 0; v < tables.values.rows.size(); ++v) {
     const tables::ValueRow& row = tables.values.rows[v];
-    if (row.kind == tables::ValueKind::parameter) continue;
+    if (is_parameter(row)) continue;
     for (std::uint32_t i = 0; i < row.outputs; ++i) {
       std::string name(values[2 * std::size_t{v}]);
       if (row.outputs > 1) name.append("[").append(std::to_string(i + 1)).append("]");
@@ -136,11 +141,18 @@ void Variables::add_local(const tables::PlantTables& tables) {
 }
 
 /// A reference is a digest of the name alone, so that it stays when other variables come or go. Of two with the same
-/// digest the later one takes another attempt.
+/// digest the later one takes another attempt: symbols come first, and malfunctions, which are many, last.
 void Variables::number() {
+  std::vector<std::uint32_t> order(variables_.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto rank = [&](std::uint32_t i) {
+    const Kind kind = variables_[i].kind;
+    return kind == Kind::operation || kind == Kind::event ? 0 : kind == Kind::malfunction ? 2 : 1;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
   std::unordered_set<std::string_view> names;
   std::unordered_set<std::uint32_t> taken;
-  for (std::uint32_t i = 0; i < variables_.size(); ++i) {
+  for (const std::uint32_t i : order) {
     Variable& variable = variables_[i];
     if (!names.insert(variable.name).second && repeated_.empty()) repeated_ = variable.name;
     std::uint32_t attempt = 0;
@@ -169,7 +181,7 @@ std::string guid_of(const tables::PlantTables& tables, const Variables& variable
     digest.byte(static_cast<std::uint8_t>(variable.kind));
   }
   tables::PlantTables plain = tables;
-  plain.values.compiled = {};  // formulas of the user do not change the interface
+  plain.values.compiled = {};  // the user's formulas do not change the interface
   const std::uint64_t first = tables::model_hash(plain);
   const std::uint64_t second = digest.value();
   std::array<char, 39> text{};

@@ -27,7 +27,7 @@ struct Variable {
     moving,           ///< of a unit; local
     parts,            ///< the number of parts at a location; local
     output,           ///< of a value; local
-    parameter,        ///< a value that is a parameter; tunable
+    parameter,        ///< a value that is a parameter and has no `changes`; tunable
     malfunction,      ///< as tables::MalfunctionNumbers numbers them: true starts it, false ends it; tunable
     active,           ///< whether a written malfunction is active; local
     short_pulses,     ///< pulses of BOOL events that were shorter than a step, so far; local

@@ -61,7 +61,8 @@ std::vector<Point> random_points(const Fmu& fmu, bool on_grid, std::mt19937_64& 
     for (const std::string& name : inputs) {
       if (chance(30)) point.inputs[name] = number(fmu.variables().at(name));
     }
-    if (chance(20)) point.malfunctions[malfunctions[random() % malfunctions.size()]] = !chance(4);
+    if (!malfunctions.empty() && chance(20))
+      point.malfunctions[malfunctions[random() % malfunctions.size()]] = !chance(4);
     points.push_back(std::move(point));
     const std::int64_t most = chance(3) ? 5 * kSecond : kSecond / 5;  // long ones hide pulses
     const std::int64_t unit = on_grid ? 10'000'000 : 1;
@@ -218,11 +219,11 @@ void advance(const Fmu& fmu, Side& side) {
   ++side.next;
   const Outputs& expected = side.expected.at(end);
   for (const auto& [name, value] : outputs_of(fmu, side.instance)) {
-    const double wanted = expected.at(name);
+    const double shown = expected.at(name);
     // A trace has the shortest text of a REAL, which is a float.
-    if (value == wanted || value == static_cast<double>(static_cast<float>(wanted))) continue;
-    if (std::isnan(value) && std::isnan(wanted)) continue;
-    FAIL_CHECK(name << " is " << value << " instead of " << wanted << " at " << end << " ns");
+    if (value == shown || value == static_cast<double>(static_cast<float>(shown))) continue;
+    if (std::isnan(value) && std::isnan(shown)) continue;
+    FAIL_CHECK(name << " is " << value << " instead of " << shown << " at " << end << " ns");
   }
 }
 
@@ -282,7 +283,7 @@ TEST_CASE("FMUs of the examples equal `symplant run` at each communication point
   CHECK(pulses > 0);
 }
 
-TEST_CASE("The FMU of a plant with C++ of the user equals its program") {
+TEST_CASE("The FMU of a plant with the user's C++ equals its program") {
   const auto seed = GENERATE(range<std::uint64_t>(1, SYMPLANT_FMU_SEEDS + 1));
   for (const bool on_grid : {false, true}) play({SYMPLANT_SCALE_FMU, "'" SYMPLANT_SCALE "'", on_grid}, seed);
 }

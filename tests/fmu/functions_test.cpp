@@ -57,6 +57,23 @@ TEST_CASE("An FMU is not instantiated for model exchange, with another GUID, and
   CHECK(text == "`" + tables + "`: it is damaged");
 }
 
+TEST_CASE("A library without the user's C++ refuses a plant that needs it") {
+  const Cell cell;
+  const Fmu generic(cell.file(), cell.unpacked());
+  const TemporaryFolder folder;
+  const std::string library = cell.unpacked() + "/binaries/" SYMPLANT_FMI_PLATFORM "/cell.so";
+  const std::string command = "'" SYMPLANT_TOOL "' generate '" SYMPLANT_SOURCE "/examples/scale/plant.json' --fmu '" +
+                              (folder / "scale.fmu") + "' --fmu-library '" SYMPLANT_FMI_PLATFORM "=" + library +
+                              "' > /dev/null";
+  REQUIRE(std::system(command.c_str()) == 0);
+  const Fmu scale(folder / "scale.fmu", folder / "fmu");
+  std::string text;
+  CHECK(instantiate(scale, scale.guid(), scale.resources(), fmi2CoSimulation, text) == nullptr);
+  CHECK(text ==
+        "the plant has custom behaviors, which are C++: this library does not have them; make the FMU with "
+        "symplant_add_fmu()");
+}
+
 TEST_CASE("A function that is called too early or too late is an error, and says when it is possible") {
   const Cell cell;
   const Fmu fmu(cell.file(), cell.unpacked());
@@ -74,6 +91,10 @@ TEST_CASE("A function that is called too early or too late is an error, and says
   REQUIRE(call.terminate(instance.component()) == fmi2OK);
   CHECK(call.do_step(instance.component(), 1, 1, 0) == fmi2Error);
   CHECK(instance.get("EXLINE_MB_AGV_I_P1") == 1);  // results may still be read
+  const fmi2ValueReference input = reference(fmu, "EXLINE_MB_AGV_O_P2");
+  const int on = 1;
+  CHECK(call.set_boolean(instance.component(), &input, 1, &on) == fmi2Error);
+  CHECK(instance.messages().back() == "after fmi2Terminate, variables can only be read");
   REQUIRE(call.reset(instance.component()) == fmi2OK);
   instance.initialize(0);
   instance.step(0, 1);
@@ -98,7 +119,7 @@ TEST_CASE("An unknown reference, another type and a variable that cannot be set 
   CHECK(call.get_boolean(instance.component(), nullptr, 0, nullptr) == fmi2OK);
 }
 
-TEST_CASE("Two instances of one FMU do not know each other") {
+TEST_CASE("Two instances of one FMU are independent") {
   const Cell cell;
   const Fmu fmu(cell.file(), cell.unpacked());
   FmuInstance one(fmu, "one");

@@ -1,4 +1,4 @@
-// A small importer of FMUs for co-simulation (FMI 2.0). It knows the standard and nothing of symplant.
+// A small importer of FMUs for co-simulation (FMI 2.0). It uses only the standard.
 #pragma once
 
 #include <cstdint>

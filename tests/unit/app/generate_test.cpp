@@ -226,6 +226,10 @@ TEST_CASE("generate: What an FMU cannot be made of is an error, and nothing is w
   CHECK(contains(error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "mine.dll"}),
                  "`--fmu-library mine.dll`: give PLATFORM=FILE"));
   CHECK(contains(error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "win64=none.dll"}), "none.dll"));
+  CHECK(
+      contains(error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "../evil=mine.dll"}), "give PLATFORM=FILE"));
+  CHECK(contains(error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "linux64=mine.dll"}),
+                 "`mine.dll` is not a shared library for linux64"));
   CHECK(contains(
       error({"excell.csv", "--fmu", "cell.fmu", "--fmu-library", "win64=mine.dll", "--fmu-library", "win64=mine.dll"}),
       "two files for win64"));

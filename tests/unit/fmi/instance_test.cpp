@@ -14,6 +14,8 @@ const std::vector<Row> kCylinder = {{"L_P_CYL_O_ADV"}, {"L_P_CYL_I_ADV"}, {"L_P_
 const std::string kFast = R"("devices": {"L_P_CYL": {"transitions": [{"from": "*", "to": "ADV", "takes": "100ms"},
                                                                    {"from": "*", "to": "RET", "takes": "100ms"}]}})";
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
 TEST_CASE("What is set takes effect at the beginning of the next step") {
   Simulation plant(kCylinder, kFast);
   plant.instance.begin();
@@ -168,7 +170,7 @@ TEST_CASE("Numbers are those of the symbol's type") {
   CHECK(plant.variable("L_P_T_O_R").type == BaseType::real);
   plant.instance.begin();
   CHECK(plant.set("L_P_T_O_S", -128).get("L_P_T_O_S") == -128);
-  CHECK(plant.try_set("L_P_T_O_S", 128) == "`L_P_T_O_S` is SINT, which does not have the number 128");
+  CHECK(plant.try_set("L_P_T_O_S", 128) == "128 is out of range for `L_P_T_O_S`, which is SINT");
   CHECK(plant.set("L_P_T_O_U", 65'535).get("L_P_T_O_U") == 65'535);
   CHECK_FALSE(plant.try_set("L_P_T_O_U", -1).empty());
   CHECK(plant.set("L_P_T_O_D", 4'294'967'295.0).get("L_P_T_O_D") == 4'294'967'295.0);
@@ -204,17 +206,18 @@ TEST_CASE("Parameters, values, parts and violations are variables") {
   CHECK(plant.get("belt.parts") == 1);
   CHECK(plant.get("double") == 4);
   CHECK(plant.get("violated requirements") == 0);
-  plant.set("load", 99).step(10);
-  CHECK(plant.get("load") == 10);  // its greatest number
-  CHECK(plant.get("double") == 20);
+  plant.set("load", 9).step(10);
+  CHECK(plant.get("double") == 18);
   CHECK(plant.get("violated requirements") == 1);
-  CHECK_FALSE(plant.try_set("load", std::numeric_limits<double>::infinity()).empty());
+  CHECK(plant.try_set("load", 99) == "99 is out of range for `load`, 0 to 10");
+  CHECK_FALSE(plant.try_set("load", std::numeric_limits<double>::quiet_NaN()).empty());
+  CHECK(plant.get("load") == 9);
   CHECK(plant.try_set("double", 1) == "`double` cannot be set: it is neither an input nor a parameter");
 }
 
 TEST_CASE("A step begins where the last one ended") {
   Simulation plant(kCylinder, kFast);
-  plant.instance.begin_at(100);
+  CHECK(plant.instance.begin_at(100, kNever).empty());
   plant.instance.begin();
   CHECK(plant.instance.step(100, 0.5).empty());
   CHECK(plant.instance.time() == Approx(100.5));
@@ -226,11 +229,61 @@ TEST_CASE("A step begins where the last one ended") {
   CHECK(plant.instance.time() == Approx(101));
 }
 
+TEST_CASE("A step does not end after the stop time") {
+  Simulation plant(kCylinder, kFast);
+  CHECK(plant.instance.begin_at(2, 1) == "the stop time 1 is before the start time 2");
+  CHECK_FALSE(plant.instance.begin_at(kNever, kNever).empty());
+  REQUIRE(plant.instance.begin_at(1, 2).empty());
+  plant.instance.begin();
+  CHECK(plant.instance.step(1, 0.5).empty());
+  CHECK(plant.instance.step(1.5, 0.6) == "the step ends at 2.1 s, after the stop time 2 s");
+  CHECK(plant.instance.step(1.5, 0.5).empty());
+}
+
+TEST_CASE("Steps are exact and in order also when the experiment starts at a date") {
+  Simulation plant(kCylinder, kFast);
+  double time = 1.7e9;
+  CHECK(plant.instance.begin_at(time, kNever).empty());
+  plant.instance.begin();
+  plant.set("L_P_CYL_O_ADV", 1);
+  for (int i = 0; i < 10; ++i, time += 0.01) REQUIRE(plant.instance.step(time, 0.01).empty());
+  CHECK(plant.get("L_P_CYL_I_ADV") == 1);
+  CHECK(plant.instance.plant().now() == 100 * tables::kMillisecond);
+  CHECK_FALSE(plant.instance.step(1.7e9, 0.01).empty());        // again
+  CHECK_FALSE(plant.instance.step(time + 0.5, 0.001).empty());  // left out
+}
+
+TEST_CASE("Steps of a third of a second do not drift") {
+  Simulation plant(kCylinder, kFast);
+  plant.instance.begin();
+  for (int i = 0; i < 3000; ++i) REQUIRE(plant.instance.step(i / 3.0, 1 / 3.0).empty());
+  CHECK(std::abs(plant.instance.plant().now() - 1000 * tables::kSecond) <= 1);
+}
+
+TEST_CASE("An importer that repeats what it sets does not end what starts by itself") {
+  Simulation plant(kCylinder, R"("malfunctions": [{"name": "jam", "of": "L_P_CYL", "stuck": true,
+      "when": "L_P_CYL.moving", "lasts": "5s"}])");
+  plant.instance.begin();
+  plant.set("L_P_CYL_O_ADV", 1).set("jam", 0).step(100);
+  CHECK(plant.get("jam.active") == 1);
+  plant.set("L_P_CYL_O_ADV", 1).set("jam", 0).step(100);
+  CHECK(plant.get("jam.active") == 1);
+  CHECK(plant.get("jam") == 0);
+}
+
+TEST_CASE("A number that the plant itself changes is no parameter") {
+  Simulation plant(kCylinder, kFast + R"(, "values": {"n": {"changes": [{"when": "L_P_CYL.ADV", "to": "n + 1"}]}})");
+  CHECK_FALSE(fmi::is_settable(plant.variable("n").kind));
+  plant.instance.begin();
+  plant.set("L_P_CYL_O_ADV", 1).step(200);
+  CHECK(plant.get("n") == 1);
+}
+
 TEST_CASE("The state of an instance can be saved and restored, also before the first step") {
   const std::string members = kFast + R"(, "malfunctions": [{"name": "blink", "flicker":
       {"symbol": "L_P_CYL_I_ADV", "every": "10ms", "for": "1ms"}}])";
   Simulation plant(kCylinder, members);
-  plant.instance.begin_at(5);
+  CHECK(plant.instance.begin_at(5, kNever).empty());
   plant.set("seed", 4).set("L_P_CYL_O_ADV", 1);
   const fmi::InstanceState early = plant.instance.save();
   plant.instance.begin();

@@ -17,6 +17,17 @@ TEST_CASE("A value reference stays when other symbols come, go and move") {
   }
 }
 
+TEST_CASE("The malfunction of a new device does not take the reference of a symbol") {
+  const Simulation one({{"L17_P15_D15_O_ON"}, {"L17_P15_D15_I_ON"}}, R"("name": "t")");
+  const Simulation both({{"L0_P3_D18_O_ON"}, {"L0_P3_D18_I_ON"}, {"L17_P15_D15_O_ON"}, {"L17_P15_D15_I_ON"}},
+                        R"("name": "t")");
+  const std::uint32_t reference = one.variable("L17_P15_D15_O_ON").reference;
+  const Simulation other({{"L0_P3_D18_O_ON"}, {"L0_P3_D18_I_ON"}}, R"("name": "t")");
+  REQUIRE(other.variable("L0_P3_D18 stuck").reference == reference);  // the same digest
+  CHECK(both.variable("L17_P15_D15_O_ON").reference == reference);
+  CHECK(both.variable("L0_P3_D18 stuck").reference != reference);
+}
+
 TEST_CASE("Each variable has its own reference of 31 bits, and is found by it") {
   std::vector<Row> rows;
   for (int i = 0; i < 3000; ++i) rows.push_back({"L_P" + std::to_string(i) + "_A_I_ON"});
