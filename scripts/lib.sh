@@ -20,6 +20,8 @@ environment_error() { # WHAT
 readonly BUILD_PACKAGES=(g++ cmake ninja-build make pkg-config libboost-dev libfmt-dev nlohmann-json3-dev libcli11-dev
   catch2 libkainjow-mustache-dev libmodbus-dev libuchardet-dev libpugixml-dev libzip-dev libre2-dev libutf8proc-dev zlib1g-dev
   libjs-three)
+# Packages that a system may not have (Debian 13 and Ubuntu 25.10 have them), and without which the build leaves something out: OPC UA.
+readonly OPTIONAL_PACKAGES=(libopen62541-1.4-dev)
 
 # "-14" for clang 14, with which the project is tested; nothing, for the default clang, if there is no such package.
 clang_suffix() {
@@ -76,10 +78,21 @@ as_root() {
   fi
 }
 
+# Whether the package is optional, and the package lists of the system do not have it.
+is_unavailable() { # PACKAGE
+  [[ " ${OPTIONAL_PACKAGES[*]} " == *" $1 "* ]] && ! apt-cache show "$1" >/dev/null 2>&1
+}
+
+# Those of the packages that are to be installed, one a line.
+missing_of() { # PACKAGE...
+  local package
+  for package; do is_installed "$package" || is_unavailable "$package" || echo "$package"; done
+}
+
 # Installs those of the packages by apt that are missing. Does nothing, and asks nothing, if none is missing.
 install_missing() { # PACKAGE...
-  local missing=() package
-  for package; do is_installed "$package" || missing+=("$package"); done
+  local missing
+  mapfile -t missing < <(missing_of "$@")
   ((${#missing[@]} > 0)) || return 0
 
   local by_hand="install them as root: apt-get install ${missing[*]}"
@@ -91,6 +104,7 @@ install_missing() { # PACKAGE...
   say "installing ${missing[*]}"
   local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
   as_root "${apt[@]}" update || environment_error "apt-get update failed; $by_hand"
+  mapfile -t missing < <(missing_of "$@") # the lists are loaded now
   as_root "${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
     environment_error "apt-get install failed; $by_hand"
 }

@@ -45,6 +45,12 @@ if(TARGET symplant AND NOT CMAKE_CROSSCOMPILING)
   install(DIRECTORY ${share}/bash-completion ${share}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR} ${tool})
 endif()
 
+get_target_property(link_libraries symplant_link LINK_LIBRARIES)
+set(SYMPLANT_LINKS_OPEN62541 OFF)
+if("open62541::open62541" IN_LIST link_libraries)
+  set(SYMPLANT_LINKS_OPEN62541 ON)
+  install(FILES generator/cmake/FindOpen62541.cmake DESTINATION ${package_dir} ${development})
+endif()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/generator/cmake/symplantConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/symplantConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -14,6 +14,9 @@
 #include "symplant/link/modbus/client_link_parts.hpp"
 #include "symplant/link/modbus/server_doctor.hpp"
 #include "symplant/link/modbus/server_link.hpp"
+#include "symplant/link/opc_ua/client_link_parts.hpp"
+#include "symplant/link/opc_ua/server_doctor.hpp"
+#include "symplant/link/opc_ua/server_link.hpp"
 #include "symplant/link/slmp/refusal.hpp"
 #include "symplant/link/slmp/slmp_link.hpp"
 
@@ -55,6 +58,7 @@ struct Client {
 };
 
 using ModbusClient = Client<modbus::client_link_parts>;
+using OpcUaClient = Client<opc_ua::client_link_parts>;
 using SlmpClient = Client<slmp::slmp_parts>;
 using Side = tables::Refusal::Side;
 
@@ -103,6 +107,28 @@ constexpr std::array kKinds = {
          .parts = SlmpClient::parts_of,
          .side = Side::slmp_client,
          .refusal_text = slmp::refusal_text},
+    Kind{.scheme = "opc-ua-server",
+         .form = "`opc-ua-server://HOST:PORT`",
+         .real = true,
+         .numbered = false,
+         .fault = opc_ua::server_fault,
+         .map = opc_ua::server_map,
+         .open = opc_ua::open_server_link,
+         .examine = opc_ua::examine_server,
+         .parts = nullptr,
+         .side = {},
+         .refusal_text = nullptr},
+    Kind{.scheme = "opc-ua",
+         .form = "`opc-ua://HOST:PORT?nodes=TEMPLATE`",
+         .real = true,
+         .numbered = false,
+         .fault = opc_ua::client_fault,
+         .map = OpcUaClient::map,
+         .open = OpcUaClient::open,
+         .examine = OpcUaClient::examine,
+         .parts = OpcUaClient::parts_of,
+         .side = Side::opc_ua_client,
+         .refusal_text = opc_ua::refusal_text},
 };
 
 }  // namespace

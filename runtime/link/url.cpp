@@ -50,6 +50,16 @@ std::optional<LinkError> add_parameter(std::string_view text, std::vector<UrlPar
 
 }  // namespace
 
+std::variant<std::vector<UrlParameter>, LinkError> parse_parameters(std::string_view query) {
+  std::vector<UrlParameter> parameters;
+  while (!query.empty()) {
+    const std::size_t end = query.find('&');
+    if (auto error = add_parameter(query.substr(0, end), parameters)) return std::move(*error);
+    query = end == std::string_view::npos ? std::string_view() : query.substr(end + 1);
+  }
+  return parameters;
+}
+
 std::variant<ParsedUrl, LinkError> parse_url(std::string_view rest, std::string_view scheme) {
   if (rest.substr(0, 2) != "//") {
     return url_error("`" + std::string(rest) + "` after `" + std::string(scheme) +
@@ -58,15 +68,13 @@ std::variant<ParsedUrl, LinkError> parse_url(std::string_view rest, std::string_
   const std::size_t question = rest.find('?');
   auto address = net::parse_host_port(rest.substr(2, question == std::string_view::npos ? question : question - 2));
   if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);
-  ParsedUrl url{std::move(std::get<net::HostPort>(address)), {}};
-  if (url.address.port == 0) return url_error("port 0 is not a port of a PLC: give the one in its parameters");
-  std::string_view query = question == std::string_view::npos ? std::string_view() : rest.substr(question + 1);
-  while (!query.empty()) {
-    const std::size_t end = query.find('&');
-    if (auto error = add_parameter(query.substr(0, end), url.parameters)) return std::move(*error);
-    query = end == std::string_view::npos ? std::string_view() : query.substr(end + 1);
+  if (std::get<net::HostPort>(address).port == 0) {
+    return url_error("port 0 is not a port of a PLC: give the one in its parameters");
   }
-  return url;
+  auto parameters = parse_parameters(question == std::string_view::npos ? "" : rest.substr(question + 1));
+  if (auto* error = std::get_if<LinkError>(&parameters)) return std::move(*error);
+  return ParsedUrl{std::move(std::get<net::HostPort>(address)),
+                   std::move(std::get<std::vector<UrlParameter>>(parameters))};
 }
 
 }  // namespace symplant::link

@@ -11,6 +11,7 @@ struct Refusal {
     modbus_server,  ///< the link answered a request of the PLC with an exception
     modbus_client,  ///< the PLC answered a request of the link with an exception
     slmp_client,    ///< the PLC answered a request of the link with an end code
+    opc_ua_client,  ///< the PLC answered a request of the link, or a part of it, with a bad status code
   };
 
   Side side = Side::modbus_server;
