@@ -7,14 +7,12 @@
 #include <string>
 
 #include "symplant/exec/stepper.hpp"
+#include "symplant/host/run_acts.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/recorder.hpp"
 
 namespace symplant::host {
-
-/// Value of the trace::kActNote of such a start. Steps of a scenario have smaller ones.
-inline constexpr std::uint64_t kFaultAct = ~std::uint64_t{0};
 
 /// The number of a malfunction by its name; nothing, with a message on `err`, if the plant does not have it. O(plant).
 std::optional<std::uint32_t> fault_of(const std::string& name, const trace::PlantNames& names, std::ostream& err);
@@ -30,7 +28,6 @@ class FaultStart final : public exec::Stepper {
 
   /// Advances the plant by another stepper; null: by itself.
   void drive(exec::Stepper* stepper) noexcept { stepper_ = stepper; }
-  std::uint32_t number() const noexcept { return number_; }
   /// The time of the start; kNever if it has started.
   tables::Time next() const noexcept { return started_ ? tables::kNever : at_; }
 
@@ -58,7 +55,7 @@ class FaultStart final : public exec::Stepper {
     if (stepper_ != nullptr && plant_.next_due() < at_) stepper_->advance_within(at_ - 1);
     plant_.advance_before(at_, &recorder_);
     recorder_.begin_act(plant_.now());
-    recorder_.act(plant_.now(), trace::kActNote, kFaultAct);
+    recorder_.act(plant_.now(), trace::kActNote, run_act(number_, true, false));
     plant_.start_malfunction(number_, engine::MalfunctionChange::By::scenario);
     started_ = true;
   }

@@ -9,7 +9,6 @@
 #include <stop_token>
 #include <utility>
 
-#include "symplant/host/fault_start.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/scenario/step_text.hpp"
 
@@ -123,9 +122,11 @@ void Outputs::trace_note(const trace::Record& record) {
   if (record.of == trace::kInstantNote) {
     trace_->instant(record.time, record.value);
   } else if (record.of == trace::kActNote) {
-    const bool of_panel = panel_ != nullptr && record.value != kFaultAct;
+    const bool of_panel = panel_ != nullptr && !is_run_act(record.value);
     const scenario::Scenario* const playing = of_panel ? panel_->playing() : nullptr;
-    const ActText act = playing != nullptr ? act_of(*playing, record.value, names_) : act_text_(record.value);
+    const ActText act = playing != nullptr         ? act_of(*playing, record.value, names_)
+                        : is_run_act(record.value) ? text_of_run_act(record.value, names_)
+                                                   : act_text_(record.value);
     trace_->act(record.time, act.json, act.by);
   } else if (record.of == trace::kQualityNote) {
     const std::uint32_t unit = names_.tables().behaviour_units[record.value / 2].unit;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "symplant/host/report.hpp"
+#include "symplant/host/run_acts.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/panel/panel.hpp"
 #include "symplant/trace/finding_file.hpp"
@@ -28,12 +29,6 @@ namespace symplant::host {
 bool records_changes(const RunOptions& options);
 /// Whether the utilization of the plant is counted, which needs every change and the motions of parts.
 bool counts_utilization(const RunOptions& options);
-
-/// An act for a trace: as JSON, and what did it: `hand` or `scenario`.
-struct ActText {
-  std::string json;
-  std::string_view by;
-};
 
 /// The act of a scenario's step.
 ActText act_of(const scenario::Scenario& scenario, std::uint64_t step, const trace::PlantNames& names);

@@ -11,6 +11,7 @@
 #include "symplant/exec/cycle.hpp"
 #include "symplant/host/attendant.hpp"
 #include "symplant/host/cycle_thread.hpp"
+#include "symplant/host/link_commands.hpp"
 #include "symplant/host/panel_run.hpp"
 #include "symplant/host/rt_check.hpp"
 #include "symplant/host/signals.hpp"
@@ -188,7 +189,9 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
     panel->set_status([&status] { return status.text(); });
     panel->set_links([&status] { return status.states(); });
   }
-  exec::Stepper* const stepper = stage.stepper(panel != nullptr ? &panel->stepper() : nullptr);
+  exec::Stepper* stepper = stage.stepper(panel != nullptr ? &panel->stepper() : nullptr);
+  LinkCommands commands(links, stage.plant, stage.recorder, stepper);
+  if (!commands.empty()) stepper = &commands;
   const auto cycles = [&] {
     exec::run_cycles(stage.plant, watched.exchanges(), cycle,
                      {.clock = wall,

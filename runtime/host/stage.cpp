@@ -1,8 +1,6 @@
 // A plant ready to run, with everything but its links.
 #include "symplant/host/stage.hpp"
 
-#include "symplant/scenario/step_text.hpp"
-
 namespace symplant::host {
 namespace {
 
@@ -39,12 +37,7 @@ Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace
   plant.reset(options.seed, real_time ? options.cycle : 0);
   recorder.attach(plant);
   if (scenario != nullptr) player.emplace(*scenario, plant, recorder);
-  outputs.write_acts([this, scenario, &names](std::uint64_t act) {
-    if (act != kFaultAct) return act_of(*scenario, act, names);
-    scenario::Step start;
-    start.start.push_back(fault->number());
-    return ActText{scenario::act_json(start, names), "scenario"};
-  });
+  outputs.write_acts([scenario, &names](std::uint64_t act) { return act_of(*scenario, act, names); });
 }
 
 void Stage::start_fault(std::uint32_t number, tables::Time at) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "symplant/exec/exchange.hpp"
+#include "symplant/link/link_command.hpp"
 #include "symplant/link/link_settings.hpp"
 #include "symplant/tables/finding.hpp"
 #include "symplant/tables/tables.hpp"
@@ -60,6 +61,12 @@ class Link : public exec::Exchange {
 
   /// The next of the findings of this link; nothing if there is no new one. For the cycle's thread: wait-free.
   virtual std::optional<LinkFinding> take_finding() noexcept { return std::nullopt; }
+
+  /// Whether clients of the link may command the run.
+  virtual bool has_commands() const { return false; }
+  /// The next command of a client; nothing if there is no new one. `frozen`: whether the plant is frozen by something
+  /// other than commands. For the cycle's thread: wait-free.
+  virtual std::optional<LinkCommand> take_command(bool /*frozen*/) noexcept { return std::nullopt; }
 
   /// What the link has to report to the user since the last call, in words. Not for the cycle's thread.
   virtual std::vector<std::string> take_messages() { return {}; }
