@@ -1,0 +1,139 @@
+// Certificates, keys and passwords of the links of OPC UA.
+#include "symplant/link/opc_ua/certificates.hpp"
+
+#include <open62541/plugin/create_certificate.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+
+#include "symplant/link/opc_ua/address.hpp"
+
+namespace symplant::link::opc_ua {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPemBegin = "-----BEGIN CERTIFICATE-----";
+constexpr std::string_view kPemEnd = "-----END CERTIFICATE-----";
+constexpr std::size_t kThumbprintBytes = 20;
+
+std::optional<std::string> content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file || content.empty()) return std::nullopt;
+  return content;
+}
+
+LinkError unreadable(const char* setting, const std::string& file) {
+  return usage_error("`" + std::string(setting) + "=" + file + "`: the file is empty, or cannot be read");
+}
+
+std::variant<OwnedBytes, LinkError> bytes_of(const char* setting, const std::string& file) {
+  const auto content = content_of(file);
+  if (!content) return unreadable(setting, file);
+  OwnedBytes bytes;
+  const UA_String view = view_of(*content);
+  UA_ByteString_copy(&view, bytes.get());
+  return bytes;
+}
+
+/// The certificate in DER; nothing if it is neither DER nor PEM.
+std::optional<std::string> der_of(std::string_view content) {
+  constexpr char kDerSequence = 0x30;
+  const std::size_t begin = content.find(kPemBegin);
+  if (begin == content.npos)
+    return content.front() == kDerSequence ? std::optional(std::string(content)) : std::nullopt;
+  const std::size_t end = content.find(kPemEnd, begin);
+  if (end == content.npos) return std::nullopt;
+  std::string base64(content.substr(begin + kPemBegin.size(), end - begin - kPemBegin.size()));
+  std::erase_if(base64, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
+  OwnedBytes der;
+  const UA_String view = view_of(base64);
+  if (UA_ByteString_fromBase64(der.get(), &view) != UA_STATUSCODE_GOOD) return std::nullopt;
+  return std::string(text_of(*der));
+}
+
+std::variant<OwnCertificate, LinkError> make_certificate(const std::string& name, const std::string& application_uri) {
+  const std::string common_name = "CN=" + name;
+  const std::string uri = "URI:" + application_uri;
+  const std::array subject = {view_of("O=symplant"), view_of(common_name)};
+  const std::array alternatives = {view_of("DNS:localhost"), view_of(uri)};
+  std::uint16_t bits = 2048;
+  UA_KeyValuePair size;
+  size.key = UA_QUALIFIEDNAME(0, const_cast<char*>("key-size-bits"));
+  UA_Variant_setScalar(&size.value, &bits, &UA_TYPES[UA_TYPES_UINT16]);
+  UA_KeyValueMap options{1, &size};
+  OwnCertificate own;
+  own.made = true;
+  const UA_StatusCode status =
+      UA_CreateCertificate(silent(), subject.data(), subject.size(), alternatives.data(), alternatives.size(),
+                           UA_CERTIFICATEFORMAT_DER, &options, own.key.get(), own.certificate.get());
+  if (status == UA_STATUSCODE_GOOD) return own;
+  return LinkError{LinkError::Kind::environment,
+                   "cannot make a certificate (" + status_name(status) + "): give `certificate=FILE&key=FILE`"};
+}
+
+}  // namespace
+
+std::variant<OwnCertificate, LinkError> own_certificate(const SecuritySettings& settings, const std::string& name,
+                                                        const std::string& application_uri) {
+  if (settings.certificate.empty()) return make_certificate(name, application_uri);
+  auto certificate = bytes_of("certificate", settings.certificate);
+  if (auto* error = std::get_if<LinkError>(&certificate)) return std::move(*error);
+  auto key = bytes_of("key", settings.key);
+  if (auto* error = std::get_if<LinkError>(&key)) return std::move(*error);
+  OwnCertificate own;
+  own.certificate = std::move(std::get<OwnedBytes>(certificate));
+  own.key = std::move(std::get<OwnedBytes>(key));
+  return own;
+}
+
+std::variant<std::string, LinkError> read_password(const std::string& file) {
+  const auto content = content_of(file);
+  if (!content) return unreadable("password-file", file);
+  std::string line = content->substr(0, content->find('\n'));
+  if (line.ends_with('\r')) line.pop_back();
+  if (line.empty()) return usage_error("`password-file=" + file + "`: the first line, the password, is empty");
+  return line;
+}
+
+std::string thumbprint(const UA_SecurityPolicy& policy, const UA_ByteString& certificate) {
+  std::array<std::uint8_t, kThumbprintBytes> bytes{};
+  UA_ByteString view{bytes.size(), bytes.data()};
+  const UA_StatusCode status = policy.asymmetricModule.makeCertificateThumbprint(&policy, &certificate, &view);
+  if (status != UA_STATUSCODE_GOOD) return {};
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string text;
+  for (const std::uint8_t byte : bytes) text.append(1, kDigits[byte >> 4]).append(1, kDigits[byte & 15]);
+  return text;
+}
+
+std::variant<TrustedCertificates, LinkError> TrustedCertificates::read(const std::string& folder) {
+  constexpr std::array<std::string_view, 4> kEndings = {".der", ".crt", ".cer", ".pem"};
+  TrustedCertificates trusted;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string ending = entry.path().extension().string();
+    if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) continue;
+    const auto content = content_of(entry.path());
+    const auto der = content ? der_of(*content) : std::nullopt;
+    if (!der) return usage_error("`" + entry.path().string() + "` in `trust` is not a certificate in DER or PEM");
+    trusted.certificates_.insert(*der);
+  }
+  if (error) return usage_error("`trust=" + folder + "`: " + error.message());
+  if (trusted.certificates_.empty()) {
+    return usage_error("`trust=" + folder +
+                       "`: no file *.der, *.crt, *.cer or *.pem in the folder: put the certificates "
+                       "of trusted peers there");
+  }
+  return trusted;
+}
+
+}  // namespace symplant::link::opc_ua
