@@ -9,9 +9,9 @@
 #include "symplant/link/image/images.hpp"
 #include "symplant/link/image/position_set.hpp"
 #include "symplant/link/image/request_watch.hpp"
+#include "symplant/link/image/rewriting.hpp"
 #include "symplant/link/modbus/io_map.hpp"
 #include "symplant/link/modbus/operation_writes.hpp"
-#include "symplant/link/modbus/rewriting.hpp"
 #include "symplant/link/modbus/tables.hpp"
 
 namespace symplant::link::modbus {
@@ -62,7 +62,7 @@ class ServerTables {
   std::array<image::PositionSet, kTables> used_;  ///< of coils and holding registers: mapped, or in the transfer range
   std::optional<std::uint32_t> watchdog_;
   std::uint16_t watchdog_value_ = 0;
-  Rewriting rewriting_;
+  image::Rewriting rewriting_;
   std::optional<OperationWrites> writes_;
 };
 

@@ -22,6 +22,9 @@ class Scalar {
   /// A view of this scalar, valid as long as it. Not to be cleared.
   UA_Variant variant() const noexcept;
 
+  /// Floating-point numbers are compared by their bits.
+  friend bool operator==(const Scalar&, const Scalar&) noexcept = default;
+
  private:
   std::uint64_t bytes_ = 0;
   const UA_DataType* type_;

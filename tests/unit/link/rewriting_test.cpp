@@ -1,5 +1,5 @@
 // What a PLC has written, and whether it has written all of it again.
-#include "symplant/link/modbus/rewriting.hpp"
+#include "symplant/link/image/rewriting.hpp"
 
 #include <random>
 #include <set>
@@ -7,7 +7,7 @@
 #include "support/catch.hpp"
 
 using symplant::link::image::PositionSet;
-using symplant::link::modbus::Rewriting;
+using symplant::link::image::Rewriting;
 
 TEST_CASE("A set of addresses contains the added ranges, wherever they begin and end") {
   std::mt19937 dice(7);
