@@ -27,6 +27,11 @@ std::string OpenLink::silence() const {
     return "the PLC has not answered for " + seconds(settings.loss_after) +
            "; check whether it is switched on and connected";
   }
+  if (link->status().has_nodes) {
+    return "for " + seconds(settings.loss_after) +
+           " no client has read or written a symbol, or been connected with a subscription; check whether the PLC runs "
+           "and is connected";
+  }
   return "no valid request for a mapped address has arrived for " + seconds(settings.loss_after) +
          "; check whether the PLC runs and is connected";
 }
@@ -34,6 +39,10 @@ std::string OpenLink::silence() const {
 std::string OpenLink::absence() const {
   if (link->status().is_client) {
     return "the PLC has answered no request; check whether it is switched on and connected, and the URL";
+  }
+  if (link->status().has_nodes) {
+    return "no client has read or written a symbol, or had a subscription; check whether the PLC runs, and whether it "
+           "uses this address and these node ids";
   }
   return "no valid request for a mapped address has arrived; check whether the PLC runs, and whether it uses this "
          "address "

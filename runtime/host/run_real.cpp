@@ -90,8 +90,11 @@ std::string end_words(const link::LinkStatus& status) {
     return fmt::format("{} requests, {} rejected, {}, lost {}", status.requests, status.exceptions,
                        status.armed ? "armed" : "not armed: wrote nothing", plural(status.losses, "time"));
   }
-  return fmt::format("{} requests, {} exceptions, {} writes to gaps, lost {}{}", status.requests, status.exceptions,
-                     status.writes_to_gaps, plural(status.losses, "time"),
+  const std::string answered =
+      status.has_nodes ? fmt::format("{} requests, {} writes and calls refused", status.requests, status.exceptions)
+                       : fmt::format("{} requests, {} exceptions, {} writes to gaps", status.requests,
+                                     status.exceptions, status.writes_to_gaps);
+  return fmt::format("{}, lost {}{}", answered, plural(status.losses, "time"),
                      status.crowded_out == 0
                          ? ""
                          : fmt::format(", {} closed for lack of room: set more `connections`, or `keep`, in plant.json",

@@ -73,7 +73,7 @@ bool is_loop(std::string_view url) {
   return kind != nullptr && !kind->real && rest_of(url).empty();
 }
 
-bool has_fixed_port(std::string_view url) { return !is_loop(url) && !url.ends_with(":0"); }
+bool has_fixed_port(std::string_view url) { return !is_loop(url) && !url.substr(0, url.find('?')).ends_with(":0"); }
 
 std::string controller_text(const tables::PlantTables& tables, std::uint32_t controller) {
   return text_of(tables::split_names(tables.controller_names), controller);

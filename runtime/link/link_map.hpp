@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -34,9 +35,10 @@ struct Unreachable {
 struct LinkMap {
   std::vector<MappedSymbol> symbols;  ///< ascending by symbol
   std::vector<Unreachable> left_out;
-  std::vector<std::string> notes;  ///< for the user: "operations: 2 requests to read all"
+  std::vector<std::string> notes;         ///< for the user: "operations: 2 requests to read all"
   /// The tables that the clients of a Modbus server poll; null of another link.
   std::shared_ptr<const modbus::IoMap> served;
+  std::string_view where = "in the PLC";  ///< what the locations are, for the title of their column
 };
 
 /// The map of a link by its URL. Opens nothing. An invalid URL, and symbols that the link cannot have together, are

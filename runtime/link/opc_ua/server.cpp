@@ -102,6 +102,7 @@ void Server::stop() {
 
 LinkStatus Server::status() const noexcept {
   LinkStatus status;
+  status.has_nodes = true;
   status.requests = requests_.load(std::memory_order_relaxed);
   status.exceptions = refused_.load(std::memory_order_relaxed);
   status.connections = connections_.load(std::memory_order_relaxed);

@@ -18,6 +18,7 @@ std::variant<LinkMap, LinkError> server_map(std::string_view /*rest*/, const Lin
   Carried carried = carried_symbols(tables, link.controller, link.settings);
   const auto texts = tables::split_names(tables.symbol_names);
   LinkMap map;
+  map.where = "node id";
   map.left_out = std::move(carried.left_out);
   map.symbols.reserve(carried.map.points.size());
   for (const image::Point& point : carried.map.points) {
