@@ -64,8 +64,8 @@ class MapTable {
  private:
   template <typename Use>
   void for_each_row(Use use) const {
-    use({"row", "symbol", "address", "IEC", view_.is_server() ? "Modbus" : view_.map.where, "Modicon", "words", "inverted",
-         "on loss", "driven by", "drives"});
+    use({"row", "symbol", "address", "IEC", view_.is_server() ? "Modbus" : std::string(view_.map.where), "Modicon",
+         "words", "inverted", "on loss", "driven by", "drives"});
     view_.for_each_symbol([&](std::uint32_t symbol) { use(cells_of(symbol)); });
   }
 
