@@ -209,12 +209,21 @@ class Builder {
         variable.text != nullptr ? UA_TYPES[UA_TYPES_STRING].typeId : data_type_of(variable.type).typeId;
     attributes.valueRank = UA_VALUERANK_SCALAR;
     attributes.accessLevel = UA_ACCESSLEVELMASK_READ | (writable ? UA_ACCESSLEVELMASK_WRITE : 0);
-    note(UA_Server_addDataSourceVariableNode(
-        server_, string_node(kPlantNamespace, id), string_node(kPlantNamespace, location.parent),
-        UA_NODEID_NUMERIC(0, UA_NS0ID_HASCOMPONENT), {kPlantNamespace, view_of(location.name)},
-        UA_NODEID_NUMERIC(0, type_of(quantity)), attributes, writable ? callbacks_.writable : callbacks_.read_only,
-        &variable, nullptr));
+    UA_Variant_init(&attributes.value);
+    if (variable.text != nullptr) {
+      UA_Variant_setScalar(&attributes.value, const_cast<UA_String*>(variable.text), &UA_TYPES[UA_TYPES_STRING]);
+    } else {
+      attributes.value = variable.value.variant();
+    }
+    const UA_NodeId node = string_node(kPlantNamespace, id);
+    note(UA_Server_addNode_begin(server_, UA_NODECLASS_VARIABLE, node, string_node(kPlantNamespace, location.parent),
+                                 UA_NODEID_NUMERIC(0, UA_NS0ID_HASCOMPONENT), {kPlantNamespace, view_of(location.name)},
+                                 UA_NODEID_NUMERIC(0, type_of(quantity)), &attributes,
+                                 &UA_TYPES[UA_TYPES_VARIABLEATTRIBUTES], &variable, nullptr));
+    note(UA_Server_setVariableNode_dataSource(server_, node, writable ? callbacks_.writable : callbacks_.read_only));
+    // Before the end of the node: what its type demands would get node ids of the library.
     if (!quantity.unit.empty()) add_quantity(id, quantity);
+    note(UA_Server_addNode_finish(server_, node));
   }
 
   /// A server with a small namespace 0 does not have AnalogUnitType, for which the range is optional.
@@ -227,7 +236,6 @@ class Builder {
     return known ? UA_NS0ID_ANALOGUNITTYPE : UA_NS0ID_BASEDATAVARIABLETYPE;
   }
 
-  /// The properties of a variable with a unit. Its type has made those that are mandatory, without a value.
   void add_quantity(const std::string& id, const Quantity& quantity) {
     const EngineeringUnit unit = engineering_unit(quantity.unit);
     UA_EUInformation information{};
@@ -235,18 +243,8 @@ class Builder {
     information.unitId = unit.id;
     information.displayName = text_of_nodes(quantity.unit);
     information.description = text_of_nodes(unit.description);
-    set_property(id, "EngineeringUnits", information, UA_TYPES_EUINFORMATION);
-    if (quantity.has_range()) set_property(id, "EURange", UA_Range{quantity.low, quantity.high}, UA_TYPES_RANGE);
-  }
-
-  template <class T>
-  void set_property(const std::string& parent, std::string_view name, T value, std::size_t type) {
-    UA_Variant variant;
-    UA_Variant_setScalar(&variant, &value, &UA_TYPES[type]);
-    const UA_QualifiedName key{0, view_of(name)};
-    const UA_StatusCode written =
-        UA_Server_writeObjectProperty(server_, string_node(kPlantNamespace, parent), key, variant);
-    if (written != UA_STATUSCODE_GOOD) add_property(parent, 0, name, value, type);
+    add_property(id, 0, "EngineeringUnits", information, UA_TYPES_EUINFORMATION);
+    if (quantity.has_range()) add_property(id, 0, "EURange", UA_Range{quantity.low, quantity.high}, UA_TYPES_RANGE);
   }
 
   void add_method(std::string_view name, UA_MethodCallback callback, std::optional<UA_Argument> input,

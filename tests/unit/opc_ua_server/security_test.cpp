@@ -1,0 +1,124 @@
+// Users, certificates and endpoints of the OPC UA server.
+#include <open62541/plugin/pki_default.h>
+
+#include "support/temporary_folder.hpp"
+#include "symplant/link/opc_ua/certificates.hpp"
+#include "unit/opc_ua_server/served_plant.hpp"
+
+using namespace symplant;
+using link::opc_ua::own_certificate;
+using link::opc_ua::OwnCertificate;
+using link::opc_ua::read_password;
+using link::opc_ua::text_of;
+using link::opc_ua::TrustedCertificates;
+using test::ServedPlant;
+
+namespace {
+
+const test::DescribedPlant& small() {
+  static const test::DescribedPlant described(
+      {{"L_S_C_O_A", "", "BOOL", "FALSE", "%QX0"}, {"L_S_C_I_A", "", "BOOL", "FALSE", "%IX0"}}, R"("name": "small")");
+  return described;
+}
+
+const OwnCertificate& client_certificate() {
+  static const OwnCertificate made = [] {
+    auto result = own_certificate({}, "client", "urn:test:client");
+    return std::move(std::get<OwnCertificate>(result));
+  }();
+  return made;
+}
+
+/// The status of a connection with Basic256Sha256 in this mode, and the user name and password.
+UA_StatusCode connect(const std::string& endpoint, UA_MessageSecurityMode mode, const char* user,
+                      const char* password) {
+  UA_ClientConfig config{};
+  config.logging = link::opc_ua::silent();
+  UA_ClientConfig_setDefaultEncryption(&config, *client_certificate().certificate, *client_certificate().key, nullptr,
+                                       0, nullptr, 0);
+  UA_String_clear(&config.clientDescription.applicationUri);
+  config.clientDescription.applicationUri = UA_STRING_ALLOC(const_cast<char*>("urn:test:client"));
+  UA_CertificateVerification_AcceptAll(&config.certificateVerification);
+  config.securityMode = mode;
+  UA_Client* const client = UA_Client_newWithConfig(&config);
+  const UA_StatusCode status = user == nullptr ? UA_Client_connect(client, endpoint.c_str())
+                                               : UA_Client_connectUsername(client, endpoint.c_str(), user, password);
+  UA_Client_delete(client);
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("With encryption only the user with the password gets a session, over an encrypted channel") {
+  const test::TemporaryFolder folder;
+  folder.write("password", "secret\nsecond line\n");
+  ServedPlant served(small().rows, "?security=encrypt&user=scada&password-file=" + (folder / "password"));
+  const std::string endpoint = served.endpoint();
+  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "secret") == UA_STATUSCODE_GOOD);
+  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "wrong") ==
+        UA_STATUSCODE_BADUSERACCESSDENIED);
+  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, nullptr, nullptr) != UA_STATUSCODE_GOOD);
+  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGN, "scada", "secret") != UA_STATUSCODE_GOOD);
+  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_NONE, "scada", "secret") != UA_STATUSCODE_GOOD);
+  const auto messages = served.link().take_messages();
+  REQUIRE(messages.size() == 3);
+  CHECK(messages[0].find("made a certificate for this run, with the thumbprint ") != std::string::npos);
+  CHECK(messages[1].find("every client is accepted") != std::string::npos);
+  CHECK(messages[2].find("a client with the user name `scada` and a wrong password") != std::string::npos);
+}
+
+TEST_CASE("With signing, signed and encrypted channels are possible") {
+  const test::TemporaryFolder folder;
+  folder.write("password", "secret");
+  ServedPlant served(small().rows, "?security=sign&user=scada&password-file=" + (folder / "password"));
+  CHECK(connect(served.endpoint(), UA_MESSAGESECURITYMODE_SIGN, "scada", "secret") == UA_STATUSCODE_GOOD);
+  CHECK(connect(served.endpoint(), UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "secret") == UA_STATUSCODE_GOOD);
+}
+
+TEST_CASE("With a folder of trusted certificates, clients with another one are refused") {
+  const test::TemporaryFolder folder;
+  folder.write("password", "secret");
+  const auto other = own_certificate({}, "other", "urn:test:other");
+  folder.write("trusted/other.der", text_of(*std::get<OwnCertificate>(other).certificate));
+  const std::string settings =
+      "?security=encrypt&user=scada&password-file=" + (folder / "password") + "&trust=" + (folder / "trusted");
+  {
+    ServedPlant served(small().rows, settings);
+    CHECK(connect(served.endpoint(), UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "secret") != UA_STATUSCODE_GOOD);
+    const auto messages = served.link().take_messages();
+    REQUIRE(messages.size() == 2);
+    CHECK(messages[1].find("is not in the folder `trust`") != std::string::npos);
+  }
+  folder.write("trusted/client.der", text_of(*client_certificate().certificate));
+  ServedPlant served(small().rows, settings);
+  CHECK(connect(served.endpoint(), UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "secret") == UA_STATUSCODE_GOOD);
+}
+
+TEST_CASE("Files that are missing or wrong are errors of the settings") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path();
+  CHECK(std::holds_alternative<link::LinkError>(read_password(path + "/none")));
+  folder.write("empty", "\nsecond");
+  CHECK(std::holds_alternative<link::LinkError>(read_password(path + "/empty")));
+  CHECK(std::holds_alternative<link::LinkError>(TrustedCertificates::read(path + "/none")));
+  CHECK(std::holds_alternative<link::LinkError>(TrustedCertificates::read(path)));
+  folder.write("wrong.der", "not a certificate");
+  CHECK(std::holds_alternative<link::LinkError>(TrustedCertificates::read(path)));
+  folder.write("password", "secret");
+  const auto result = link::open_link({"opc-ua-server://127.0.0.1:0?security=encrypt&user=a&password-file=" + path +
+                                       "/password&certificate=" + path + "/wrong.der&key=" + path + "/wrong.der"},
+                                      small().rows);
+  REQUIRE(std::holds_alternative<link::LinkError>(result));
+  CHECK(std::get<link::LinkError>(result).kind == link::LinkError::Kind::usage);
+}
+
+TEST_CASE("A trusted certificate may be in PEM") {
+  const test::TemporaryFolder folder;
+  link::opc_ua::OwnedString base64;
+  UA_ByteString_toBase64(client_certificate().certificate.get(), base64.get());
+  folder.write("client.pem",
+               "-----BEGIN CERTIFICATE-----\n" + std::string(text_of(*base64)) + "\n-----END CERTIFICATE-----\n");
+  const auto trusted = TrustedCertificates::read(folder.path());
+  REQUIRE(std::holds_alternative<TrustedCertificates>(trusted));
+  CHECK(std::get<TrustedCertificates>(trusted).has(*client_certificate().certificate));
+}
