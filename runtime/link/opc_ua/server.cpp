@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kBetweenLooks = 2;
 constexpr auto kBetweenSessionLooks = std::chrono::milliseconds(100);
 constexpr auto kWhileCut = std::chrono::milliseconds(5);
+constexpr std::size_t kMostChanges = 256;  ///< passed on before requests are looked at again
 constexpr std::size_t kMostCommands = 64;  ///< that wait
 
 void add(std::atomic<std::uint64_t>& count, std::uint64_t more) noexcept {
@@ -124,14 +125,15 @@ std::optional<LinkCommand> Server::take_command(bool frozen) noexcept {
 
 void Server::serve() {
   auto next_look = Clock::now();
+  bool busy = false;
   while (!stop_.load(std::memory_order_relaxed)) {
     if (cut_.load(std::memory_order_relaxed)) {
       std::this_thread::sleep_for(kWhileCut);
       continue;
     }
-    UA_Server_run_iterate(server_.get(), true);
+    UA_Server_run_iterate(server_.get(), !busy);
     publish_writes();
-    write_changes();
+    busy = write_changes();
     if (Clock::now() < next_look) continue;
     next_look = Clock::now() + kBetweenSessionLooks;
     look_at_sessions();
@@ -152,10 +154,10 @@ void Server::publish_writes() {
   shown_.images.publish(rewriting_.complete());
 }
 
-/// Passes the changes of variables on to the items that monitor them.
-void Server::write_changes() {
+/// Passes changes of variables on to the items that monitor them; returns whether there are more.
+bool Server::write_changes() {
   own_access_ = true;
-  variables_.update([this](const Variable& variable) {
+  const bool more = variables_.update(kMostChanges, [this](const Variable& variable) {
     UA_WriteValue change;
     UA_WriteValue_init(&change);
     change.nodeId = string_node(kPlantNamespace, ids_[static_cast<std::size_t>(&variable - variables_.all().data())]);
@@ -164,6 +166,7 @@ void Server::write_changes() {
     UA_Server_write(server_.get(), &change);
   });
   own_access_ = false;
+  return more;
 }
 
 /// A client with a subscription is a sign of life as long as its connection is open. Which of the sessions have one is

@@ -78,7 +78,7 @@ class Server {
   static NodeCallbacks callbacks();
   void serve();
   void publish_writes();
-  void write_changes();
+  bool write_changes();
   void look_at_sessions();
   void forget_operations();
 

@@ -1,6 +1,7 @@
 // The variables of the server: their values, statuses and times, as clients read them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -56,13 +57,16 @@ class Variables {
   /// The value as the server gives it to a client; valid until the next update.
   UA_DataValue value_of(const Variable& variable) const noexcept;
 
-  /// Takes the images of the latest cycle, and the operations as written. Calls `changed(variable)` for each monitored
-  /// variable whose value or status is another one.
+  /// Takes the images of the latest cycle, and the operations as written, unless changes of the last images remain.
+  /// Calls `changed(variable)` for at most `most` of the monitored variables whose value or status is another one.
+  /// Returns whether changes remain.
   template <class Changed>
-  void update(Changed changed) {
-    take();
-    for (Variable* const variable : changed_) changed(*variable);
-    changed_.clear();
+  bool update(std::size_t most, Changed changed) {
+    if (changed_.empty()) take();
+    const std::size_t remaining = changed_.size() - std::min(most, changed_.size());
+    for (std::size_t i = remaining; i < changed_.size(); ++i) changed(*changed_[i]);
+    changed_.resize(remaining);
+    return remaining != 0;
   }
 
   /// Whether the plant has had its first cycle, or need not have.

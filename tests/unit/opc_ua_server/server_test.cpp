@@ -252,6 +252,7 @@ TEST_CASE("A connected client with a subscription keeps the link live, though it
   ServedPlant served(tank().rows, "", settings);
   served.run();
   UaClient client(served.endpoint());
+  REQUIRE(soon([&] { return client.status("L_T_PUMP_I_RUN") == UA_STATUSCODE_GOOD; }));
   Monitored level(client, "L_T_PUMP_I_RUN");
   CHECK(level.sees({UA_STATUSCODE_GOOD}));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
