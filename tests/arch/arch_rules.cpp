@@ -94,6 +94,7 @@ constexpr std::array kThirdParties = {
     ThirdParty{"<boost/lockfree", {"runtime/panel/operate/"}},
     ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
     ThirdParty{"<kainjow/", {"generator/emit/"}},
+    ThirdParty{"<open62541/", {"runtime/link/opc_ua/"}},
     ThirdParty{"<uchardet", {"generator/text/"}},
     ThirdParty{"<zlib.h>", {"runtime/panel/web/"}},
     ThirdParty{"<zip.h>", {"generator/read/archive.cpp", "generator/convert/"}},

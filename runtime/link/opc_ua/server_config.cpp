@@ -66,7 +66,7 @@ void describe(UA_ServerConfig& config, const std::string& plant) {
   config.buildInfo.buildDate = 0;
 }
 
-/// An empty host in the address of a server stands for all addresses of this machine.
+/// To open62541 an empty host means all addresses of this machine.
 std::string listening_url(const net::HostPort& address) {
   const bool all = address.host == "0.0.0.0" || address.host == "::";
   return "opc.tcp://" + net::format_host_port({all ? std::string() : address.host, address.port});
@@ -127,9 +127,9 @@ UA_StatusCode activate_session(UA_Server* server, UA_AccessControl* control, con
   return status;
 }
 
-/// Before an item is added that monitors a value, the server reads the value, and so calls this, and then it looks at
-/// the limits of the configuration. The plant's variables change only by write_changes(), which looks at every item, so
-/// their items need no sampling of their own: an interval of 0 is OPC UA's way to say so.
+/// Before the server adds an item that monitors a value, it reads the value, and so calls this; then it looks at the
+/// limits of the configuration. It must not sample the plant's variables: their changes are written, and a write looks
+/// at every item with the sampling interval 0.
 UA_Byte user_access_level(UA_Server* server, UA_AccessControl* /*control*/, const UA_NodeId* /*session*/,
                           void* /*session_context*/, const UA_NodeId* /*node*/, void* node_context) {
   UA_DurationRange& sampling = UA_Server_getConfig(server)->samplingIntervalLimits;
