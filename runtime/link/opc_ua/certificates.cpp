@@ -61,7 +61,9 @@ std::optional<std::string> der_of(std::string_view content) {
 }
 
 std::variant<OwnCertificate, LinkError> make_certificate(const std::string& name, const std::string& application_uri) {
-  const std::string common_name = "CN=" + name;
+  std::string common_name = "CN=" + name;  // a comma or `=` would begin another part of the subject
+  std::replace_if(
+      common_name.begin() + 3, common_name.end(), [](char c) { return c == ',' || c == '=' || c == '+'; }, '-');
   const std::string uri = "URI:" + application_uri;
   const std::array subject = {view_of("O=symplant"), view_of(common_name)};
   const std::array alternatives = {view_of("DNS:localhost"), view_of(uri)};

@@ -232,14 +232,12 @@ UA_StatusCode Server::command(LinkCommand command) noexcept {
 }
 
 UA_StatusCode Server::on_malfunction(const UA_Variant& name, LinkCommand::Kind kind) {
-  constexpr std::size_t kMostShown = 100;
   if (!UA_Variant_hasScalarType(&name, &UA_TYPES[UA_TYPES_STRING])) return UA_STATUSCODE_BADINVALIDARGUMENT;
   const std::string_view text = text_of(*static_cast<const UA_String*>(name.data));
   if (const auto number = malfunctions_.find(text)) return command({kind, *number});
   tables::NearestName nearest(text);
   for (const std::string_view known : tables::split_names(shown_.tables.malfunctions.names)) nearest.offer(known);
-  messages_.add_once("a client called a method with malfunction `" + std::string(text.substr(0, kMostShown)) +
-                     "`, which was not found" +
+  messages_.add_once("a client called a method with malfunction `" + of_client(text) + "`, which was not found" +
                      (nearest.name().empty() ? "" : "; did you mean `" + std::string(nearest.name()) + "`?"));
   return UA_STATUSCODE_BADINVALIDARGUMENT;
 }

@@ -98,6 +98,7 @@ void limit(UA_ServerConfig& config, const ServerLimits& limits) {
   config.maxMonitoredItemsPerSubscription = 2 * nodes;
   config.maxNotificationsPerPublish = nodes;
   config.maxPublishReqPerSession = 100;
+  config.maxRetransmissionQueueSize = 100;
   config.publishingIntervalLimits = {kShortestInterval, kLongestInterval};
   config.samplingIntervalLimits = {kShortestInterval, kLongestInterval};
   config.queueSizeLimits = {1, kMostQueue};
@@ -108,12 +109,8 @@ std::string quoted_user(const UA_ExtensionObject& token) {
       token.content.decoded.type != &UA_TYPES[UA_TYPES_USERNAMEIDENTITYTOKEN]) {
     return "without a user name";
   }
-  constexpr std::size_t kMostShown = 64;
   const auto& user = *static_cast<const UA_UserNameIdentityToken*>(token.content.decoded.data);
-  std::string name(text_of(user.userName).substr(0, kMostShown));
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
-  return "with the user name `" + name + "` and a wrong password or name";
+  return "with the user name `" + of_client(text_of(user.userName)) + "` and a wrong password or name";
 }
 
 UA_StatusCode activate_session(UA_Server* server, UA_AccessControl* control, const UA_EndpointDescription* endpoint,

@@ -69,9 +69,6 @@ class Variables {
     return remaining != 0;
   }
 
-  /// Whether the plant has had its first cycle, or need not have.
-  bool is_ready() const noexcept { return ready_; }
-  bool is_frozen() const noexcept { return plant_.words()[PlantWords::kFrozen] != 0; }
   /// The value of an operation that a client has just written: `number` as image::number_of() makes it.
   void wrote(Variable& variable, std::uint64_t number) noexcept;
 
