@@ -78,7 +78,8 @@ class LinkResolver {
     for (const std::uint32_t symbol : symbols_) rows.push_back(row_of(symbol));
     join_addresses(rows);
     for (const link::MapRow& row : rows) {
-      const bool differs = row.word_order != link::WordOrder::as_link || row.on_loss != link::OnLoss::as_link;
+      const bool differs =
+          row.word_order != link::WordOrder::as_link || row.on_loss != link::OnLoss::as_link || !row.node.empty();
       if (differs || row.number != link::MapRow::kDefault) result.rows.push_back(row);
     }
     for (const Meant& meant : meant_) warn_of(meant);
@@ -230,6 +231,7 @@ class LinkResolver {
     Chosen<std::uint32_t> number{link::MapRow::kDefault};
     Chosen<link::WordOrder> word_order{link::WordOrder::as_link};
     Chosen<link::OnLoss> on_loss{link::OnLoss::as_link};
+    Chosen<std::string> node;
     for (Meant& meant : meant_) {
       if (!matches(meant, symbol)) continue;
       ++meant.matched;
@@ -238,11 +240,13 @@ class LinkResolver {
       choose(number, number_for(meant, symbol), meant, "number", symbol);
       choose(word_order, meant.entry->word_order, meant, "word-order", symbol);
       choose(on_loss, meant.entry->on_loss, meant, "on-loss", symbol);
+      choose(node, meant.entry->node, meant, "node", symbol);
     }
     if (number.by != nullptr) check_end(number, symbol);
     if (number.by != nullptr && number.by->entry->by == description::MapEntry::By::symbol)
       own_.emplace(index, number.by);
-    return {index, number.value, word_order.value, on_loss.value};
+    const std::string_view text = node.by == nullptr ? std::string_view() : *node.by->entry->node;
+    return {index, number.value, word_order.value, on_loss.value, false, text};
   }
 
   void check_end(const Chosen<std::uint32_t>& number, const Symbol& symbol) {

@@ -43,7 +43,8 @@ struct MapRow {
   std::uint32_t number = kDefault;  ///< address in the protocol, counted from 0; kDefault: as in the default map
   WordOrder word_order = WordOrder::as_link;
   OnLoss on_loss = OnLoss::as_link;
-  bool excluded = false;  ///< the link does not carry it
+  bool excluded = false;       ///< the link does not carry it
+  std::string_view node = {};  ///< template of its node id in an OPC UA server; empty: that of the link
 };
 
 /// Address of the status or the watchdog: a number, or one of these.

@@ -58,7 +58,8 @@ TEST_CASE("Generated links have the maps and policies of the links made at run t
     CHECK(own.idle == made.idle);
     CHECK(std::equal(own.keep.begin(), own.keep.end(), made.keep.begin(), made.keep.end()));
     const auto same = [](const link::MapRow& a, const link::MapRow& b) {
-      return a.symbol == b.symbol && a.number == b.number && a.word_order == b.word_order && a.on_loss == b.on_loss;
+      return a.symbol == b.symbol && a.number == b.number && a.word_order == b.word_order && a.on_loss == b.on_loss &&
+             a.node == b.node;
     };
     CHECK(std::equal(own.rows.begin(), own.rows.end(), made.rows.begin(), made.rows.end(), same));
   }

@@ -3,6 +3,7 @@
 
 #include "description/ip_address.hpp"
 #include "description/json_entry.hpp"
+#include "symplant/link/opc_ua/node_id.hpp"
 
 namespace symplant::description {
 namespace {
@@ -136,6 +137,15 @@ class LinkReader {
     for (std::size_t i = 0; i < map->size(); ++i) link_.map.push_back(map_entry((*map)[i], here_ / "map" / i));
   }
 
+  std::optional<std::string> node_member(const Json& value, const Pointer& here) {
+    const std::string* text = text_member(value, "node");
+    if (text == nullptr || text->empty()) return std::nullopt;
+    if (const std::string problem = link::opc_ua::template_problem(*text); !problem.empty()) {
+      faults_.add(here / "node", ticked(*text) + ": " + problem);
+    }
+    return *text;
+  }
+
   MapEntry map_entry(const Json& value, const Pointer& here) {
     int speaks_of = 0;
     for (const std::string_view key : {"area", "range", "symbol"}) speaks_of += member(value, key) != nullptr ? 1 : 0;
@@ -144,10 +154,10 @@ class LinkReader {
                             ? "this entry does not name its symbols; give it an `area`, a `range` or a `symbol`"
                             : "this entry has more than one of `area`, `range` and `symbol`; write an entry for each");
     }
-    const bool says = member(value, "number") != nullptr || member(value, "word-order") != nullptr ||
-                      member(value, "on-loss") != nullptr;
-    if (speaks_of == 1 && !says) {
-      faults_.add(here, "this entry sets nothing for its symbols; give it a `number`, a `word-order` or `on-loss`");
+    const auto is_there = [&](std::string_view key) { return member(value, key) != nullptr; };
+    if (speaks_of == 1 && !is_there("number") && !is_there("node") && !is_there("word-order") && !is_there("on-loss")) {
+      faults_.add(here,
+                  "this entry sets nothing for its symbols; give it a `number`, a `node`, a `word-order` or `on-loss`");
     }
     MapEntry entry;
     if (const std::string* area = text_member(value, "area"); area != nullptr) {
@@ -163,6 +173,7 @@ class LinkReader {
       entry.text = text_or_empty(value, "symbol");
     }
     entry.number = number_member(value, "number");
+    entry.node = node_member(value, here);
     entry.word_order = word_order_member(value);
     entry.on_loss = on_loss_member(value);
     return entry;

@@ -20,6 +20,7 @@ struct MapEntry {
   std::optional<std::uint32_t> number;  ///< of the symbol, the first address of the range or address 0 of the area
   std::optional<link::WordOrder> word_order = {};
   std::optional<link::OnLoss> on_loss = {};
+  std::optional<std::string> node = {};  ///< template of node ids
 };
 
 /// A link of the plant. It is opened if the command line names no link. Its map and its settings for a loss hold for

@@ -204,7 +204,9 @@ std::string place_arrays(const model::PlantModel& plant) {
           rows.number(row.number);
         }
         rows.text(", ").text(word_order(row.word_order)).text(", ").text(on_loss(row.on_loss));
-        rows.text(row.excluded ? ", true},  // " : "},  // ");
+        rows.text(row.excluded ? ", true" : row.node.empty() ? "" : ", false");
+        if (!row.node.empty()) rows.text(", \"").literal(row.node).text("\"");
+        rows.text("},  // ");
         rows.comment(plant.symbols[row.symbol].name()).text("\n");
       }
       rows.text("}};\n\n");

@@ -224,7 +224,7 @@ TEST_CASE("Invalid entries are reported") {
 TEST_CASE("An entry that sets nothing for its symbols is reported") {
   CHECK(reported(R"("map": [{"area": "X", "symbol": "MODE"}])") != "");
   CHECK(reported(R"("map": [{"symbol": "MODE"}])") ==
-        "this entry sets nothing for its symbols; give it a `number`, a `word-order` or `on-loss`");
+        "this entry sets nothing for its symbols; give it a `number`, a `node`, a `word-order` or `on-loss`");
   CHECK(reported(R"("map": [{}])") ==
         "this entry does not name its symbols; give it an `area`, a `range` or a `symbol`");
 }
