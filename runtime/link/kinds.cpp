@@ -15,8 +15,10 @@
 #include "symplant/link/modbus/server_doctor.hpp"
 #include "symplant/link/modbus/server_link.hpp"
 #include "symplant/link/opc_ua/client_link_parts.hpp"
+#include "symplant/link/opc_ua/client_settings.hpp"
 #include "symplant/link/opc_ua/server_doctor.hpp"
 #include "symplant/link/opc_ua/server_link.hpp"
+#include "symplant/link/opc_ua/status_text.hpp"
 #include "symplant/link/slmp/refusal.hpp"
 #include "symplant/link/slmp/slmp_link.hpp"
 

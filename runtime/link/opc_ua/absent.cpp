@@ -29,6 +29,4 @@ client::PartsResult client_link_parts(std::string_view /*rest*/, const LinkChoic
   return absent();
 }
 
-std::string refusal_text(const tables::Refusal& /*refusal*/) { return {}; }
-
 }  // namespace symplant::link::opc_ua

@@ -5,16 +5,34 @@
 #include <utility>
 
 #include "symplant/link/opc_ua/address.hpp"
-#include "symplant/link/opc_ua/client_link_parts.hpp"
+#include "symplant/link/opc_ua/node_id.hpp"
 
 namespace symplant::link::opc_ua {
 
 namespace {
 
+/// The node ids of the tags of an S7-1500. Its namespace usually has the number 3, but may have another one.
+constexpr std::string_view kS7 = "nsu=http://www.siemens.com/simatic-s7-opcua;s=\"{symbol}\"";
+
+Problem read_nodes(std::string_view text, ClientSettings& settings) {
+  settings.nodes = text == "s7" ? kS7 : text;
+  return template_problem(settings.nodes);
+}
+
 using Key = UrlKey<ClientSettings>;
-constexpr auto kKeys =
-    joined(std::array{Key{"nodes", [](std::string_view text, ClientSettings& s) { return s.nodes = text, Problem(); }}},
-           security_keys<ClientSettings>());
+constexpr auto kKeys = joined(
+    std::array{
+        Key{"nodes", read_nodes},
+        Key{"poll", [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.poll, false); }},
+        Key{"refresh",
+            [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.refresh, false); }},
+        Key{"read-back",
+            [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.read_back, true); }},
+        Key{"retry",
+            [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.first_retry, false); }},
+        Key{"timeout", [](std::string_view text, ClientSettings& s) { return read_time(text, s.timeout, false); }},
+        Key{"at-end", [](std::string_view text, ClientSettings& s) { return read_at_end(text, s.times.zero_at_end); }}},
+    security_keys<ClientSettings>());
 
 }  // namespace
 

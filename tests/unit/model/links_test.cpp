@@ -166,6 +166,32 @@ TEST_CASE("The pattern with more letters sets word order and on-loss") {
   CHECK(analysed.model().links.at(0).rows.size() == analysed.model().symbols.size());
 }
 
+TEST_CASE("The most specific entry gives a symbol its node of OPC UA, which may be a template") {
+  const Analysed analysed = linked(R"("map": [{"area": "%QW", "node": "ns=3;s=\"SET\".\"{symbol}\""},
+                                              {"symbol": "L*", "node": "ns=3;s={address}"},
+                                              {"symbol": "SPEED", "node": "i=7", "number": 3}])");
+  CHECK(reported(analysed).empty());
+  std::map<std::string, std::string> nodes;
+  for (const link::MapRow& row : analysed.model().links.at(0).rows) {
+    nodes.emplace(analysed.model().symbols[row.symbol].name(), row.node);
+  }
+  CHECK(nodes == std::map<std::string, std::string>{{"MODE", "ns=3;s=\"SET\".\"{symbol}\""},
+                                                    {"LEVEL", "ns=3;s={address}"},
+                                                    {"LEVEL2", "ns=3;s={address}"},
+                                                    {"L_P_D_I_A", "ns=3;s={address}"},
+                                                    {"L_P_D_O_A", "ns=3;s={address}"},
+                                                    {"SPEED", "i=7"}});
+}
+
+TEST_CASE("A text that is no node id of OPC UA is reported at its entry") {
+  CHECK_THAT(reported(R"("map": [{"symbol": "SPEED", "node": "SPEED"}])"),
+             Catch::Matchers::StartsWith("`SPEED`: write a node id, such as ns=3;s="));
+  CHECK_THAT(reported(R"("map": [{"symbol": "*", "node": "s={name}"}])"),
+             Catch::Matchers::StartsWith("`s={name}`: `{name}` is not known: use {symbol} and {address}"));
+  CHECK(reported(R"("map": [{"area": "%QW", "node": "i=1"}, {"area": "%QW", "node": "i=2"}])") ==
+        "two equally specific entries give `MODE` different values of `node`; remove one, or name the symbol");
+}
+
 TEST_CASE("An unknown name in an entry is reported with the nearest one") {
   CHECK(reported(R"("map": [{"symbol": "SPED", "number": 1}])") == "symbol `SPED` not found; did you mean `SPEED`?");
   CHECK(reported(R"("map": [{"area": "%MW", "number": 1}])")

@@ -1,0 +1,293 @@
+// A session with a PLC's OPC UA server.
+#include "symplant/link/opc_ua/client_connection.hpp"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <open62541/client_config_default.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <span>
+#include <utility>
+
+#include "symplant/link/client/steady_now.hpp"
+#include "symplant/link/opc_ua/endpoints.hpp"
+#include "symplant/link/opc_ua/status_text.hpp"
+
+namespace symplant::link::opc_ua {
+
+using client::Fault;
+using client::steady_now;
+
+namespace {
+
+constexpr auto kSlice = std::chrono::milliseconds(20);  ///< longest time until interrupt() acts
+constexpr auto kToConnect = std::chrono::seconds(5);    ///< a small PLC takes seconds for the keys of a session
+constexpr UA_UInt32 kFarewell = 200;                    ///< ms to close a session at the end
+constexpr UA_UInt32 kLeastSession = 30'000;             ///< ms without a request until a server may drop the session
+constexpr UA_UInt32 kPollsInSession = 3;
+
+/// open62541 connects again by the address that the server has for itself, and after each failure. A server that closes
+/// all connections must not be flooded with them.
+constexpr int kMostAttempts = 2;
+
+/// Statuses of an answer that end the session or the connection.
+bool ends_session(UA_StatusCode status) {
+  constexpr std::array kEnding = {UA_STATUSCODE_BADSESSIONIDINVALID,
+                                  UA_STATUSCODE_BADSESSIONCLOSED,
+                                  UA_STATUSCODE_BADSESSIONNOTACTIVATED,
+                                  UA_STATUSCODE_BADSECURECHANNELCLOSED,
+                                  UA_STATUSCODE_BADSECURECHANNELIDINVALID,
+                                  UA_STATUSCODE_BADCONNECTIONCLOSED,
+                                  UA_STATUSCODE_BADSERVERNOTCONNECTED,
+                                  UA_STATUSCODE_BADSHUTDOWN,
+                                  UA_STATUSCODE_BADTIMEOUT,
+                                  UA_STATUSCODE_BADSERVERHALTED};
+  return std::find(kEnding.begin(), kEnding.end(), status) != kEnding.end();
+}
+
+/// The first certificate of a chain.
+UA_ByteString leaf_of(const UA_ByteString& chain) {
+  constexpr std::size_t kHeader = 4;  // SEQUENCE with a length of 16 bits
+  if (chain.length < kHeader || chain.data[1] != 0x82) return chain;
+  const std::size_t length = kHeader + (std::size_t{chain.data[2]} << 8 | chain.data[3]);
+  return {std::min(length, chain.length), chain.data};
+}
+
+}  // namespace
+
+ClientConnection::ClientConnection(const ClientSettings& settings)
+    : settings_(settings), security_(settings.security) {}
+
+ClientConnection::~ClientConnection() { close(); }
+
+std::string ClientConnection::url() const {
+  return std::string(kClientScheme) + "://" + net::format_host_port(settings_.address) + settings_.path;
+}
+
+std::string ClientConnection::endpoint_url() const {
+  return "opc.tcp://" + net::format_host_port(settings_.address) + settings_.path;
+}
+
+Fault ClientConnection::lost(std::string message) {
+  healthy_ = false;
+  return {Fault::Kind::transport, std::move(message)};
+}
+
+Fault ClientConnection::failed(Waited waited, const std::string& doing) {
+  switch (waited) {
+    case Waited::done:
+      return {};
+    case Waited::interrupted:
+      healthy_ = false;
+      return {Fault::Kind::interrupted};
+    case Waited::timeout:
+      return lost(doing + ": no answer; check the address, the cable, and that its OPC UA server is on");
+    case Waited::lost:
+      break;
+  }
+  return lost(doing + ": " + status_text(status_));
+}
+
+template <class Done>
+ClientConnection::Waited ClientConnection::wait(Done done, Clock::time_point deadline) {
+  for (;;) {
+    if (done()) return Waited::done;
+    if (interrupted_.load(std::memory_order_relaxed)) return Waited::interrupted;
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    if (left.count() <= 0) return Waited::timeout;
+    status_ = UA_Client_run_iterate(client_.get(), static_cast<UA_UInt32>(std::min(left, kSlice).count()));
+    if (status_ == UA_STATUSCODE_GOOD && attempts_ > kMostAttempts) status_ = closed_again();
+    if (status_ != UA_STATUSCODE_GOOD) return done() ? Waited::done : Waited::lost;
+  }
+}
+
+/// open62541 waits without a limit for a PLC that does not read what is sent. The system then ends the connection.
+void ClientConnection::limit_sending(UA_ClientConfig& config) {
+  for (UA_EventSource* source = config.eventLoop->eventSources; source != nullptr; source = source->next) {
+    if (source->eventSourceType != UA_EVENTSOURCETYPE_CONNECTIONMANAGER) continue;
+    auto* const manager = reinterpret_cast<UA_ConnectionManager*>(source);
+    if (text_of(manager->protocol) != "tcp") continue;
+    open_ = std::exchange(manager->openConnection, open_socket);
+  }
+}
+
+UA_StatusCode ClientConnection::open_socket(UA_ConnectionManager* manager, const UA_KeyValueMap* parameters,
+                                            void* client, void* context,
+                                            UA_ConnectionManager_connectionCallback callback) {
+  auto& self = *static_cast<ClientConnection*>(UA_Client_getContext(static_cast<UA_Client*>(client)));
+  self.callback_ = callback;
+  return self.open_(manager, parameters, client, context, take_event);
+}
+
+/// What happens at a connection, of which the number is the socket.
+void ClientConnection::take_event(UA_ConnectionManager* manager, uintptr_t socket, void* client, void** context,
+                                  UA_ConnectionState state, const UA_KeyValueMap* parameters, UA_ByteString message) {
+  const auto& self = *static_cast<ClientConnection*>(UA_Client_getContext(static_cast<UA_Client*>(client)));
+  if (state == UA_CONNECTIONSTATE_OPENING) {
+    const auto limit = static_cast<unsigned>(std::max<tables::Time>(self.settings_.timeout / tables::kMillisecond, 1));
+    ::setsockopt(static_cast<int>(socket), IPPROTO_TCP, TCP_USER_TIMEOUT, &limit, sizeof limit);
+  }
+  self.callback_(manager, socket, client, context, state, parameters, message);
+}
+
+/// Makes a client that is not connected.
+Fault ClientConnection::prepare() {
+  UA_ClientConfig config{};
+  config.logging = silent();
+  config.clientContext = this;
+  config.stateCallback = watch;
+  config.timeout = static_cast<UA_UInt32>(std::max<tables::Time>(settings_.timeout / tables::kMillisecond, 1));
+  const tables::Time polls = kPollsInSession * settings_.times.poll / tables::kMillisecond;
+  config.requestedSessionTimeout = static_cast<UA_UInt32>(std::max<tables::Time>(polls, kLeastSession));
+  const UA_StatusCode status = security_.configure(config);
+  if (status != UA_STATUSCODE_GOOD) {
+    UA_ClientConfig_clear(&config);
+    if (status == UA_STATUSCODE_BADCERTIFICATEURIINVALID) {
+      return lost(
+          "the certificate of the link has no URI among its alternative names, which OPC UA needs: make one "
+          "with URI:urn:symplant, as docs/opc-ua.md shows");
+    }
+    return lost(
+        "open62541 does not accept the certificate or the key of the link: give an RSA key of 2048 bits or more, "
+        "without a password");
+  }
+  limit_sending(config);
+  client_.reset(UA_Client_newWithConfig(&config));
+  if (!client_) return lost("no memory for a client of OPC UA");
+  healthy_ = true;
+  attempts_ = 0;
+  return {};
+}
+
+void ClientConnection::watch(UA_Client* client, UA_SecureChannelState channel, UA_SessionState /*session*/,
+                             UA_StatusCode /*status*/) {
+  if (channel != UA_SECURECHANNELSTATE_HEL_SENT) return;
+  ++static_cast<ClientConnection*>(UA_Client_getContext(client))->attempts_;
+}
+
+/// Why the server has probably closed all attempts: open62541 does not pass on a reason in the answer to a secure one.
+UA_StatusCode ClientConnection::closed_again() const {
+  return is_secure_ ? UA_STATUSCODE_BADSECURITYCHECKSFAILED : UA_STATUSCODE_BADCONNECTIONCLOSED;
+}
+
+/// Connects to the endpoint; with a login if `token` is not null.
+Fault ClientConnection::start(const UA_EndpointDescription& endpoint, const UA_UserTokenPolicy* token) {
+  if (Fault fault = prepare()) return fault;
+  is_secure_ = endpoint.securityMode != UA_MESSAGESECURITYMODE_NONE;
+  UA_ClientConfig& config = *UA_Client_getConfig(client_.get());
+  UA_EndpointDescription_copy(&endpoint, &config.endpoint);
+  if (token != nullptr) UA_UserTokenPolicy_copy(token, &config.userTokenPolicy);
+  const std::string url = endpoint_url();
+  const auto deadline =
+      Clock::now() + std::max<std::chrono::nanoseconds>(kToConnect, std::chrono::nanoseconds(settings_.timeout));
+  status_ = token == nullptr ? UA_Client_connectSecureChannelAsync(client_.get(), url.c_str())
+                             : UA_Client_connectAsync(client_.get(), url.c_str());
+  const auto connected = [&] {
+    UA_SecureChannelState channel{};
+    UA_SessionState session{};
+    UA_Client_getState(client_.get(), &channel, &session, nullptr);
+    return token == nullptr ? channel == UA_SECURECHANNELSTATE_OPEN : session == UA_SESSIONSTATE_ACTIVATED;
+  };
+  const Waited waited = status_ == UA_STATUSCODE_GOOD ? wait(connected, deadline) : Waited::lost;
+  return failed(waited, "no connection to " + net::format_host_port(settings_.address));
+}
+
+/// Asks over a connection without security, as every server allows.
+Fault ClientConnection::ask_endpoints(Endpoints& endpoints) {
+  const std::string url = endpoint_url();
+  const std::string none = "http://opcfoundation.org/UA/SecurityPolicy#None";
+  UA_EndpointDescription plain;
+  UA_EndpointDescription_init(&plain);
+  plain.endpointUrl = view_of(url);
+  plain.securityMode = UA_MESSAGESECURITYMODE_NONE;
+  plain.securityPolicyUri = view_of(none);
+  UA_GetEndpointsRequest request;
+  UA_GetEndpointsRequest_init(&request);
+  request.endpointUrl = view_of(url);
+  Fault fault;
+  UA_StatusCode result = UA_STATUSCODE_GOOD;
+  // open62541 may connect a second time, by the address that the server has for itself, which cancels the request.
+  constexpr int kTimes = 2;
+  for (int time = 0; time < kTimes; ++time) {
+    fault = start(plain, nullptr);
+    if (!fault) fault = call(request, UA_TYPES_GETENDPOINTSREQUEST, endpoints, result);
+    if (!fault || fault.kind == Fault::Kind::interrupted) break;
+  }
+  if (!fault && is_bad(result)) fault = lost("the server does not list its endpoints: " + status_text(result));
+  close();
+  return fault;
+}
+
+/// Says more on a connection with security that failed.
+void ClientConnection::explain(Fault& fault) const {
+  constexpr std::array kLogin = {UA_STATUSCODE_BADUSERACCESSDENIED, UA_STATUSCODE_BADIDENTITYTOKENREJECTED,
+                                 UA_STATUSCODE_BADIDENTITYTOKENINVALID};
+  const bool login = std::find(kLogin.begin(), kLogin.end(), status_) != kLogin.end();
+  fault.message += login ? "; the server does not accept the user `" + settings_.security.user +
+                               "`: check `user` and the password in `password-file`"
+                         : "; the certificate of this link is " + security_.own_fingerprint();
+}
+
+Fault ClientConnection::open() {
+  close();
+  if (std::string problem = security_.load(); !problem.empty()) return lost(std::move(problem));
+  Endpoints endpoints;
+  if (Fault fault = ask_endpoints(endpoints)) return fault;
+  std::string problem;
+  const auto chosen =
+      choose_endpoint(std::span(endpoints->endpoints, endpoints->endpointsSize), settings_.security, problem);
+  if (!chosen) return lost(std::move(problem));
+  UA_EndpointDescription endpoint = *chosen->endpoint;  // a view
+  endpoint.serverCertificate = leaf_of(endpoint.serverCertificate);
+  if (problem = security_.check(endpoint.serverCertificate); !problem.empty()) return lost(std::move(problem));
+  application_ = text_of(endpoint.server.applicationName.text);
+  Fault fault = start(endpoint, chosen->token);
+  if (!fault) {
+    UA_Client_getConfig(client_.get())->noReconnect = true;
+    return {};
+  }
+  if (settings_.security.security != Security::none && fault.kind == Fault::Kind::transport) explain(fault);
+  close();
+  return fault;
+}
+
+void ClientConnection::close() noexcept {
+  pending_ = {};
+  if (!client_) return;
+  UA_Client_getConfig(client_.get())->timeout = kFarewell;
+  if (!healthy_) UA_Client_disconnectSecureChannelAsync(client_.get());
+  client_.reset();
+}
+
+/// Takes over the contents of an answer.
+void ClientConnection::receive(UA_Client* /*client*/, void* connection, UA_UInt32 /*request*/, void* response) {
+  Pending& pending = static_cast<ClientConnection*>(connection)->pending_;
+  pending.done = true;
+  if (pending.response == nullptr) return;
+  std::memcpy(pending.response, response, pending.size);
+  std::memset(response, 0, pending.size);
+}
+
+Fault ClientConnection::transact(const void* request, const UA_DataType& request_type, void* response,
+                                 const UA_DataType& response_type) {
+  if (!client_) return lost("there is no connection");
+  pending_ = {response, response_type.memSize, false};
+  const auto deadline = Clock::now() + std::chrono::nanoseconds(settings_.timeout);
+  const tables::Time sent = steady_now();
+  status_ = __UA_Client_AsyncService(client_.get(), request, &request_type, receive, &response_type, this, nullptr);
+  const Waited waited = status_ == UA_STATUSCODE_GOOD ? wait([this] { return pending_.done; }, deadline) : Waited::lost;
+  pending_ = {};
+  if (waited == Waited::timeout) return lost("the PLC does not answer any more; connecting again");
+  if (waited != Waited::done) return failed(waited, "connection lost");
+  const UA_StatusCode status = static_cast<const UA_ResponseHeader*>(response)->serviceResult;
+  if (ends_session(status)) return lost("connection lost: " + status_text(status));
+  requests_.fetch_add(1, std::memory_order_relaxed);
+  sent_ = sent;
+  at_ = steady_now();
+  return {};
+}
+
+}  // namespace symplant::link::opc_ua
