@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The README's two commands on a fresh Debian 13, in a folder made by debootstrap, and the second one with clang, too; then
-# node-opcua with the OPC UA server.
+# node-opcua with the OPC UA server, and as a PLC.
 # usage: debian_13.sh SOURCE
 # Needs root, debootstrap and Debian's package server; without them it is skipped (77).
 set -euo pipefail
@@ -28,5 +28,6 @@ run scripts/demo
 run scripts/test
 run "scripts/test --clang"
 # OPC UA is only in builds on such a system.
-run "apt-get install -qq -y --no-install-recommends npm >/dev/null"
+run "apt-get install -qq -y --no-install-recommends npm python3 >/dev/null"
 run "tests/peers/opc_ua/server_test.sh build/release/symplant examples node build/node-opcua || ((\$? == 77))"
+run "tests/peers/opc_ua/client_test.py build/release/symplant . build/node-opcua || ((\$? == 77))"
