@@ -14,6 +14,7 @@
 
 #include "symplant/link/client/steady_now.hpp"
 #include "symplant/link/opc_ua/endpoints.hpp"
+#include "symplant/link/opc_ua/messages.hpp"
 #include "symplant/link/opc_ua/status_text.hpp"
 
 namespace symplant::link::opc_ua {
@@ -243,7 +244,7 @@ Fault ClientConnection::open() {
   UA_EndpointDescription endpoint = *chosen->endpoint;  // a view
   endpoint.serverCertificate = leaf_of(endpoint.serverCertificate);
   if (problem = security_.check(endpoint.serverCertificate); !problem.empty()) return lost(std::move(problem));
-  application_ = text_of(endpoint.server.applicationName.text);
+  application_ = of_peer(text_of(endpoint.server.applicationName.text));
   Fault fault = start(endpoint, chosen->token);
   if (!fault) {
     UA_Client_getConfig(client_.get())->noReconnect = true;

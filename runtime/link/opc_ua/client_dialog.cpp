@@ -8,6 +8,7 @@
 #include "symplant/link/client/event_lanes.hpp"
 #include "symplant/link/image/words.hpp"
 #include "symplant/link/opc_ua/client_batches.hpp"
+#include "symplant/link/opc_ua/messages.hpp"
 
 namespace symplant::link::opc_ua {
 
@@ -48,7 +49,7 @@ std::uint32_t number_or_zero(const UA_DataValue& value) {
 
 std::string text_or_empty(const UA_DataValue& value) {
   if (!UA_Variant_hasScalarType(&value.value, &UA_TYPES[UA_TYPES_STRING])) return {};
-  return std::string(text_of(*static_cast<const UA_String*>(value.value.data)));
+  return of_peer(text_of(*static_cast<const UA_String*>(value.value.data)));
 }
 
 Namespaces namespaces_in(const UA_DataValue& value) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <string_view>
 
+#include "symplant/link/opc_ua/messages.hpp"
+
 namespace symplant::link::opc_ua {
 
 namespace {
@@ -75,7 +77,7 @@ std::string offers(std::span<const UA_EndpointDescription> endpoints) {
   for (const UA_EndpointDescription& endpoint : endpoints) {
     std::string one(mode_name(endpoint.securityMode));
     if (endpoint.securityMode != UA_MESSAGESECURITYMODE_NONE) {
-      one.append(" with ").append(policy_name(endpoint.securityPolicyUri));
+      one.append(" with ").append(of_peer(policy_name(endpoint.securityPolicyUri)));
     }
     all.insert(std::move(one));
   }

@@ -12,8 +12,8 @@
 
 namespace symplant::link::opc_ua {
 
-/// A text that a client sent, for a message: its first 100 bytes, without control characters.
-inline std::string of_client(std::string_view text) {
+/// A text that a client or server sent, for a message: its first 100 bytes, without control characters.
+inline std::string of_peer(std::string_view text) {
   constexpr std::size_t kMost = 100;
   std::string shown(text.substr(0, kMost));
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7F'; };

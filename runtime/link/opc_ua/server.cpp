@@ -237,7 +237,7 @@ UA_StatusCode Server::on_malfunction(const UA_Variant& name, LinkCommand::Kind k
   if (const auto number = malfunctions_.find(text)) return command({kind, *number});
   tables::NearestName nearest(text);
   for (const std::string_view known : tables::split_names(shown_.tables.malfunctions.names)) nearest.offer(known);
-  messages_.add_once("a client called a method with malfunction `" + of_client(text) + "`, which was not found" +
+  messages_.add_once("a client called a method with malfunction `" + of_peer(text) + "`, which was not found" +
                      (nearest.name().empty() ? "" : "; did you mean `" + std::string(nearest.name()) + "`?"));
   return UA_STATUSCODE_BADINVALIDARGUMENT;
 }

@@ -110,7 +110,7 @@ std::string quoted_user(const UA_ExtensionObject& token) {
     return "without a user name";
   }
   const auto& user = *static_cast<const UA_UserNameIdentityToken*>(token.content.decoded.data);
-  return "with the user name `" + of_client(text_of(user.userName)) + "` and a wrong password or name";
+  return "with the user name `" + of_peer(text_of(user.userName)) + "` and a wrong password or name";
 }
 
 UA_StatusCode activate_session(UA_Server* server, UA_AccessControl* control, const UA_EndpointDescription* endpoint,

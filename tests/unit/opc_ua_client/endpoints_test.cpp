@@ -86,6 +86,9 @@ TEST_CASE("What a server offers is listed if it is not what the link wants") {
   CHECK_THAT(offer.choose(kEncrypt),
              ContainsSubstring("does not offer `security=encrypt`; it offers: encrypt with Basic128Rsa15"));
   CHECK_THAT(offer.choose(kPlain), ContainsSubstring("does not offer `security=none`"));
+  const std::string strange = kPolicy + "\x1B[2J";
+  offer.add(UA_MESSAGESECURITYMODE_SIGN, strange, {token(kAnonymous)}, 1);
+  CHECK_THAT(offer.choose(kPlain), ContainsSubstring("sign with ?[2J"));  // no control characters
 }
 
 TEST_CASE("A login that the server does not have is reported with what to do") {
