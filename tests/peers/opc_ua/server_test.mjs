@@ -7,11 +7,11 @@
 import { createRequire } from "node:module";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { check, exitCode, pause, RunningPlant, until } from "./running_plant.mjs";
 
 const [symplant, examples, packages] = process.argv.slice(2);
-const opcua = createRequire(join(packages, "node_modules", "/"))("node-opcua");
+const opcua = createRequire(resolve(packages, "node_modules") + "/")("node-opcua");
 const { AttributeIds, DataType, StatusCodes, UserTokenType } = opcua;
 const folder = mkdtempSync(join(tmpdir(), "opc-ua-"));
 
