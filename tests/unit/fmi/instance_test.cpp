@@ -220,13 +220,13 @@ TEST_CASE("A step begins where the last one ended") {
   CHECK(plant.instance.begin_at(100, kNever).empty());
   plant.instance.begin();
   CHECK(plant.instance.step(100, 0.5).empty());
-  CHECK(plant.instance.time() == Approx(100.5));
+  CHECK(plant.instance.time() == Catch::Approx(100.5));
   CHECK(plant.instance.step(100.5 + 1e-7, 0.5).empty());  // the error of an importer that adds up its steps
   CHECK(plant.instance.step(101.5, 0.5) == "the step begins at 101.5 s, but the last one ended at 101.0000001 s");
   CHECK(plant.instance.step(101, -0.1) == "a step cannot take -0.1 s");
   CHECK_FALSE(plant.instance.step(101, std::numeric_limits<double>::quiet_NaN()).empty());
   CHECK_FALSE(plant.instance.step(101, 1e12).empty());
-  CHECK(plant.instance.time() == Approx(101));
+  CHECK(plant.instance.time() == Catch::Approx(101));
 }
 
 TEST_CASE("A step does not end after the stop time") {
@@ -291,7 +291,7 @@ TEST_CASE("The state of an instance can be saved and restored, also before the f
   const fmi::InstanceState held = plant.instance.save();
   plant.step(5).set("blink", 0).set("L_P_CYL_O_ADV", 0).step(500);
   REQUIRE(plant.instance.restore(held));
-  CHECK(plant.instance.time() == Approx(5.015));
+  CHECK(plant.instance.time() == Catch::Approx(5.015));
   CHECK(plant.get("L_P_CYL_I_ADV") == 1);
   CHECK(plant.get("L_P_CYL_O_ADV") == 1);
   CHECK(plant.get("blink") == 1);
@@ -306,7 +306,7 @@ TEST_CASE("The state of an instance can be saved and restored, also before the f
 
   Simulation same(kCylinder, members);
   REQUIRE(same.instance.restore(held));
-  CHECK(same.instance.time() == Approx(5.015));
+  CHECK(same.instance.time() == Catch::Approx(5.015));
   CHECK(same.get("L_P_CYL_O_ADV") == 1);
   CHECK(same.get("short pulses") == 1);
   CHECK_FALSE(same.try_set("seed", 1).empty());
