@@ -16,9 +16,9 @@ std::variant<ServerSettings, LinkError> read_server_settings(std::string_view re
   }
   ServerSettings settings;
   settings.address = std::move(address.at);
-  constexpr auto kKeys = security_keys<ServerSettings>();
+  constexpr auto kServerKeys = security_keys<ServerSettings>();
   for (const UrlParameter& parameter : address.parameters) {
-    Problem problem = read_parameter(parameter, kKeys, settings, "a link `opc-ua-server`", "docs/opc-ua.md");
+    Problem problem = read_parameter(parameter, kServerKeys, settings, "a link `opc-ua-server`", "docs/opc-ua.md");
     if (!problem.empty()) return usage_error(std::move(problem));
   }
   if (Problem problem = contradiction(settings.security); !problem.empty()) return usage_error(std::move(problem));
