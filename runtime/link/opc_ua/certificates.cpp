@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <system_error>
 
 #include "symplant/link/opc_ua/address.hpp"
@@ -82,6 +81,21 @@ std::variant<OwnCertificate, LinkError> make_certificate(const std::string& name
                    "cannot make a certificate (" + status_name(status) + "): give `certificate=FILE&key=FILE`"};
 }
 
+/// Whether a signature by the policy's private key is valid by its own certificate.
+bool are_pair(const UA_SecurityPolicy& policy) {
+  void* channel = nullptr;  // to itself: the certificate of the peer is its own
+  if (policy.channelModule.newContext(&policy, &policy.localCertificate, &channel) != UA_STATUSCODE_GOOD) return false;
+  const UA_SecurityPolicySignatureAlgorithm& algorithm = policy.asymmetricModule.cryptoModule.signatureAlgorithm;
+  constexpr std::string_view kSigned = "a certificate and its key";
+  const UA_ByteString message = view_of(kSigned);
+  OwnedBytes signature;
+  UA_StatusCode status = UA_ByteString_allocBuffer(signature.get(), algorithm.getLocalSignatureSize(channel));
+  if (status == UA_STATUSCODE_GOOD) status = algorithm.sign(channel, &message, signature.get());
+  if (status == UA_STATUSCODE_GOOD) status = algorithm.verify(channel, &message, signature.get());
+  policy.channelModule.deleteContext(channel);
+  return status == UA_STATUSCODE_GOOD;
+}
+
 }  // namespace
 
 std::variant<OwnCertificate, LinkError> own_certificate(const SecuritySettings& settings, const std::string& name,
@@ -115,6 +129,12 @@ std::string thumbprint(const UA_SecurityPolicy& policy, const UA_ByteString& cer
   std::string text;
   for (const std::uint8_t byte : bytes) text.append(1, kDigits[byte >> 4]).append(1, kDigits[byte & 15]);
   return text;
+}
+
+std::optional<LinkError> pair_fault(const SecuritySettings& settings, const UA_SecurityPolicy& policy) {
+  if (are_pair(policy)) return std::nullopt;
+  return usage_error("`certificate=" + settings.certificate + "&key=" + settings.key +
+                     "`: the private key is not that of the certificate");
 }
 
 std::variant<TrustedCertificates, LinkError> TrustedCertificates::read(const std::string& folder) {

@@ -3,6 +3,7 @@
 
 #include <open62541/plugin/securitypolicy.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -32,6 +33,11 @@ std::variant<std::string, LinkError> read_password(const std::string& file);
 /// The SHA-1 thumbprint of a certificate in DER by which programs of OPC UA show it, in upper-case hexadecimal; empty
 /// if the policy cannot make it. `policy` is any but None.
 std::string thumbprint(const UA_SecurityPolicy& policy, const UA_ByteString& certificate);
+
+/// An error of kind usage if the private key of the policy is not that of its own certificate, which nothing else
+/// checks: the policy signs some bytes, and verifies them by the certificate. `settings` name the files. `policy` is
+/// any but None. Takes some milliseconds.
+std::optional<LinkError> pair_fault(const SecuritySettings& settings, const UA_SecurityPolicy& policy);
 
 /// The certificates of a folder. Immutable; for any thread.
 class TrustedCertificates {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "symplant/link/opc_ua/address.hpp"
+#include "symplant/link/opc_ua/application_uri.hpp"
 #include "symplant/link/opc_ua/server_nodes.hpp"
 #include "symplant/tables/version.hpp"
 
@@ -178,6 +179,17 @@ LinkError environment(const char* what, UA_StatusCode status) {
           std::string("cannot start the OPC UA server: ") + what + " (" + status_name(status) + ")"};
 }
 
+/// Why the files of the settings are no certificate of this server.
+std::optional<LinkError> certificate_fault(const SecuritySettings& settings, const UA_SecurityPolicy& policy,
+                                           std::string_view uri) {
+  if (auto error = pair_fault(settings, policy)) return error;
+  const std::string has = application_uri_of(text_of(policy.localCertificate));
+  if (has == uri) return std::nullopt;
+  return usage_error("`certificate=" + settings.certificate + "`: its application URI is " +
+                     (has.empty() ? "missing" : "`" + of_peer(has) + "`") + ", that of the server is `" +
+                     std::string(uri) + "`: clients would refuse it; see \"Use security\" in docs/opc-ua.md");
+}
+
 /// Adds the secure policy with its endpoints; the policy None remains for clients that ask which endpoints there are.
 std::optional<LinkError> secure(UA_ServerConfig& config, const SecuritySettings& settings, const std::string& plant,
                                 ServerAccess& access) {
@@ -200,6 +212,10 @@ std::optional<LinkError> secure(UA_ServerConfig& config, const SecuritySettings&
                     : usage_error("`certificate=" + settings.certificate + "&key=" + settings.key +
                                   "`: not a certificate and its private key without a password, in DER or PEM");
   }
+  const UA_SecurityPolicy& added = config.securityPolicies[config.securityPoliciesSize - 1];
+  if (auto error = certificate_fault(settings, added, text_of(config.applicationDescription.applicationUri))) {
+    return error;
+  }
   const UA_String policy = view_of(kSecurePolicy);
   if (settings.security == Security::sign) {
     status |= UA_ServerConfig_addEndpoint(&config, policy, UA_MESSAGESECURITYMODE_SIGN);
@@ -208,7 +224,6 @@ std::optional<LinkError> secure(UA_ServerConfig& config, const SecuritySettings&
   status |= set_users(config, settings.user, std::get<std::string>(password), access);
   if (status != UA_STATUSCODE_GOOD) return environment("its endpoints", status);
   if (own.made) {
-    const UA_SecurityPolicy& added = config.securityPolicies[config.securityPoliciesSize - 1];
     access.messages.add("the server made a certificate for this run, with the thumbprint " +
                         thumbprint(added, added.localCertificate) + "; `certificate=FILE&key=FILE` keeps one");
   }

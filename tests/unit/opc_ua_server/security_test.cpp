@@ -122,3 +122,30 @@ TEST_CASE("A trusted certificate may be in PEM") {
   REQUIRE(std::holds_alternative<TrustedCertificates>(trusted));
   CHECK(std::get<TrustedCertificates>(trusted).has(*client_certificate().certificate));
 }
+
+TEST_CASE("A key of another certificate, and a certificate of another application, are errors of the settings") {
+  const test::TemporaryFolder folder;
+  folder.write("password", "secret");
+  const auto write = [&](const char* name, const OwnCertificate& own) {
+    folder.write(std::string(name) + ".der", text_of(*own.certificate));
+    folder.write(std::string(name) + ".key", text_of(*own.key));
+  };
+  const auto made = own_certificate({}, "server", "urn:symplant:server:small");
+  write("server", std::get<OwnCertificate>(made));
+  write("client", client_certificate());
+  const auto fault = [&](const std::string& certificate, const std::string& key) {
+    const auto result =
+        link::open_link({"opc-ua-server://127.0.0.1:0?security=encrypt&user=a&password-file=" + (folder / "password") +
+                         "&certificate=" + (folder / certificate) + "&key=" + (folder / key)},
+                        small().rows);
+    const auto* const error = std::get_if<link::LinkError>(&result);
+    if (error == nullptr) return std::string();
+    CHECK(error->kind == link::LinkError::Kind::usage);
+    return error->message;
+  };
+  CHECK(fault("server.der", "server.key").empty());
+  CHECK(fault("server.der", "client.key").find("the private key is not that of the certificate") != std::string::npos);
+  const std::string other = fault("client.der", "client.key");
+  CHECK(other.find("its application URI is `urn:test:client`") != std::string::npos);
+  CHECK(other.find("that of the server is `urn:symplant:server:small`") != std::string::npos);
+}
