@@ -97,8 +97,9 @@ std::string end_words(const link::LinkStatus& status) {
   return fmt::format("{}, lost {}{}", answered, plural(status.losses, "time"),
                      status.crowded_out == 0
                          ? ""
-                         : fmt::format(", {} closed for lack of room: set more `connections`, or `keep`, in plant.json",
-                                       plural(status.crowded_out, "client")));
+                         : fmt::format(", {} {} for lack of room: set more `connections`{} in plant.json",
+                                       plural(status.crowded_out, "client"), status.has_nodes ? "refused" : "closed",
+                                       status.has_nodes ? "" : ", or `keep`,"));
 }
 
 std::string text_of(const exec::PlcClockReading& clock) {

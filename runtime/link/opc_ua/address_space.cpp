@@ -220,7 +220,7 @@ class Builder {
                                  UA_NODEID_NUMERIC(0, UA_NS0ID_HASCOMPONENT), {kPlantNamespace, view_of(location.name)},
                                  UA_NODEID_NUMERIC(0, type_of(quantity)), &attributes,
                                  &UA_TYPES[UA_TYPES_VARIABLEATTRIBUTES], &variable, nullptr));
-    note(UA_Server_setVariableNode_dataSource(server_, node, writable ? callbacks_.writable : callbacks_.read_only));
+    note(UA_Server_setVariableNode_dataSource(server_, node, callbacks_.variable));
     // Before the end of the node: what its type demands would get node ids of the library.
     if (!quantity.unit.empty()) add_quantity(id, quantity);
     note(UA_Server_addNode_finish(server_, node));

@@ -16,8 +16,7 @@ namespace symplant::link::opc_ua {
 
 /// What the nodes call. The context of a variable's node is its Variable.
 struct NodeCallbacks {
-  UA_DataSource read_only;
-  UA_DataSource writable;
+  UA_DataSource variable;
   UA_MethodCallback start_malfunction;
   UA_MethodCallback end_malfunction;
   UA_MethodCallback freeze;

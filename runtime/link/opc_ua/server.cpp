@@ -32,8 +32,6 @@ bool is_of_symbol(const Variable& variable) noexcept {
   return variable.kind == Variable::Kind::operation || variable.kind == Variable::Kind::event;
 }
 
-UA_NodeId numeric_node(std::uint32_t id) noexcept { return UA_NODEID_NUMERIC(0, id); }
-
 }  // namespace
 
 Server::Server(const Shown& shown, net::HostPort bound)
@@ -169,33 +167,15 @@ bool Server::write_changes() {
   return more;
 }
 
-/// A client with a subscription is a sign of life as long as its connection is open. Which of the sessions have one is
-/// not known: as many as there are connections, and those with a subscription are not all among the others.
 void Server::look_at_sessions() {
-  const UA_ServerStatistics statistics = UA_Server_getStatistics(server_.get());
-  const std::size_t sessions = statistics.ss.currentSessionCount;
-  const std::size_t channels = statistics.scs.currentChannelCount;
-  connections_.store(static_cast<std::uint32_t>(std::min(sessions, channels)), std::memory_order_relaxed);
-  const std::uint64_t crowded_out = statistics.ss.rejectedSessionCount - statistics.ss.securityRejectedSessionCount;
-  if (crowded_out_.exchange(crowded_out, std::memory_order_relaxed) == 0 && crowded_out != 0) {
-    messages_.add("a client was refused, since there are as many sessions as allowed: set more `connections`");
-  }
-  if (sessions == 0) return requests_of_.clear();
-  OwnedVariant value;
-  UA_Server_readValue(
-      server_.get(), numeric_node(UA_NS0ID_SERVER_SERVERDIAGNOSTICS_SESSIONSDIAGNOSTICSSUMMARY_SESSIONDIAGNOSTICSARRAY),
-      value.get());
-  if (value->type != &UA_TYPES[UA_TYPES_SESSIONDIAGNOSTICSDATATYPE]) return;
-  const auto* const all = static_cast<const UA_SessionDiagnosticsDataType*>(value->data);
-  std::size_t subscribers = 0;
-  for (const UA_SessionDiagnosticsDataType* one = all; one != all + value->arrayLength; ++one) {
-    if (one->currentSubscriptionsCount != 0) ++subscribers;
-    std::uint32_t& seen = requests_of_[UA_NodeId_hash(&one->sessionId)];
-    add(requests_, one->totalRequestCount.totalCount - seen);
-    seen = one->totalRequestCount.totalCount;
-  }
-  const std::size_t without_channel = sessions > channels ? sessions - channels : 0;
-  if (subscribers > without_channel) heard_.fetch_add(1, std::memory_order_release);
+  const Sessions::Look look = sessions_.look(server_.get(), Clock::now());
+  const std::size_t channels = UA_Server_getStatistics(server_.get()).scs.currentChannelCount;
+  connections_.store(static_cast<std::uint32_t>(std::min(look.open, channels)), std::memory_order_relaxed);
+  add(requests_, look.requests);
+  if (look.live) heard_.fetch_add(1, std::memory_order_release);
+  if (look.refused == 0) return;
+  if (crowded_out_.fetch_add(look.refused, std::memory_order_relaxed) != 0) return;
+  messages_.add("a client was refused, since there are as many sessions as allowed: set more `connections`");
 }
 
 void Server::on_read(const Variable& variable) noexcept {
@@ -315,8 +295,7 @@ UA_StatusCode Server::step(const UA_Variant* inputs, UA_Variant* /*outputs*/) {
 }
 
 NodeCallbacks Server::callbacks() {
-  return {.read_only = {read, write},
-          .writable = {read, write},
+  return {.variable = {read, write},
           .start_malfunction = call<&Server::start_malfunction>,
           .end_malfunction = call<&Server::end_malfunction>,
           .freeze = call<&Server::freeze>,

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <thread>
-#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "symplant/link/opc_ua/malfunction_index.hpp"
 #include "symplant/link/opc_ua/messages.hpp"
 #include "symplant/link/opc_ua/server_config.hpp"
+#include "symplant/link/opc_ua/sessions.hpp"
 #include "symplant/link/opc_ua/variables.hpp"
 #include "symplant/share/ring.hpp"
 
@@ -56,7 +56,7 @@ class Server {
 
   /// While it is cut, nothing is read from clients and nothing is sent to them. Wait-free.
   void cut(bool on) noexcept { cut_.store(on, std::memory_order_relaxed); }
-  /// Number of signs of life: reads and writes of symbols, and looks at a connected client with a subscription.
+  /// Number of signs of life: reads and writes of symbols, and looks at a client with a subscription that lives.
   std::uint64_t heard() const noexcept { return heard_.load(std::memory_order_acquire); }
   /// Sets the number of losses so far.
   void lost(std::uint32_t losses) noexcept { losses_.store(losses, std::memory_order_relaxed); }
@@ -122,7 +122,7 @@ class Server {
   bool own_access_ = true;  ///< the server itself reads or writes its nodes, no client
   bool serving_ = false;    ///< all nodes are there
   bool written_ = false;    ///< a client has written since the last publish_writes()
-  std::unordered_map<std::uint32_t, std::uint32_t> requests_of_;  ///< by hash of a session: seen so far
+  Sessions sessions_;
   OwnedServer server_;
 
   using Count = std::atomic<std::uint64_t>;

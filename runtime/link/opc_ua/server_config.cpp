@@ -20,7 +20,9 @@ namespace {
 constexpr std::string_view kNonePolicy = "http://opcfoundation.org/UA/SecurityPolicy#None";
 constexpr std::string_view kSecurePolicy = "http://opcfoundation.org/UA/SecurityPolicy#Basic256Sha256";
 constexpr double kShortestInterval = 10;            // ms; of publishing, and of sampling what is not of the plant
-constexpr double kLongestInterval = 3600.0 * 1000;  // ms
+constexpr double kLongestInterval = 3600.0 * 1000;  // ms; of sampling, and of a session without a request
+constexpr double kLongestPublishing = 10.0 * 1000;  // ms
+constexpr std::uint32_t kMostKeepAliveCount = 5;    ///< publishing intervals until a silent client must answer
 constexpr std::uint32_t kMostMessage = 16 * 1024 * 1024;
 constexpr std::uint32_t kSubscriptionsOfSession = 20;
 constexpr std::uint32_t kMoreChannels = 10;  ///< than sessions, for clients that only ask for endpoints
@@ -100,7 +102,8 @@ void limit(UA_ServerConfig& config, const ServerLimits& limits) {
   config.maxNotificationsPerPublish = nodes;
   config.maxPublishReqPerSession = 100;
   config.maxRetransmissionQueueSize = 100;
-  config.publishingIntervalLimits = {kShortestInterval, kLongestInterval};
+  config.publishingIntervalLimits = {kShortestInterval, kLongestPublishing};
+  config.keepAliveCountLimits = {1, kMostKeepAliveCount};
   config.samplingIntervalLimits = {kShortestInterval, kLongestInterval};
   config.queueSizeLimits = {1, kMostQueue};
 }

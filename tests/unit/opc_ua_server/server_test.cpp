@@ -1,4 +1,5 @@
 // The OPC UA server of a plant, with a client of open62541.
+#include "symplant/link/opc_ua/server_config.hpp"
 #include "unit/opc_ua_server/served_plant.hpp"
 
 using namespace symplant;
@@ -258,6 +259,57 @@ TEST_CASE("A connected client with a subscription keeps the link live, though it
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
   while (std::chrono::steady_clock::now() < end) UA_Client_run_iterate(client.get(), 10);
   CHECK(served.link().status().losses == 0);
+}
+
+TEST_CASE("A client with a subscription that hangs does not keep the link live") {
+  link::LinkSettings settings;
+  settings.loss_after = 200 * tables::kMillisecond;
+  ServedPlant served(tank().rows, "", settings);
+  served.run();
+  UaClient client(served.endpoint());
+  Monitored level(client, "L_T_PUMP_I_STOP");
+  CHECK(soon([&] { return UA_Client_run_iterate(client.get(), 1), served.state() == exec::LinkState::live; }));
+  CHECK(soon([&] { return served.state() == exec::LinkState::lost; }));  // its connection is open
+  CHECK(soon([&] { return UA_Client_run_iterate(client.get(), 1), served.state() == exec::LinkState::live; }));
+}
+
+TEST_CASE("Only clients for which there is no session count as refused for lack of room") {
+  ServedPlant served(tank().rows);
+  served.run();
+  const auto is_looked_at = [&] {  // a later request is counted
+    const auto requests = served.link().status().requests;
+    UaClient client(served.endpoint());
+    return soon([&] { return client.status("L_T_PUMP_I_RUN"), served.link().status().requests > requests; });
+  };
+  {
+    UaClient client(served.endpoint());
+    UA_ActivateSessionRequest request;
+    UA_ActivateSessionRequest_init(&request);
+    UA_ActivateSessionResponse response;
+    UA_UserNameIdentityToken user;
+    UA_UserNameIdentityToken_init(&user);
+    user.userName = link::opc_ua::view_of("somebody");
+    user.policyId = link::opc_ua::view_of("no-such-policy");
+    UA_ExtensionObject_setValueNoDelete(&request.userIdentityToken, &user, &UA_TYPES[UA_TYPES_USERNAMEIDENTITYTOKEN]);
+    __UA_Client_Service(client.get(), &request, &UA_TYPES[UA_TYPES_ACTIVATESESSIONREQUEST], &response,
+                        &UA_TYPES[UA_TYPES_ACTIVATESESSIONRESPONSE]);
+    CHECK(response.responseHeader.serviceResult != UA_STATUSCODE_GOOD);
+    UA_ActivateSessionResponse_clear(&response);
+  }
+  REQUIRE(is_looked_at());
+  CHECK(served.link().status().crowded_out == 0);
+  CHECK(served.link().take_messages().empty());
+  std::vector<std::unique_ptr<UaClient>> clients;
+  while (clients.size() < link::opc_ua::ServerLimits::kLeastSessions) {
+    clients.push_back(std::make_unique<UaClient>(served.endpoint()));
+  }
+  UA_Client* const one_more = UaClient::made();
+  CHECK(UA_Client_connect(one_more, served.endpoint().c_str()) == UA_STATUSCODE_BADTOOMANYSESSIONS);
+  UA_Client_delete(one_more);
+  CHECK(soon([&] { return served.link().status().crowded_out == 1; }));
+  const auto messages = served.link().take_messages();
+  REQUIRE(messages.size() == 1);
+  CHECK(messages[0].find("as many sessions as allowed") != std::string::npos);
 }
 
 TEST_CASE("While the link is cut no client gets an answer, and afterwards they go on") {
