@@ -1,6 +1,8 @@
 // Carries out the commands that clients of links give to a run.
 #include "symplant/host/link_commands.hpp"
 
+#include <algorithm>
+
 #include "symplant/host/run_acts.hpp"
 
 namespace symplant::host {
@@ -14,6 +16,7 @@ constexpr std::size_t kNotesOfCommand = 2;
 LinkCommands::LinkCommands(const Links& links, plant::Plant& plant, trace::Recorder& recorder, exec::Stepper* stepper)
     : plant_(plant), recorder_(recorder), stepper_(stepper) {
   for (const OpenLink& open : links) {
+    all_links_.push_back(open.link.get());
     if (open.link->has_commands()) links_.push_back(open.link.get());
   }
 }
@@ -47,11 +50,18 @@ bool LinkCommands::carry_out(const link::LinkCommand& command) noexcept {
   return false;
 }
 
+/// Something other than commands.
+bool LinkCommands::is_frozen_by_others() const noexcept {
+  return frozen_otherwise() || std::any_of(all_links_.begin(), all_links_.end(),
+                                           [](const link::Link* link) { return link->freezes_plant(); });
+}
+
 bool LinkCommands::take_commands() noexcept {
+  const bool frozen = is_frozen_by_others();
   bool acted = false;
   for (link::Link* const link : links_) {
     for (std::size_t i = 0; i < kCommandsOfCycle && recorder_.has_room(kNotesOfCommand); ++i) {
-      const auto command = link->take_command(frozen_otherwise());
+      const auto command = link->take_command(frozen);
       if (!command) break;
       if (carry_out(*command)) acted = true;
     }

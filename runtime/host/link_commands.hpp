@@ -13,7 +13,7 @@ namespace symplant::host {
 
 /// A stepper that carries out the commands of links at the beginning of each cycle, and otherwise passes everything on:
 /// to another stepper, or to the plant. A malfunction starts or ends at the plant's time, in a further instant. Used by
-/// the thread of the cycle; a cycle without a command costs a call for each link that may give one. Real-time safe.
+/// the thread of the cycle; a cycle without a command costs two calls for each link. Real-time safe.
 class LinkCommands final : public exec::Stepper {
  public:
   /// `stepper` may be null. The references must outlive this.
@@ -30,10 +30,12 @@ class LinkCommands final : public exec::Stepper {
 
  private:
   bool frozen_otherwise() const noexcept { return stepper_ != nullptr && stepper_->frozen(); }
+  bool is_frozen_by_others() const noexcept;
   bool take_commands() noexcept;
   bool carry_out(const link::LinkCommand& command) noexcept;
 
-  std::vector<link::Link*> links_;
+  std::vector<const link::Link*> all_links_;
+  std::vector<link::Link*> links_;  ///< that may give commands
   plant::Plant& plant_;
   trace::Recorder& recorder_;
   exec::Stepper* stepper_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <mutex>
 #include <set>
@@ -21,19 +22,29 @@ inline std::string of_peer(std::string_view text) {
   return shown;
 }
 
-/// For any thread except that of the cycle. What clients can cause is reported once for each text, and at most
-/// kMostOnce texts of them.
+/// For any thread except that of the cycle. Of what clients can cause, at most kMost messages of each cause are
+/// reported.
 class Messages {
  public:
-  static constexpr std::size_t kMostOnce = 50;
+  static constexpr std::size_t kMost = 50;
+
+  /// What a client does.
+  enum class Cause { user, certificate, malfunction, freeze };
 
   void add(std::string text) {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(std::move(text));
   }
-  void add_once(const std::string& text) {
+  /// A message on what a client did.
+  void add(Cause cause, const std::string& text) {
     const std::lock_guard lock(mutex_);
-    if (once_.size() < kMostOnce && once_.insert(text).second) waiting_.push_back(text);
+    add_limited(of_causes_[static_cast<std::size_t>(cause)], text);
+  }
+  /// The same; a text that was added before is not reported again.
+  void add_once(Cause cause, const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    OfCause& of = of_causes_[static_cast<std::size_t>(cause)];
+    if (of.count <= kMost && of.once.insert(text).second) add_limited(of, text);
   }
   std::vector<std::string> take() {
     const std::lock_guard lock(mutex_);
@@ -41,9 +52,20 @@ class Messages {
   }
 
  private:
+  static constexpr std::size_t kCauses = 4;
+  struct OfCause {
+    std::size_t count = 0;
+    std::set<std::string> once;
+  };
+
+  void add_limited(OfCause& of, const std::string& text) {
+    if (of.count > kMost) return;
+    waiting_.push_back(++of.count <= kMost ? text : text + "; further messages of this kind are not reported");
+  }
+
   std::mutex mutex_;
   std::vector<std::string> waiting_;
-  std::set<std::string> once_;
+  std::array<OfCause, kCauses> of_causes_;
 };
 
 }  // namespace symplant::link::opc_ua

@@ -217,8 +217,9 @@ UA_StatusCode Server::on_malfunction(const UA_Variant& name, LinkCommand::Kind k
   if (const auto number = malfunctions_.find(text)) return command({kind, *number});
   tables::NearestName nearest(text);
   for (const std::string_view known : tables::split_names(shown_.tables.malfunctions.names)) nearest.offer(known);
-  messages_.add_once("a client called a method with malfunction `" + of_peer(text) + "`, which was not found" +
-                     (nearest.name().empty() ? "" : "; did you mean `" + std::string(nearest.name()) + "`?"));
+  messages_.add_once(Messages::Cause::malfunction,
+                     "a client called a method with malfunction `" + of_peer(text) + "`, which was not found" +
+                         (nearest.name().empty() ? "" : "; did you mean `" + std::string(nearest.name()) + "`?"));
   return UA_STATUSCODE_BADINVALIDARGUMENT;
 }
 
@@ -276,14 +277,26 @@ UA_StatusCode Server::end_malfunction(const UA_Variant* inputs, UA_Variant* /*ou
   return on_malfunction(*inputs, LinkCommand::Kind::end_malfunction);
 }
 
+/// A freeze stays when its client leaves, so the user must know of it.
+UA_StatusCode Server::freezing(LinkCommand given) {
+  const UA_StatusCode status = command(given);
+  if (status == UA_STATUSCODE_GOOD && !std::exchange(freezes_, true)) {
+    messages_.add(Messages::Cause::freeze, given.kind == LinkCommand::Kind::freeze
+                                               ? "a client froze the plant; its method Run ends this"
+                                               : "a client steps the plant, and so froze it; its method Run ends this");
+  }
+  return status;
+}
+
 UA_StatusCode Server::freeze(const UA_Variant* /*inputs*/, UA_Variant* /*outputs*/) {
-  return command({LinkCommand::Kind::freeze});
+  return freezing({LinkCommand::Kind::freeze});
 }
 
 UA_StatusCode Server::run(const UA_Variant* /*inputs*/, UA_Variant* outputs) {
   const UA_StatusCode status = command({LinkCommand::Kind::run});
   const UA_Boolean frozen = frozen_otherwise_.load(std::memory_order_relaxed);
   if (status != UA_STATUSCODE_GOOD) return status;
+  freezes_ = false;
   return UA_Variant_setScalarCopy(outputs, &frozen, &UA_TYPES[UA_TYPES_BOOLEAN]);
 }
 
@@ -291,7 +304,7 @@ UA_StatusCode Server::step(const UA_Variant* inputs, UA_Variant* /*outputs*/) {
   if (!UA_Variant_hasScalarType(inputs, &UA_TYPES[UA_TYPES_UINT32])) return UA_STATUSCODE_BADINVALIDARGUMENT;
   const UA_UInt32 cycles = *static_cast<const UA_UInt32*>(inputs->data);
   if (cycles == 0) return UA_STATUSCODE_BADINVALIDARGUMENT;
-  return command({LinkCommand::Kind::step, cycles});
+  return freezing({LinkCommand::Kind::step, cycles});
 }
 
 NodeCallbacks Server::callbacks() {

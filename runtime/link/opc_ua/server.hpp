@@ -87,6 +87,7 @@ class Server {
   UA_StatusCode on_write(Variable& variable, const UA_NumericRange* range, const UA_DataValue& value);
   UA_StatusCode on_malfunction(const UA_Variant& name, LinkCommand::Kind kind);
   UA_StatusCode command(LinkCommand command) noexcept;
+  UA_StatusCode freezing(LinkCommand given);
   UA_StatusCode start_malfunction(const UA_Variant* inputs, UA_Variant* outputs);
   UA_StatusCode end_malfunction(const UA_Variant* inputs, UA_Variant* outputs);
   UA_StatusCode freeze(const UA_Variant* inputs, UA_Variant* outputs);
@@ -122,6 +123,7 @@ class Server {
   bool own_access_ = true;  ///< the server itself reads or writes its nodes, no client
   bool serving_ = false;    ///< all nodes are there
   bool written_ = false;    ///< a client has written since the last publish_writes()
+  bool freezes_ = false;    ///< a client froze or stepped the plant, and none has let it run since
   Sessions sessions_;
   OwnedServer server_;
 

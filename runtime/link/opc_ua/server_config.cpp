@@ -123,7 +123,8 @@ UA_StatusCode activate_session(UA_Server* server, UA_AccessControl* control, con
   ServerAccess& access = access_of(server);
   const UA_StatusCode status = access.activate(server, control, endpoint, certificate, session, token, context);
   if (status != UA_STATUSCODE_GOOD) {
-    access.messages.add_once("a client " + quoted_user(*token) + " was refused (" + status_name(status) + ")");
+    access.messages.add_once(Messages::Cause::user,
+                             "a client " + quoted_user(*token) + " was refused (" + status_name(status) + ")");
   }
   return status;
 }
@@ -172,8 +173,9 @@ UA_StatusCode verify_certificate(const UA_CertificateVerification* verification,
   ServerAccess& access = *static_cast<ServerAccess*>(config.context);
   if (access.trusted->has(*certificate)) return UA_STATUSCODE_GOOD;
   const UA_SecurityPolicy& secure = config.securityPolicies[config.securityPoliciesSize - 1];
-  access.messages.add_once("a client was refused: its certificate with the thumbprint " +
-                           thumbprint(secure, *certificate) + " is not in the folder `trust`");
+  access.messages.add_once(Messages::Cause::certificate, "a client was refused: its certificate with the thumbprint " +
+                                                             thumbprint(secure, *certificate) +
+                                                             " is not in the folder `trust`");
   return UA_STATUSCODE_BADCERTIFICATEUNTRUSTED;
 }
 

@@ -30,8 +30,11 @@ class CommandingLink final : public link::Link {
     return command;
   }
 
+  bool freezes_plant() const noexcept override { return freezes; }
+
   std::deque<link::LinkCommand> waiting;
   bool was_frozen = false;
+  bool freezes = false;  ///< as a lost link whose `plant-on-loss` is `freeze`
 };
 
 /// Freezes the plant like a panel.
@@ -137,6 +140,26 @@ TEST_CASE("What else freezes the plant is not ended by a command, and the link l
   bench.cycle();
   CHECK(bench.now() == 10);
   CHECK(bench.commands->over());
+}
+
+TEST_CASE("A link with commands learns that another link, lost, freezes the plant") {
+  tables::PlantTables tables = cell_tables();
+  OwnedPlant plant(tables);
+  trace::Recorder recorder(tables, 256);
+  host::Links links;
+  auto commanding = std::make_unique<CommandingLink>();
+  auto lost = std::make_unique<CommandingLink>();
+  CommandingLink& commands = *commanding;
+  CommandingLink& other = *lost;
+  links.push_back({"", {}, std::move(commanding)});
+  links.push_back({"", {}, std::move(lost)});
+  host::LinkCommands stepper(links, *plant, recorder, nullptr);
+  other.freezes = true;
+  stepper.hold();
+  CHECK(commands.was_frozen);
+  other.freezes = false;
+  stepper.hold();
+  CHECK_FALSE(commands.was_frozen);
 }
 
 TEST_CASE("Links without commands need no stepper") {

@@ -73,7 +73,7 @@ TEST_CASE("A client reads and writes symbols by their names and types") {
   ServedPlant served(tank().rows);
   served.run();
   UaClient client(served.endpoint());
-  CHECK(client.value<bool>("L_T_PUMP_I_STOP"));
+  CHECK(soon([&] { return client.value<bool>("L_T_PUMP_I_STOP"); }));
   CHECK(client.value<std::int16_t>("L_T_TANK_O_SET") == 7);
   CHECK(client.write("L_T_PUMP_O_RUN", UA_TYPES_BOOLEAN, true) == UA_STATUSCODE_GOOD);
   CHECK(client.write("L_T_TANK_O_SET", UA_TYPES_INT16, std::int16_t{-12}) == UA_STATUSCODE_GOOD);
@@ -221,8 +221,26 @@ TEST_CASE("Methods become commands of the run, and invalid arguments are refused
   CHECK(served.commands()[1].kind == Kind::freeze);
   CHECK(served.commands()[2].kind == Kind::run);
   const auto messages = served.link().take_messages();
-  REQUIRE(messages.size() == 1);
+  REQUIRE(messages.size() == 2);
   CHECK(messages[0].find("`float stück`, which was not found; did you mean `float stuck`?") != std::string::npos);
+  CHECK(messages[1] == "a client steps the plant, and so froze it; its method Run ends this");
+  CHECK(client.call("Freeze", {}) == UA_STATUSCODE_GOOD);
+  CHECK(served.link().take_messages() ==
+        std::vector<std::string>{"a client froze the plant; its method Run ends this"});
+}
+
+TEST_CASE("Messages of one cause are limited, and do not silence those of another one") {
+  using link::opc_ua::Messages;
+  Messages messages;
+  for (int i = 0; i < 200; ++i) messages.add_once(Messages::Cause::user, "user " + std::to_string(i % 100));
+  const auto users = messages.take();
+  REQUIRE(users.size() == Messages::kMost + 1);
+  CHECK(users.back() == "user 50; further messages of this kind are not reported");
+  messages.add(Messages::Cause::freeze, "frozen");
+  messages.add(Messages::Cause::freeze, "frozen");
+  messages.add_once(Messages::Cause::certificate, "certificate");
+  messages.add_once(Messages::Cause::certificate, "certificate");
+  CHECK(messages.take() == std::vector<std::string>{"frozen", "frozen", "certificate"});
 }
 
 TEST_CASE("The link is live while a client reads, is lost without one, and zeroes operations as set") {
@@ -263,7 +281,7 @@ TEST_CASE("A connected client with a subscription keeps the link live, though it
 
 TEST_CASE("A client with a subscription that hangs does not keep the link live") {
   link::LinkSettings settings;
-  settings.loss_after = 200 * tables::kMillisecond;
+  settings.loss_after = 2 * tables::kSecond;  // longer than the server looks at its sessions: 0.4 s or more
   ServedPlant served(tank().rows, "", settings);
   served.run();
   UaClient client(served.endpoint());
@@ -316,7 +334,7 @@ TEST_CASE("While the link is cut no client gets an answer, and afterwards they g
   ServedPlant served(tank().rows);
   served.run();
   UaClient client(served.endpoint());
-  CHECK(client.value<bool>("L_T_PUMP_I_STOP"));
+  CHECK(soon([&] { return client.value<bool>("L_T_PUMP_I_STOP"); }));
   served.link().cut(true);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   UA_Client_getConfig(client.get())->timeout = 100;
