@@ -208,6 +208,7 @@ async function restart() {
   await until("after a restart the client's subscription goes on by itself", "true Good", () => events.seen.at(-1));
   await closed(connection);
   check("the run ends well", 0, await plant.stop());
+  check("a client that comes back is not one too many", false, plant.text.includes("as many sessions as allowed") || plant.text.includes("lack of room"));
 }
 
 try {
