@@ -81,7 +81,7 @@ std::variant<OwnCertificate, LinkError> make_certificate(const std::string& name
                    "cannot make a certificate (" + status_name(status) + "): give `certificate=FILE&key=FILE`"};
 }
 
-/// Whether a signature by the policy's private key is valid by its own certificate.
+/// Whether a signature by the policy's private key is valid by its local certificate.
 bool are_pair(const UA_SecurityPolicy& policy) {
   void* channel = nullptr;  // to itself: the certificate of the peer is its own
   if (policy.channelModule.newContext(&policy, &policy.localCertificate, &channel) != UA_STATUSCODE_GOOD) return false;

@@ -34,7 +34,7 @@ std::variant<std::string, LinkError> read_password(const std::string& file);
 /// if the policy cannot make it. `policy` is any but None.
 std::string thumbprint(const UA_SecurityPolicy& policy, const UA_ByteString& certificate);
 
-/// An error of kind usage if the private key of the policy is not that of its own certificate, which nothing else
+/// An error of kind usage if the private key of the policy is not that of its local certificate, which nothing else
 /// checks: the policy signs some bytes, and verifies them by the certificate. `settings` name the files. `policy` is
 /// any but None. Takes some milliseconds.
 std::optional<LinkError> pair_fault(const SecuritySettings& settings, const UA_SecurityPolicy& policy);

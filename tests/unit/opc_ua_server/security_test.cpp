@@ -29,9 +29,8 @@ const OwnCertificate& client_certificate() {
   return made;
 }
 
-/// The status of a connection with Basic256Sha256 in this mode, and the user name and password.
-UA_StatusCode connect(const std::string& endpoint, UA_MessageSecurityMode mode, const char* user,
-                      const char* password) {
+/// A client with Basic256Sha256 in this mode, which accepts every server.
+UA_Client* secure_client(UA_MessageSecurityMode mode) {
   UA_ClientConfig config{};
   config.logging = link::opc_ua::silent();
   UA_ClientConfig_setDefaultEncryption(&config, *client_certificate().certificate, *client_certificate().key, nullptr,
@@ -40,11 +39,41 @@ UA_StatusCode connect(const std::string& endpoint, UA_MessageSecurityMode mode, 
   config.clientDescription.applicationUri = UA_STRING_ALLOC(const_cast<char*>("urn:test:client"));
   UA_CertificateVerification_AcceptAll(&config.certificateVerification);
   config.securityMode = mode;
-  UA_Client* const client = UA_Client_newWithConfig(&config);
+  return UA_Client_newWithConfig(&config);
+}
+
+/// The status of a connection of the client, which it deletes; anonymous without `user`.
+UA_StatusCode connect(UA_Client* client, const std::string& endpoint, const char* user, const char* password) {
   const UA_StatusCode status = user == nullptr ? UA_Client_connect(client, endpoint.c_str())
                                                : UA_Client_connectUsername(client, endpoint.c_str(), user, password);
   UA_Client_delete(client);
   return status;
+}
+
+UA_StatusCode connect(const std::string& endpoint, UA_MessageSecurityMode mode, const char* user,
+                      const char* password) {
+  return connect(secure_client(mode), endpoint, user, password);
+}
+
+/// The same, by an endpoint that the server does not offer: its first one in another mode, or for anonymous users.
+UA_StatusCode connect_anyway(const std::string& endpoint, UA_MessageSecurityMode mode, const char* user,
+                             const char* password) {
+  UA_Client* const client = secure_client(UA_MESSAGESECURITYMODE_SIGNANDENCRYPT);
+  std::size_t count = 0;
+  UA_EndpointDescription* offered = nullptr;
+  REQUIRE(UA_Client_getEndpoints(client, endpoint.c_str(), &count, &offered) == UA_STATUSCODE_GOOD);
+  REQUIRE(count != 0);
+  REQUIRE(offered->userIdentityTokensSize == 1);
+  UA_EndpointDescription& wanted = UA_Client_getConfig(client)->endpoint;
+  UA_EndpointDescription_copy(offered, &wanted);
+  UA_Array_delete(offered, count, &UA_TYPES[UA_TYPES_ENDPOINTDESCRIPTION]);
+  wanted.securityMode = mode;
+  if (mode == UA_MESSAGESECURITYMODE_NONE) {
+    UA_String_clear(&wanted.securityPolicyUri);
+    wanted.securityPolicyUri = UA_STRING_ALLOC(const_cast<char*>("http://opcfoundation.org/UA/SecurityPolicy#None"));
+  }
+  if (user == nullptr) wanted.userIdentityTokens->tokenType = UA_USERTOKENTYPE_ANONYMOUS;
+  return connect(client, endpoint, user, password);
 }
 
 }  // namespace
@@ -57,9 +86,12 @@ TEST_CASE("With encryption only the user with the password gets a session, over 
   CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "secret") == UA_STATUSCODE_GOOD);
   CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "wrong") ==
         UA_STATUSCODE_BADUSERACCESSDENIED);
-  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, nullptr, nullptr) != UA_STATUSCODE_GOOD);
-  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_SIGN, "scada", "secret") != UA_STATUSCODE_GOOD);
-  CHECK(connect(endpoint, UA_MESSAGESECURITYMODE_NONE, "scada", "secret") != UA_STATUSCODE_GOOD);
+  CHECK(connect_anyway(endpoint, UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, nullptr, nullptr) ==
+        UA_STATUSCODE_BADIDENTITYTOKENINVALID);
+  CHECK(connect_anyway(endpoint, UA_MESSAGESECURITYMODE_SIGN, "scada", "secret") ==
+        UA_STATUSCODE_BADIDENTITYTOKENINVALID);  // no endpoint of this mode has users
+  CHECK(connect_anyway(endpoint, UA_MESSAGESECURITYMODE_NONE, "scada", "secret") ==
+        UA_STATUSCODE_BADSECURITYPOLICYREJECTED);
   const auto messages = served.link().take_messages();
   REQUIRE(messages.size() == 3);
   CHECK(messages[0].find("made a certificate for this run, with the thumbprint ") != std::string::npos);
@@ -72,6 +104,7 @@ TEST_CASE("With signing, signed and encrypted channels are possible") {
   folder.write("password", "secret");
   ServedPlant served(small().rows, "?security=sign&user=scada&password-file=" + (folder / "password"));
   CHECK(connect(served.endpoint(), UA_MESSAGESECURITYMODE_SIGN, "scada", "secret") == UA_STATUSCODE_GOOD);
+  CHECK(connect_anyway(served.endpoint(), UA_MESSAGESECURITYMODE_SIGN, "scada", "secret") == UA_STATUSCODE_GOOD);
   CHECK(connect(served.endpoint(), UA_MESSAGESECURITYMODE_SIGNANDENCRYPT, "scada", "secret") == UA_STATUSCODE_GOOD);
 }
 
