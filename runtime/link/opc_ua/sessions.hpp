@@ -18,8 +18,8 @@ class Sessions {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// A session may be closed for another client after this time without a request.
-  static constexpr auto kAbandoned = std::chrono::seconds(10);
+  /// A session may be closed for another client after this time without a request: longer than any keep-alive interval.
+  static constexpr auto kAbandoned = std::chrono::seconds(60);
 
   /// What has happened since the last look.
   struct Look {
