@@ -1,5 +1,6 @@
-# Open62541_FOUND, Open62541_VERSION and the target open62541::open62541: a library with encryption and diagnostics. CMake files of open62541 are not used: those of
-# Debian's package libopen62541-1.4-dev stop every project that has not installed its tools, too.
+# Open62541_FOUND, Open62541_VERSION and the target open62541::open62541: a library with encryption and diagnostics.
+# CMake files of open62541 are not used: those of Debian's package libopen62541-1.4-dev stop every project that has not
+# installed its tools, too.
 find_path(Open62541_INCLUDE_DIR open62541/config.h)
 find_library(Open62541_LIBRARY open62541)
 mark_as_advanced(Open62541_INCLUDE_DIR Open62541_LIBRARY)
