@@ -59,8 +59,8 @@ UA_ByteString leaf_of(const UA_ByteString& chain) {
 
 }  // namespace
 
-ClientConnection::ClientConnection(const ClientSettings& settings)
-    : settings_(settings), security_(settings.security) {}
+ClientConnection::ClientConnection(const ClientSettings& settings, ClientSecurity security)
+    : settings_(settings), security_(std::move(security)) {}
 
 ClientConnection::~ClientConnection() { close(); }
 
@@ -146,14 +146,7 @@ Fault ClientConnection::prepare() {
   const UA_StatusCode status = security_.configure(config);
   if (status != UA_STATUSCODE_GOOD) {
     UA_ClientConfig_clear(&config);
-    if (status == UA_STATUSCODE_BADCERTIFICATEURIINVALID) {
-      return lost(
-          "the certificate of the link has no URI among its alternative names, which OPC UA needs: make one "
-          "with URI:urn:symplant, as docs/opc-ua.md shows");
-    }
-    return lost(
-        "open62541 does not accept the certificate or the key of the link: give an RSA key of 2048 bits or more, "
-        "without a password");
+    return lost("cannot make a client of OPC UA: " + status_text(status));
   }
   limit_sending(config);
   client_.reset(UA_Client_newWithConfig(&config));
@@ -234,7 +227,6 @@ void ClientConnection::explain(Fault& fault) const {
 
 Fault ClientConnection::open() {
   close();
-  if (std::string problem = security_.load(); !problem.empty()) return lost(std::move(problem));
   Endpoints endpoints;
   if (Fault fault = ask_endpoints(endpoints)) return fault;
   std::string problem;

@@ -20,7 +20,7 @@ namespace symplant::link::opc_ua {
 /// One session at a time. Each call ends at a deadline or by interrupt(). Used by one thread; interrupt() by any.
 class ClientConnection {
  public:
-  explicit ClientConnection(const ClientSettings& settings);
+  ClientConnection(const ClientSettings& settings, ClientSecurity security);
   ClientConnection(const ClientConnection&) = delete;
   ClientConnection& operator=(const ClientConnection&) = delete;
   ~ClientConnection();

@@ -71,8 +71,8 @@ void put(const ClientNode& node, std::uint64_t number, const client::Words& out)
 
 }  // namespace
 
-ClientDialog::ClientDialog(const ClientSettings& settings, ClientMap map, bool reads_only)
-    : connection_(settings),
+ClientDialog::ClientDialog(const ClientSettings& settings, ClientSecurity security, ClientMap map, bool reads_only)
+    : connection_(settings, std::move(security)),
       operations_(std::move(map.operations), false),
       events_(std::move(map.events), !reads_only),
       event_of_bit_(by_position(events_, Plane::event_bits, map.image.size(Plane::event_bits))),

@@ -13,6 +13,7 @@
 #include "symplant/link/opc_ua/client_connection.hpp"
 #include "symplant/link/opc_ua/client_map.hpp"
 #include "symplant/link/opc_ua/client_nodes.hpp"
+#include "symplant/link/opc_ua/client_security.hpp"
 #include "symplant/link/opc_ua/client_settings.hpp"
 
 namespace symplant::link::opc_ua {
@@ -20,7 +21,7 @@ namespace symplant::link::opc_ua {
 class ClientDialog final : public client::Dialog {
  public:
   /// `reads_only`: the events are read, too, and never written.
-  ClientDialog(const ClientSettings& settings, ClientMap map, bool reads_only);
+  ClientDialog(const ClientSettings& settings, ClientSecurity security, ClientMap map, bool reads_only);
 
   std::string url() const override { return connection_.url(); }
   client::Fault open() override;

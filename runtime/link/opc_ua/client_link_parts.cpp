@@ -6,6 +6,7 @@
 
 #include "symplant/link/opc_ua/client_dialog.hpp"
 #include "symplant/link/opc_ua/client_map.hpp"
+#include "symplant/link/opc_ua/client_security.hpp"
 #include "symplant/link/opc_ua/client_settings.hpp"
 
 namespace symplant::link::opc_ua {
@@ -18,6 +19,8 @@ client::PartsResult client_link_parts(std::string_view rest, const LinkChoice& l
   auto made = make_client_map(tables, link.controller, link.settings, settings);
   if (auto* error = std::get_if<LinkError>(&made)) return std::move(*error);
   ClientMap& map = std::get<ClientMap>(made);
+  auto security = ClientSecurity::load(settings.security);
+  if (auto* error = std::get_if<LinkError>(&security)) return std::move(*error);
   client::ClientParts parts{.dialog = nullptr,
                             .map = map.image,
                             .addresses = map.addresses,
@@ -27,7 +30,8 @@ client::PartsResult client_link_parts(std::string_view rest, const LinkChoice& l
                             .notes = client::request_notes(map.operations.empty() ? 0 : 1, map.events.empty() ? 0 : 1,
                                                            map.events.empty() ? 0 : 1)};
   parts.word_orders.resize(parts.map.points.size(), WordOrder::low_first);
-  parts.dialog = std::make_unique<ClientDialog>(settings, std::move(map), link.settings.reads_only);
+  parts.dialog = std::make_unique<ClientDialog>(settings, std::get<ClientSecurity>(std::move(security)), std::move(map),
+                                                link.settings.reads_only);
   return parts;
 }
 

@@ -7,7 +7,8 @@
 
 namespace symplant::link::opc_ua {
 
-/// Opens nothing yet. An invalid map is a usage error; a build without OPC UA is an error of kind environment.
+/// Reads the files of the security settings, and opens no connection yet. An invalid map or file is a usage error; a
+/// build without OPC UA is an error of kind environment.
 client::PartsResult client_link_parts(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables);
 
 }  // namespace symplant::link::opc_ua

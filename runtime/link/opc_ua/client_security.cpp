@@ -30,22 +30,45 @@ UA_StatusCode set_text(UA_String& field, std::string_view text) {
 
 }  // namespace
 
-std::string ClientSecurity::load() {
-  if (settings_.security == Security::none || own_) return {};
+std::variant<ClientSecurity, LinkError> ClientSecurity::load(const SecuritySettings& settings) {
+  ClientSecurity security(settings);
+  if (settings.security == Security::none) return security;
+  if (auto error = security.read_files()) return std::move(*error);
+  if (auto error = security.try_out()) return std::move(*error);
+  return security;
+}
+
+std::optional<LinkError> ClientSecurity::read_files() {
   auto own = own_certificate(settings_, "symplant", std::string(kApplicationUri));
-  if (auto* error = std::get_if<LinkError>(&own)) return error->message;
+  if (auto* error = std::get_if<LinkError>(&own)) return std::move(*error);
   if (!settings_.trust.empty()) {
     auto trusted = TrustedCertificates::read(settings_.trust);
-    if (auto* error = std::get_if<LinkError>(&trusted)) return error->message;
+    if (auto* error = std::get_if<LinkError>(&trusted)) return std::move(*error);
     trusted_ = std::move(std::get<TrustedCertificates>(trusted));
   }
   if (!settings_.password_file.empty()) {
     auto password = read_password(settings_.password_file);
-    if (auto* error = std::get_if<LinkError>(&password)) return error->message;
+    if (auto* error = std::get_if<LinkError>(&password)) return std::move(*error);
     password_ = std::move(std::get<std::string>(password));
   }
   own_ = std::move(std::get<OwnCertificate>(own));
-  return {};
+  return std::nullopt;
+}
+
+/// Whether open62541 accepts the certificate and the key.
+std::optional<LinkError> ClientSecurity::try_out() const {
+  UA_ClientConfig config{};
+  config.logging = silent();
+  const UA_StatusCode status = configure(config);
+  UA_ClientConfig_clear(&config);
+  if (status == UA_STATUSCODE_GOOD) return std::nullopt;
+  if (status == UA_STATUSCODE_BADCERTIFICATEURIINVALID) {
+    return usage_error("`certificate=" + settings_.certificate +
+                       "`: it has no URI among its alternative names, which OPC UA needs: make one with "
+                       "URI:urn:symplant, as docs/opc-ua.md shows");
+  }
+  return usage_error("`certificate=" + settings_.certificate + "&key=" + settings_.key +
+                     "`: open62541 does not accept them: give an RSA key of 2048 bits or more, without a password");
 }
 
 UA_StatusCode ClientSecurity::configure(UA_ClientConfig& config) const {

@@ -1,0 +1,49 @@
+// The files of a link `opc-ua` with security: what is wrong with them is known before the link connects.
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+#include "symplant/link/opc_ua/certificates.hpp"
+#include "symplant/link/opc_ua/client_link_parts.hpp"
+#include "unit/link/symbol_list.hpp"
+
+using namespace symplant;
+using namespace symplant::link;
+using Catch::Matchers::ContainsSubstring;
+using opc_ua::OwnCertificate;
+using opc_ua::text_of;
+
+namespace {
+
+/// Why no link is made with these settings of security; it is an error of kind usage.
+std::string refusal(const std::string& settings) {
+  test::SymbolList list;
+  list.add("RUN", test::SymbolList::kOut, 0U);
+  const auto tables = list.tables();
+  const std::string rest = "//127.0.0.1:4840?nodes=ns=1;s={symbol}&security=encrypt" + settings;
+  const auto parts = opc_ua::client_link_parts(rest, {.url = "opc-ua:" + rest, .controller = 0}, tables);
+  const auto* const error = std::get_if<LinkError>(&parts);
+  if (error == nullptr) return {};
+  CHECK(error->kind == LinkError::Kind::usage);
+  return error->message;
+}
+
+OwnCertificate made() { return std::get<OwnCertificate>(opc_ua::own_certificate({}, "symplant", "urn:test")); }
+
+}  // namespace
+
+TEST_CASE("A file of the security settings that cannot be used is an error before the link connects") {
+  const test::TemporaryFolder folder;
+  const OwnCertificate own = made();
+  folder.write("own.der", std::string(text_of(*own.certificate)));
+  folder.write("own.key", std::string(text_of(*own.key)));
+  folder.write("words", "no certificate and no key");
+  const auto pair = [&](const char* certificate, const char* key) {
+    return "&certificate=" + (folder / certificate) + "&key=" + (folder / key);
+  };
+  CHECK(refusal(pair("own.der", "own.key")).empty());
+  CHECK_THAT(refusal("&user=a&password-file=" + (folder / "missing")), ContainsSubstring("`password-file="));
+  CHECK_THAT(refusal(pair("missing", "own.key")), ContainsSubstring("`certificate="));
+  CHECK_THAT(refusal(pair("own.der", "missing")), ContainsSubstring("`key="));
+  CHECK_THAT(refusal(pair("own.der", "words")), ContainsSubstring("does not accept"));
+  CHECK_THAT(refusal(pair("words", "own.key")), ContainsSubstring("does not accept"));
+  CHECK_THAT(refusal("&trust=" + (folder / "missing")), ContainsSubstring("`trust="));
+}
