@@ -169,7 +169,7 @@ Fault ClientDialog::read_back(const client::Words& events, tables::Time /*now*/)
   return read_all(events_, events);
 }
 
-/// `rejected` if no node has a value.
+/// `rejected` if no node has a value, or the server has refused a request.
 Fault ClientDialog::read_all(ClientNodes& nodes, const client::Words& out) {
   std::vector<std::size_t> some;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -184,16 +184,18 @@ Fault ClientDialog::read_all(ClientNodes& nodes, const client::Words& out) {
   for (const std::size_t i : some) items.push_back(value_of(nodes.id(i)));
   UA_StatusCode result = UA_STATUSCODE_GOOD;
   bool any = false;
+  std::size_t done = 0;
   Fault fault = read_attributes(connection_, items, limits_.read, result,
                                 [&](std::size_t first, std::span<const UA_DataValue> values) {
                                   any = take(nodes, std::span(some).subspan(first, values.size()), values, out) || any;
+                                  done = first + values.size();
                                 });
   if (fault) return fault;
   if (is_bad(result)) {
     rejected_.fetch_add(1, std::memory_order_relaxed);
-    for (const std::size_t i : some) nodes.note(i, result);
+    for (const std::size_t i : std::span(some).subspan(done)) nodes.note(i, result);
   }
-  return {any ? Fault::Kind::none : Fault::Kind::rejected};
+  return {any && !is_bad(result) ? Fault::Kind::none : Fault::Kind::rejected};
 }
 
 /// The values of one request. True if one of them is good.

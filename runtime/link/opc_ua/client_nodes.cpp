@@ -193,18 +193,18 @@ Fault ClientNodes::examine(ClientConnection& connection, std::span<const std::si
   }
   std::vector<OwnedDataValue> values(items.size());
   UA_StatusCode result = UA_STATUSCODE_GOOD;
+  std::size_t done = 0;
   Fault fault =
       read_attributes(connection, items, limits.read, result, [&](std::size_t first, std::span<UA_DataValue> got) {
         for (std::size_t k = 0; k < got.size(); ++k) std::swap(*values[first + k], got[k]);
+        done = first + got.size();
       });
   if (fault) return fault;
-  for (std::size_t k = 0; k < some.size(); ++k) {
-    if (is_bad(result)) {
-      note(some[k], result);
-    } else {
-      judge(some[k], std::span(values).subspan(k * kAttributes.size(), kAttributes.size()));
-    }
+  const std::size_t complete = done / kAttributes.size();
+  for (std::size_t k = 0; k < complete; ++k) {
+    judge(some[k], std::span(values).subspan(k * kAttributes.size(), kAttributes.size()));
   }
+  for (const std::size_t i : some.subspan(complete)) note(i, result);
   return {};
 }
 

@@ -55,13 +55,15 @@ std::optional<LinkError> ClientSecurity::read_files() {
   return std::nullopt;
 }
 
-/// Whether open62541 accepts the certificate and the key.
+/// Whether open62541 accepts the certificate and the key, and they belong together.
 std::optional<LinkError> ClientSecurity::try_out() const {
   UA_ClientConfig config{};
   config.logging = silent();
   const UA_StatusCode status = configure(config);
+  std::optional<LinkError> other_key;
+  if (status == UA_STATUSCODE_GOOD) other_key = pair_fault(settings_, config.securityPolicies[1]);
   UA_ClientConfig_clear(&config);
-  if (status == UA_STATUSCODE_GOOD) return std::nullopt;
+  if (status == UA_STATUSCODE_GOOD) return other_key;
   if (status == UA_STATUSCODE_BADCERTIFICATEURIINVALID) {
     return usage_error("`certificate=" + settings_.certificate +
                        "`: it has no URI among its alternative names, which OPC UA needs: make one with "

@@ -30,6 +30,7 @@ std::vector<ClientDialog::Writing> ClientDialog::writings_of(std::span<const Lan
       const auto mask = static_cast<std::uint16_t>(1U << bit);
       if ((change.mask & mask) == 0) continue;
       const std::size_t node = event_of_bit_[client::kLaneBits * change.lane.number + bit];
+      if (node == kNoNode) continue;
       writings.push_back({node, (change.value & mask) != 0 ? 1U : 0U, c, 1, mask});
     }
   }

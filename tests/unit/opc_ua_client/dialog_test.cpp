@@ -178,6 +178,25 @@ TEST_CASE("A server that allows few nodes in a request gets several requests") {
   CHECK_THAT(bench.dialog().functions(), ContainsSubstring("reads 2 nodes in a request"));
 }
 
+TEST_CASE("If the server refuses one of several requests, only the nodes from it on have no value") {
+  OpcUaPlc plc(2);
+  SymbolList list;
+  constexpr std::uint32_t kCount = 6;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    list.add("Q" + std::to_string(i), kOut, i);
+    plc.add<UA_Boolean>("Q" + std::to_string(i), UA_TYPES_BOOLEAN, true);
+  }
+  Bench bench(list, plc);
+  bench.start();
+  plc.fail_read(2, UA_STATUSCODE_BADINTERNALERROR);
+  CHECK(bench.read().kind == Fault::Kind::rejected);
+  CHECK(bench.operation_bits[0] == 0b11);
+  CHECK_THAT(bench.rejections(), ContainsSubstring("4 operations are not read: `Q2`"));
+  CHECK(bench.dialog().rejected() == 1);
+  REQUIRE(!bench.read());
+  CHECK(bench.operation_bits[0] == 0b111111);
+}
+
 TEST_CASE("Nodes that are missing, of another type or read-only are reported, and the others exchanged") {
   OpcUaPlc plc;
   plc.add<UA_Boolean>("RUN", UA_TYPES_BOOLEAN, true);

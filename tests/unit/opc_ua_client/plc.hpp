@@ -7,9 +7,11 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <cstring>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <variant>
 
 #include "symplant/link/net/listener.hpp"
@@ -27,6 +29,7 @@ class OpcUaPlc {
     config.maxNodesPerRead = limit;
     config.maxNodesPerWrite = limit;
     config.maxNodesPerRegisterNodes = limit;
+    intercept_answers(config);
     server_ = UA_Server_newWithConfig(&config);
     UA_Server_run_startup(server_);
     thread_ = std::thread([this] {
@@ -51,6 +54,13 @@ class OpcUaPlc {
   std::uint16_t port() const { return port_; }
   /// While it is silent it answers nothing.
   void silent(bool on) { silent_ = on; }
+
+  /// The answer to the Read request of this number from now on, the first is 1, has this result.
+  void fail_read(int number, UA_StatusCode result) {
+    const std::scoped_lock lock(mutex_);
+    reads_left_ = number;
+    failure_ = result;
+  }
 
   /// A variable of the type UA_TYPES[type].
   template <class T>
@@ -90,6 +100,33 @@ class OpcUaPlc {
   }
 
  private:
+  using Send = decltype(UA_ConnectionManager::sendWithConnection);
+
+  void intercept_answers(const UA_ServerConfig& config) {
+    for (UA_EventSource* source = config.eventLoop->eventSources; source != nullptr; source = source->next) {
+      if (source->eventSourceType != UA_EVENTSOURCETYPE_CONNECTIONMANAGER) continue;
+      auto* const manager = reinterpret_cast<UA_ConnectionManager*>(source);
+      if (link::opc_ua::text_of(manager->protocol) != "tcp") continue;
+      original_send_ = std::exchange(manager->sendWithConnection, send);
+    }
+    reads_left_ = 0;
+  }
+  /// Changes the result in an answer without security.
+  static UA_StatusCode send(UA_ConnectionManager* manager, uintptr_t connection, const UA_KeyValueMap* parameters,
+                            UA_ByteString* message) {
+    constexpr std::size_t kType = 26;
+    constexpr std::size_t kResult = 40;
+    constexpr std::uint16_t kReadResponse = UA_NS0ID_READRESPONSE_ENCODING_DEFAULTBINARY;
+    if (message->length >= kResult + sizeof failure_ &&
+        std::memcmp(message->data + kType, &kReadResponse, sizeof kReadResponse) == 0 && --reads_left_ == 0) {
+      std::memcpy(message->data + kResult, &failure_, sizeof failure_);
+    }
+    return original_send_(manager, connection, parameters, message);
+  }
+  inline static Send original_send_ = nullptr;
+  inline static int reads_left_ = 0;  ///< until the one that fails
+  inline static UA_StatusCode failure_ = UA_STATUSCODE_GOOD;
+
   static std::uint16_t free_port() {
     auto listener = link::net::listen_on({"127.0.0.1", 0});
     return std::get<link::net::Listener>(listener).bound.port;

@@ -45,5 +45,8 @@ TEST_CASE("A file of the security settings that cannot be used is an error befor
   CHECK_THAT(refusal(pair("own.der", "missing")), ContainsSubstring("`key="));
   CHECK_THAT(refusal(pair("own.der", "words")), ContainsSubstring("does not accept"));
   CHECK_THAT(refusal(pair("words", "own.key")), ContainsSubstring("does not accept"));
+  folder.write("other.key", std::string(text_of(*made().key)));
+  CHECK_THAT(refusal(pair("own.der", "other.key")),
+             ContainsSubstring("the private key is not that of the certificate"));
   CHECK_THAT(refusal("&trust=" + (folder / "missing")), ContainsSubstring("`trust="));
 }
