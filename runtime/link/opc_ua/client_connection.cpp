@@ -1,6 +1,7 @@
 // A session with a PLC's OPC UA server.
 #include "symplant/link/opc_ua/client_connection.hpp"
 
+#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <open62541/client_config_default.h>
@@ -11,8 +12,11 @@
 #include <cstring>
 #include <span>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "symplant/link/client/steady_now.hpp"
+#include "symplant/link/net/host_port.hpp"
 #include "symplant/link/opc_ua/endpoints.hpp"
 #include "symplant/link/opc_ua/messages.hpp"
 #include "symplant/link/opc_ua/status_text.hpp"
@@ -47,6 +51,19 @@ bool ends_session(UA_StatusCode status) {
                                   UA_STATUSCODE_BADTIMEOUT,
                                   UA_STATUSCODE_BADSERVERHALTED};
   return std::find(kEnding.begin(), kEnding.end(), status) != kEnding.end();
+}
+
+/// Statuses of a login that is refused.
+bool is_login(UA_StatusCode status) {
+  constexpr std::array kLogin = {UA_STATUSCODE_BADUSERACCESSDENIED, UA_STATUSCODE_BADIDENTITYTOKENREJECTED,
+                                 UA_STATUSCODE_BADIDENTITYTOKENINVALID};
+  return std::find(kLogin.begin(), kLogin.end(), status) != kLogin.end();
+}
+
+std::string numeric_host(const addrinfo& address) {
+  std::array<char, NI_MAXHOST> text{};
+  ::getnameinfo(address.ai_addr, address.ai_addrlen, text.data(), text.size(), nullptr, 0, NI_NUMERICHOST);
+  return text.data();
 }
 
 /// The first certificate of a chain.
@@ -89,7 +106,8 @@ Fault ClientConnection::failed(Waited waited, const std::string& doing) {
     case Waited::lost:
       break;
   }
-  return lost(doing + ": " + status_text(status_));
+  // What to do about a refused login depends on the settings, see explain().
+  return lost(doing + ": " + (is_login(status_) ? status_meaning(status_) : status_text(status_)));
 }
 
 template <class Done>
@@ -98,15 +116,19 @@ ClientConnection::Waited ClientConnection::wait(Done done, Clock::time_point dea
     if (done()) return Waited::done;
     if (interrupted_.load(std::memory_order_relaxed)) return Waited::interrupted;
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-    if (left.count() <= 0) return Waited::timeout;
+    if (left.count() <= 0) {
+      status_ = UA_STATUSCODE_BADTIMEOUT;
+      return Waited::timeout;
+    }
     status_ = UA_Client_run_iterate(client_.get(), static_cast<UA_UInt32>(std::min(left, kSlice).count()));
     if (status_ == UA_STATUSCODE_GOOD && attempts_ > kMostAttempts) status_ = closed_again();
     if (status_ != UA_STATUSCODE_GOOD) return done() ? Waited::done : Waited::lost;
   }
 }
 
-/// open62541 waits without a limit for a PLC that does not read what is sent. The system then ends the connection.
-void ClientConnection::limit_sending(UA_ClientConfig& config) {
+/// open62541 waits without a limit for a PLC that does not read what is sent: the system then ends the connection. It
+/// also waits for a name server: it gets the address instead of the name.
+void ClientConnection::take_over_sockets(UA_ClientConfig& config) {
   for (UA_EventSource* source = config.eventLoop->eventSources; source != nullptr; source = source->next) {
     if (source->eventSourceType != UA_EVENTSOURCETYPE_CONNECTIONMANAGER) continue;
     auto* const manager = reinterpret_cast<UA_ConnectionManager*>(source);
@@ -120,7 +142,16 @@ UA_StatusCode ClientConnection::open_socket(UA_ConnectionManager* manager, const
                                             UA_ConnectionManager_connectionCallback callback) {
   auto& self = *static_cast<ClientConnection*>(UA_Client_getContext(static_cast<UA_Client*>(client)));
   self.callback_ = callback;
-  return self.open_(manager, parameters, client, context, take_event);
+  std::vector<UA_KeyValuePair> pairs(parameters->map, parameters->map + parameters->mapSize);  // views
+  UA_String address = view_of(self.numeric_host_);
+  for (UA_KeyValuePair& pair : pairs) {
+    if (text_of(pair.key.name) != "address" || !UA_Variant_hasScalarType(&pair.value, &UA_TYPES[UA_TYPES_STRING]))
+      continue;
+    const bool is_host = text_of(*static_cast<const UA_String*>(pair.value.data)) == self.settings_.address.host;
+    if (is_host) UA_Variant_setScalar(&pair.value, &address, &UA_TYPES[UA_TYPES_STRING]);
+  }
+  const UA_KeyValueMap changed{pairs.size(), pairs.data()};
+  return self.open_(manager, &changed, client, context, take_event);
 }
 
 /// What happens at a connection, of which the number is the socket.
@@ -148,7 +179,7 @@ Fault ClientConnection::prepare() {
     UA_ClientConfig_clear(&config);
     return lost("cannot make a client of OPC UA: " + status_text(status));
   }
-  limit_sending(config);
+  take_over_sockets(config);
   client_.reset(UA_Client_newWithConfig(&config));
   if (!client_) return lost("no memory for a client of OPC UA");
   healthy_ = true;
@@ -175,8 +206,6 @@ Fault ClientConnection::start(const UA_EndpointDescription& endpoint, const UA_U
   UA_EndpointDescription_copy(&endpoint, &config.endpoint);
   if (token != nullptr) UA_UserTokenPolicy_copy(token, &config.userTokenPolicy);
   const std::string url = endpoint_url();
-  const auto deadline =
-      Clock::now() + std::max<std::chrono::nanoseconds>(kToConnect, std::chrono::nanoseconds(settings_.timeout));
   status_ = token == nullptr ? UA_Client_connectSecureChannelAsync(client_.get(), url.c_str())
                              : UA_Client_connectAsync(client_.get(), url.c_str());
   const auto connected = [&] {
@@ -185,7 +214,7 @@ Fault ClientConnection::start(const UA_EndpointDescription& endpoint, const UA_U
     UA_Client_getState(client_.get(), &channel, &session, nullptr);
     return token == nullptr ? channel == UA_SECURECHANNELSTATE_OPEN : session == UA_SESSIONSTATE_ACTIVATED;
   };
-  const Waited waited = status_ == UA_STATUSCODE_GOOD ? wait(connected, deadline) : Waited::lost;
+  const Waited waited = status_ == UA_STATUSCODE_GOOD ? wait(connected, until_) : Waited::lost;
   return failed(waited, "no connection to " + net::format_host_port(settings_.address));
 }
 
@@ -208,27 +237,55 @@ Fault ClientConnection::ask_endpoints(Endpoints& endpoints) {
   for (int time = 0; time < kTimes; ++time) {
     fault = start(plain, nullptr);
     if (!fault) fault = call(request, UA_TYPES_GETENDPOINTSREQUEST, endpoints, result);
-    if (!fault || fault.kind == Fault::Kind::interrupted) break;
+    if (!fault || fault.kind == Fault::Kind::interrupted || status_ == UA_STATUSCODE_BADTIMEOUT) break;
   }
   if (!fault && is_bad(result)) fault = lost("the server does not list its endpoints: " + status_text(result));
   close();
   return fault;
 }
 
-/// Says more on a connection with security that failed.
+/// Says more on a session that was not begun.
 void ClientConnection::explain(Fault& fault) const {
-  constexpr std::array kLogin = {UA_STATUSCODE_BADUSERACCESSDENIED, UA_STATUSCODE_BADIDENTITYTOKENREJECTED,
-                                 UA_STATUSCODE_BADIDENTITYTOKENINVALID};
-  const bool login = std::find(kLogin.begin(), kLogin.end(), status_) != kLogin.end();
-  fault.message += login ? "; the server does not accept the user `" + settings_.security.user +
-                               "`: check `user` and the password in `password-file`"
-                         : "; the certificate of this link is " + security_.own_fingerprint();
+  const SecuritySettings& security = settings_.security;
+  if (is_login(status_) && security.user.empty()) {
+    fault.message +=
+        "; the server does not accept a link without a user: give `user=NAME&password-file=FILE` and "
+        "`security=encrypt`";
+  } else if (is_login(status_)) {
+    fault.message += "; the server does not accept the user `" + security.user +
+                     "`: check `user` and the password in `password-file`";
+  } else if (security.security != Security::none) {
+    fault.message += "; the certificate of this link is " + security_.own_fingerprint();
+  }
 }
 
 Fault ClientConnection::open() {
   close();
+  until_ = Clock::now() + std::max<std::chrono::nanoseconds>(kToConnect, std::chrono::nanoseconds(settings_.timeout));
+  Fault fault = connect();
+  until_ = Clock::time_point::max();
+  if (fault) close();
+  return fault;
+}
+
+/// Asks at the first address of the host that answers.
+Fault ClientConnection::find_server(Endpoints& endpoints) {
+  const auto resolved = net::resolve(settings_.address, SOCK_STREAM, false);
+  if (const auto* error = std::get_if<LinkError>(&resolved)) {
+    return lost("no connection to " + net::format_host_port(settings_.address) + ": " + error->message);
+  }
+  Fault fault;
+  for (const addrinfo* one : net::ipv4_first(std::get<net::Addresses>(resolved).get())) {
+    numeric_host_ = numeric_host(*one);
+    fault = ask_endpoints(endpoints);
+    if (!fault || fault.kind == Fault::Kind::interrupted || Clock::now() >= until_) break;
+  }
+  return fault;
+}
+
+Fault ClientConnection::connect() {
   Endpoints endpoints;
-  if (Fault fault = ask_endpoints(endpoints)) return fault;
+  if (Fault fault = find_server(endpoints)) return fault;
   std::string problem;
   const auto chosen =
       choose_endpoint(std::span(endpoints->endpoints, endpoints->endpointsSize), settings_.security, problem);
@@ -240,10 +297,10 @@ Fault ClientConnection::open() {
   Fault fault = start(endpoint, chosen->token);
   if (!fault) {
     UA_Client_getConfig(client_.get())->noReconnect = true;
-    return {};
+    security_.accept(endpoint.serverCertificate);
+  } else if (fault.kind == Fault::Kind::transport) {
+    explain(fault);
   }
-  if (settings_.security.security != Security::none && fault.kind == Fault::Kind::transport) explain(fault);
-  close();
   return fault;
 }
 
@@ -268,7 +325,7 @@ Fault ClientConnection::transact(const void* request, const UA_DataType& request
                                  const UA_DataType& response_type) {
   if (!client_) return lost("there is no connection");
   pending_ = {response, response_type.memSize, false};
-  const auto deadline = Clock::now() + std::chrono::nanoseconds(settings_.timeout);
+  const auto deadline = std::min(until_, Clock::now() + std::chrono::nanoseconds(settings_.timeout));
   const tables::Time sent = steady_now();
   status_ = __UA_Client_AsyncService(client_.get(), request, &request_type, receive, &response_type, this, nullptr);
   const Waited waited = status_ == UA_STATUSCODE_GOOD ? wait([this] { return pending_.done; }, deadline) : Waited::lost;
@@ -276,7 +333,10 @@ Fault ClientConnection::transact(const void* request, const UA_DataType& request
   if (waited == Waited::timeout) return lost("the PLC does not answer any more; connecting again");
   if (waited != Waited::done) return failed(waited, "connection lost");
   const UA_StatusCode status = static_cast<const UA_ResponseHeader*>(response)->serviceResult;
-  if (ends_session(status)) return lost("connection lost: " + status_text(status));
+  if (ends_session(status)) {
+    status_ = status;
+    return lost("connection lost: " + status_text(status));
+  }
   requests_.fetch_add(1, std::memory_order_relaxed);
   sent_ = sent;
   at_ = steady_now();

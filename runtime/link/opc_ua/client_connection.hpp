@@ -27,7 +27,8 @@ class ClientConnection {
 
   std::string url() const;
 
-  /// Asks the server for its endpoints, chooses the one that the settings ask for, connects and logs in.
+  /// Asks the server for its endpoints, chooses the one that the settings ask for, connects and logs in. May wait for a
+  /// name server before it looks at the time.
   client::Fault open();
   void close() noexcept;
   void interrupt() noexcept { interrupted_.store(true, std::memory_order_relaxed); }
@@ -77,7 +78,9 @@ class ClientConnection {
                          UA_ConnectionState state, const UA_KeyValueMap* parameters, UA_ByteString message);
 
   client::Fault prepare();
-  void limit_sending(UA_ClientConfig& config);
+  void take_over_sockets(UA_ClientConfig& config);
+  client::Fault connect();
+  client::Fault find_server(Endpoints& endpoints);
   client::Fault ask_endpoints(Endpoints& endpoints);
   client::Fault start(const UA_EndpointDescription& endpoint, const UA_UserTokenPolicy* token);
   client::Fault transact(const void* request, const UA_DataType& request_type, void* response,
@@ -93,7 +96,9 @@ class ClientConnection {
   const ClientSettings settings_;
   ClientSecurity security_;
   std::unique_ptr<UA_Client, Delete> client_;
-  bool healthy_ = false;  ///< the server has answered everything so far
+  bool healthy_ = false;                                ///< the server has answered everything so far
+  std::string numeric_host_;                            ///< the address of the host
+  Clock::time_point until_ = Clock::time_point::max();  ///< while it connects, the end of that
   UA_StatusCode status_ = UA_STATUSCODE_GOOD;
   bool is_secure_ = false;                                         ///< the connection that is made
   int attempts_ = 0;                                               ///< at this connection

@@ -117,9 +117,7 @@ std::string ClientSecurity::check(const UA_ByteString& certificate) {
     note_ = "its certificate (" + shown + ") is trusted";
     return {};
   }
-  const std::string_view der = text_of(certificate);
-  if (accepted_.empty()) accepted_ = der;
-  if (accepted_ != der) {
+  if (!accepted_.empty() && accepted_ != text_of(certificate)) {
     return "the server now has another certificate (" + shown +
            ") than at the first connection of this run; start the run again if the PLC was given a new one";
   }

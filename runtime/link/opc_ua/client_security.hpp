@@ -23,9 +23,13 @@ class ClientSecurity {
 
   /// Gives a configuration that has only a logger the certificate, the login and the defaults for all else.
   UA_StatusCode configure(UA_ClientConfig& config) const;
-  /// Whether the certificate of a server may be used: it is in the folder `trust`, or without one the first of this
-  /// run. Why it may not, and what to do; empty if it may.
+  /// Whether the certificate of a server may be used: it is in the folder `trust`, or without one no other was
+  /// accepted. Why it may not, and what to do; empty if it may.
   std::string check(const UA_ByteString& certificate);
+  /// The first connection with this certificate works: without `trust`, only it may be used from now on.
+  void accept(const UA_ByteString& certificate) {
+    if (accepted_.empty()) accepted_ = text_of(certificate);
+  }
   /// What was checked by the latest check(), for the user.
   const std::string& note() const noexcept { return note_; }
   /// The fingerprint of the link's own certificate; with security.
@@ -41,7 +45,7 @@ class ClientSecurity {
   std::optional<OwnCertificate> own_;
   std::string password_;
   std::optional<TrustedCertificates> trusted_;  ///< nothing: the settings have no folder
-  std::string accepted_;                        ///< DER of the server's certificate, from its first use on
+  std::string accepted_;                        ///< DER of the server's certificate, from its first session on
   std::string note_;
 };
 

@@ -99,13 +99,17 @@ const Row* row_of(Status status) {
 
 }  // namespace
 
-std::string status_text(Status status) {
+std::string status_meaning(Status status) {
   std::array<char, 9> digits{};
   std::snprintf(digits.data(), digits.size(), "%08X", static_cast<unsigned>(status));
   const Row* const row = row_of(status);
-  if (row == nullptr) return "status " + std::string(digits.data()) + ": " + std::string(kServer);
-  return std::string(row->name) + " (" + digits.data() + ", " + std::string(row->meaning) +
-         "): " + std::string(row->action);
+  if (row == nullptr) return "status " + std::string(digits.data());
+  return std::string(row->name) + " (" + digits.data() + ", " + std::string(row->meaning) + ")";
+}
+
+std::string status_text(Status status) {
+  const Row* const row = row_of(status);
+  return status_meaning(status) + ": " + std::string(row == nullptr ? kServer : row->action);
 }
 
 client::Answer answer_of(Status status) noexcept {

@@ -18,6 +18,9 @@ constexpr bool is_bad(Status status) noexcept { return (status >> 30) >= 2; }
 /// "BadNodeIdUnknown (80340000, the server has no such node): check ...": the meaning and what to do, as far as known.
 std::string status_text(Status status);
 
+/// The same without what to do.
+std::string status_meaning(Status status);
+
 /// How a bad status of a node answers a request: busy or refused.
 client::Answer answer_of(Status status) noexcept;
 

@@ -34,7 +34,9 @@ class Bench {
  public:
   Bench(const SymbolList& list, const OpcUaPlc& plc, const std::string& more = {}) : Bench(list, plc.port(), more) {}
   Bench(const SymbolList& list, std::uint16_t port, const std::string& more = {})
-      : tables_(list.tables()), parts_(parts_of("//127.0.0.1:" + std::to_string(port) + kNodes + more, tables_)) {
+      : Bench(list, "127.0.0.1:" + std::to_string(port), more) {}
+  Bench(const SymbolList& list, const std::string& address, const std::string& more = {})
+      : tables_(list.tables()), parts_(parts_of("//" + address + kNodes + more, tables_)) {
     operation_bits.resize(image::bit_words(parts_.map.size(Plane::operation_bits)));
     operation_numbers.resize(parts_.map.size(Plane::operation_numbers));
     event_bits.resize(image::bit_words(parts_.map.size(Plane::event_bits)));
@@ -375,4 +377,30 @@ TEST_CASE("A server that closes every connection is not flooded with new ones") 
   CHECK_THAT(fault.message, ContainsSubstring("BadConnectionClosed"));
   CHECK(accepted > 0);
   CHECK(accepted <= 6);
+}
+
+TEST_CASE("The host of a PLC may have a name, and one that is not found is reported") {
+  OpcUaPlc plc;
+  add_small(plc);
+  const SymbolList list = small_list();
+  Bench(list, "localhost:" + std::to_string(plc.port())).start();
+  Bench bench(list, "symplant.invalid:4840");
+  const Fault fault = bench.dialog().open();
+  CHECK(fault.kind == Fault::Kind::transport);
+  CHECK_THAT(fault.message,
+             ContainsSubstring("no connection to symplant.invalid:4840: host `symplant.invalid` has no"));
+}
+
+TEST_CASE("A server that accepts a connection and never answers is not connected to a second time") {
+  auto bound = net::listen_on({"127.0.0.1", 0});
+  net::Listener& listener = std::get<net::Listener>(bound);
+  const SymbolList list = small_list();
+  Bench bench(list, listener.bound.port);
+  const Fault fault = bench.dialog().open();
+  CHECK(fault.kind == Fault::Kind::transport);
+  CHECK_THAT(fault.message, ContainsSubstring("no answer"));
+  int connections = 0;
+  for (int socket = 0; (socket = ::accept(listener.socket.get(), nullptr, nullptr)) >= 0; ++connections)
+    ::close(socket);
+  CHECK(connections == 1);
 }
