@@ -10,6 +10,8 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "symplant/link/opc_ua/address.hpp"
 
@@ -43,20 +45,39 @@ std::variant<OwnedBytes, LinkError> bytes_of(const char* setting, const std::str
   return bytes;
 }
 
-/// The certificate in DER; nothing if it is neither DER nor PEM.
-std::optional<std::string> der_of(std::string_view content) {
-  constexpr char kDerSequence = 0x30;
-  const std::size_t begin = content.find(kPemBegin);
-  if (begin == content.npos)
-    return content.front() == kDerSequence ? std::optional(std::string(content)) : std::nullopt;
-  const std::size_t end = content.find(kPemEnd, begin);
-  if (end == content.npos) return std::nullopt;
-  std::string base64(content.substr(begin + kPemBegin.size(), end - begin - kPemBegin.size()));
-  std::erase_if(base64, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
-  OwnedBytes der;
-  const UA_String view = view_of(base64);
-  if (UA_ByteString_fromBase64(der.get(), &view) != UA_STATUSCODE_GOOD) return std::nullopt;
-  return std::string(text_of(*der));
+/// The outer element of DER without what follows it; empty if the content is not one.
+std::string_view first_element(std::string_view content) {
+  constexpr unsigned char kSequence = 0x30;
+  constexpr unsigned char kTwoBytes = 0x82;  // a certificate is longer than one byte says, and shorter than 64 KB
+  constexpr std::size_t kHeader = 4;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(content[i]); };
+  if (content.size() < kHeader || byte(0) != kSequence || byte(1) != kTwoBytes) return {};
+  const std::size_t length = kHeader + (std::size_t{byte(2)} << 8 | byte(3));
+  return length <= content.size() ? content.substr(0, length) : std::string_view();
+}
+
+/// One certificate of DER, or all of PEM; empty if one of them is not valid.
+std::vector<std::string> ders_of(std::string_view content) {
+  std::size_t begin = content.find(kPemBegin);
+  if (begin == content.npos) {
+    const std::string_view der = first_element(content);
+    return der.empty() ? std::vector<std::string>() : std::vector{std::string(der)};
+  }
+  std::vector<std::string> ders;
+  for (; begin != content.npos; begin = content.find(kPemBegin, begin)) {
+    begin += kPemBegin.size();
+    const std::size_t end = content.find(kPemEnd, begin);
+    if (end == content.npos) return {};
+    std::string base64(content.substr(begin, end - begin));
+    std::erase_if(base64, [](char c) { return c == '\n' || c == '\r' || c == ' '; });
+    OwnedBytes bytes;
+    const UA_String view = view_of(base64);
+    if (UA_ByteString_fromBase64(bytes.get(), &view) != UA_STATUSCODE_GOOD) return {};
+    const std::string_view der = first_element(text_of(*bytes));
+    if (der.empty()) return {};
+    ders.emplace_back(der);
+  }
+  return ders;
 }
 
 std::variant<OwnCertificate, LinkError> make_certificate(const std::string& name, const std::string& application_uri) {
@@ -145,9 +166,11 @@ std::variant<TrustedCertificates, LinkError> TrustedCertificates::read(const std
     const std::string ending = entry.path().extension().string();
     if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) continue;
     const auto content = content_of(entry.path());
-    const auto der = content ? der_of(*content) : std::nullopt;
-    if (!der) return usage_error("`" + entry.path().string() + "` in `trust` is not a certificate in DER or PEM");
-    trusted.certificates_.insert(*der);
+    std::vector<std::string> ders;
+    if (content) ders = ders_of(*content);
+    if (ders.empty())
+      return usage_error("`" + entry.path().string() + "` in `trust` is not a certificate in DER or PEM");
+    for (std::string& der : ders) trusted.certificates_.insert(std::move(der));
   }
   if (error) return usage_error("`trust=" + folder + "`: " + error.message());
   if (trusted.certificates_.empty()) {

@@ -10,6 +10,7 @@ using namespace symplant::link;
 using Catch::Matchers::ContainsSubstring;
 using opc_ua::OwnCertificate;
 using opc_ua::text_of;
+using opc_ua::TrustedCertificates;
 
 namespace {
 
@@ -27,6 +28,12 @@ std::string refusal(const std::string& settings) {
 }
 
 OwnCertificate made() { return std::get<OwnCertificate>(opc_ua::own_certificate({}, "symplant", "urn:test")); }
+
+std::string pem_of(const OwnCertificate& own) {
+  opc_ua::OwnedString base64;
+  UA_ByteString_toBase64(own.certificate.get(), base64.get());
+  return "-----BEGIN CERTIFICATE-----\n" + std::string(text_of(*base64)) + "\n-----END CERTIFICATE-----\n";
+}
 
 }  // namespace
 
@@ -49,4 +56,21 @@ TEST_CASE("A file of the security settings that cannot be used is an error befor
   CHECK_THAT(refusal(pair("own.der", "other.key")),
              ContainsSubstring("the private key is not that of the certificate"));
   CHECK_THAT(refusal("&trust=" + (folder / "missing")), ContainsSubstring("`trust="));
+}
+
+TEST_CASE("All certificates of a PEM are trusted, and DER may have bytes behind it") {
+  const test::TemporaryFolder folder;
+  const OwnCertificate one = made();
+  const OwnCertificate two = made();
+  const OwnCertificate three = made();
+  folder.write("trust/both.pem", "of two peers\n" + pem_of(one) + pem_of(two));
+  folder.write("trust/three.der", std::string(text_of(*three.certificate)) + "\n");
+  const auto read = TrustedCertificates::read(folder / "trust");
+  const auto& trusted = std::get<TrustedCertificates>(read);
+  CHECK(trusted.has(*one.certificate));
+  CHECK(trusted.has(*two.certificate));
+  CHECK(trusted.has(*three.certificate));
+  CHECK(!trusted.has(*made().certificate));
+  folder.write("trust/cut.pem", pem_of(one) + pem_of(two).substr(0, 100));
+  CHECK_THAT(std::get<LinkError>(TrustedCertificates::read(folder / "trust")).message, ContainsSubstring("cut.pem"));
 }
