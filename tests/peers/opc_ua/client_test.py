@@ -142,9 +142,9 @@ class Test:
         """The steps of the report by name, the points by symbol, and the exit code."""
         done = subprocess.run([self.symplant, "doctor", str(plant), "--for", "200ms", "--all", "--format", "json", *more,
                                "--link", link], capture_output=True, text=True, check=False, timeout=120)
+        if done.returncode == 2:
+            return {"usage": done.stderr}, {}
         check(done.returncode in (0, 1, 3), f"doctor ends with {done.returncode}: {done.stderr}")
-        if done.stdout == "":
-            return {"error": done.stderr}, {}
         report = json.loads(done.stdout)
         return ({step["step"]: step for step in report["steps"]}, {point["symbol"]: point for point in report["points"]})
 
@@ -240,9 +240,10 @@ class Test:
             check("does not take a client without a user" in text, text)
             text = connection("&security=encrypt" + user + "wrong")
             check("password" in text and ("BadUserAccessDenied" in text or "BadIdentityTokenRejected" in text), text)
+            check("variable" not in text, text)
             own = next((folder / "pki" / "own" / "certs").iterdir())
-            text = connection("&security=encrypt" + user + f"password&trust={trust}")
-            check("no file" in text, text)
+            steps, _ = self.doctor(plant, base + "&security=encrypt" + user + f"password&trust={trust}")
+            check("no file" in steps.get("usage", ""), steps)
             shutil.copy(own, trust / "plc.pem")
             text = connection("&security=encrypt" + user + f"password&trust={trust}", "identity")
             check("is trusted" in text, text)

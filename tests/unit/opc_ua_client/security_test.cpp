@@ -3,6 +3,7 @@
 #include "support/temporary_folder.hpp"
 #include "symplant/link/opc_ua/certificates.hpp"
 #include "symplant/link/opc_ua/client_link_parts.hpp"
+#include "symplant/link/opc_ua/client_security.hpp"
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
@@ -73,4 +74,18 @@ TEST_CASE("All certificates of a PEM are trusted, and DER may have bytes behind 
   CHECK(!trusted.has(*made().certificate));
   folder.write("trust/cut.pem", pem_of(one) + pem_of(two).substr(0, 100));
   CHECK_THAT(std::get<LinkError>(TrustedCertificates::read(folder / "trust")).message, ContainsSubstring("cut.pem"));
+}
+
+TEST_CASE("Without trust, the certificate of the first session is the one of the run") {
+  opc_ua::SecuritySettings settings;
+  settings.security = opc_ua::Security::encrypt;
+  auto loaded = opc_ua::ClientSecurity::load(settings);
+  auto& security = std::get<opc_ua::ClientSecurity>(loaded);
+  const OwnCertificate one = made();
+  const OwnCertificate other = made();
+  CHECK(security.check(*one.certificate).empty());  // the session was not begun
+  CHECK(security.check(*other.certificate).empty());
+  security.accept(*other.certificate);
+  CHECK_THAT(security.check(*one.certificate), ContainsSubstring("another certificate"));
+  CHECK(security.check(*other.certificate).empty());
 }
