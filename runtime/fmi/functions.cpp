@@ -1,7 +1,6 @@
 // The C functions of an FMU.
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -19,7 +18,7 @@
 
 #ifdef __GLIBCXX__
 namespace __gnu_cxx {
-void __freeres();
+void __freeres();  // NOLINT(bugprone-reserved-identifier): the C++ library has it
 }
 #endif
 
@@ -87,7 +86,7 @@ struct Component {
 /// An FMU state: that of the instance, and what the importer may call next.
 struct State {
   InstanceState instance;
-  Phase phase;
+  Phase phase = Phase::instantiated;
 };
 
 /// Calls `function` with the component; an exception, such as one of no memory, is an error.
@@ -368,7 +367,7 @@ fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate stat
 fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], std::size_t size) {
   return with_bytes(component, state, [&](const Component& c, const std::string& all) {
     if (size < all.size()) return c.log.error("the memory for the FMU state is too small");
-    std::memcpy(bytes, all.data(), all.size());
+    std::copy(all.begin(), all.end(), bytes);
     return fmi2OK;
   });
 }
