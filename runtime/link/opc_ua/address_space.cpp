@@ -81,7 +81,7 @@ class Builder {
   std::string station_folder(const Station& station) {
     std::string folder(kPlantNode);
     if (station.line.empty()) return folder;
-    const std::string line = line_node(station);
+    std::string line = line_node(station);
     add_folder(line, folder, station.line);
     if (station.process.empty()) return line;
     std::string process = process_node(station);

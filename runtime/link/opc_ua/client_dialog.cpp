@@ -109,6 +109,7 @@ Fault ClientDialog::prepare() {
 
 Fault ClientDialog::ask_server() {
   std::vector<UA_ReadValueId> items;
+  items.reserve(kServerNodes.size());
   for (const UA_UInt32 node : kServerNodes) items.push_back(value_of(UA_NODEID_NUMERIC(0, node)));
   std::array<OwnedDataValue, kServerNodes.size()> values;
   std::uint32_t limit = 0;
@@ -181,6 +182,7 @@ Fault ClientDialog::read_all(ClientNodes& nodes, const client::Words& out) {
     return fault;
   }
   std::vector<UA_ReadValueId> items;
+  items.reserve(some.size());
   for (const std::size_t i : some) items.push_back(value_of(nodes.id(i)));
   UA_StatusCode result = UA_STATUSCODE_GOOD;
   bool any = false;

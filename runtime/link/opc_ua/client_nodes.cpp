@@ -268,6 +268,7 @@ std::vector<client::Rejection> ClientNodes::take_rejections() {
     fresh[state.status].push_back(i);
   }
   std::vector<client::Rejection> rejections;
+  rejections.reserve(fresh.size());
   for (const auto& [status, some] : fresh) {
     rejections.push_back({answer_of(status), refusal_of(writes_, status), words_of(status, some)});
   }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "symplant/link/opc_ua/address.hpp"
 #include "symplant/link/opc_ua/application_uri.hpp"
 
 namespace symplant::link::opc_ua {

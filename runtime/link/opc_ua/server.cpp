@@ -6,8 +6,10 @@
 #include <system_error>
 #include <utility>
 
+#include "symplant/link/image/words.hpp"
 #include "symplant/link/net/listener.hpp"
 #include "symplant/link/net/no_signals.hpp"
+#include "symplant/link/opc_ua/server_nodes.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/tables/nearest.hpp"
 

@@ -32,8 +32,8 @@ struct Variable {
     plant_time,  ///< of the plant, in s
     frozen,      ///< of the plant
   };
-  Kind kind;
-  std::uint32_t of;  ///< point of the map, output, unit or malfunction
+  Kind kind = Kind::operation;
+  std::uint32_t of = 0;  ///< point of the map, output, unit or malfunction
   tables::DataType type = tables::DataType::boolean;
   Scalar value = Scalar(0, tables::DataType::boolean);
   const UA_String* text = nullptr;  ///< instead of `value`: the name of a state
