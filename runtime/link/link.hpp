@@ -33,8 +33,8 @@ struct LinkStatus {
   bool end_unread = false;           ///< leave() was called, and the PLC does not have it yet
   bool is_client = false;            ///< the link goes to the PLC, which is a server
   bool reached = false;              ///< a client link: it has had a connection since the start
-  bool has_nodes = false;            ///< a server link whose clients name symbols by node ids, in any number of sessions
-  bool armed = true;                 ///< a client link: it may write events
+  bool has_nodes = false;  ///< a server link whose clients name symbols by node ids, in any number of sessions
+  bool armed = true;       ///< a client link: it may write events
 };
 
 /// What a link finds about its PLC.

@@ -35,7 +35,7 @@ struct Unreachable {
 struct LinkMap {
   std::vector<MappedSymbol> symbols;  ///< ascending by symbol
   std::vector<Unreachable> left_out;
-  std::vector<std::string> notes;         ///< for the user: "operations: 2 requests to read all"
+  std::vector<std::string> notes;  ///< for the user: "operations: 2 requests to read all"
   /// The tables that the clients of a Modbus server poll; null of another link.
   std::shared_ptr<const modbus::IoMap> served;
   std::string_view where = "in the PLC";  ///< what the locations are, for the title of their column

@@ -84,8 +84,7 @@ std::string PlantNames::output(std::uint32_t output) const {
 std::string PlantNames::malfunction(std::uint32_t number) const {
   const tables::MalfunctionNumbers numbers(tables_);
   if (numbers.is_written(number)) return std::string(malfunctions_[number]);
-  const std::string_view of =
-      numbers.is_of_unit(number) ? unit(numbers.unit(number)) : symbol(numbers.symbol(number));
+  const std::string_view of = numbers.is_of_unit(number) ? unit(numbers.unit(number)) : symbol(numbers.symbol(number));
   return std::string(of).append(" ").append(numbers.ordinary_name(number));
 }
 

@@ -304,7 +304,8 @@ void add_record(CLI::App& app, Context& context) {
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   command
       ->add_option("--link", options->links,
-                   "the PLC: modbus-tcp://HOST:PORT, slmp://HOST:PORT?family=q or opc-ua://HOST:PORT?nodes=TEMPLATE (default: the plant's own link)")
+                   "the PLC: modbus-tcp://HOST:PORT, slmp://HOST:PORT?family=q or opc-ua://HOST:PORT?nodes=TEMPLATE "
+                   "(default: the plant's own link)")
       ->type_name("[CONTROLLER=]URL")
       ->allow_extra_args(false);
   add_output(*command, *options);

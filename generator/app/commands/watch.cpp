@@ -180,7 +180,8 @@ void add_watch(CLI::App& app, Context& context) {
       ->type_name("P%");
   command
       ->add_option("--link", options->live.links,
-                   "watch a PLC instead, reading only: modbus-tcp://HOST:PORT, slmp://HOST:PORT?family=q or opc-ua://HOST:PORT?nodes=TEMPLATE")
+                   "watch a PLC instead, reading only: modbus-tcp://HOST:PORT, slmp://HOST:PORT?family=q or "
+                   "opc-ua://HOST:PORT?nodes=TEMPLATE")
       ->type_name("[CONTROLLER=]URL")
       ->allow_extra_args(false);
   add_live_time(*command, "--every", options->live.every, tables::kMillisecond, "1ms",

@@ -10,8 +10,8 @@ namespace symplant::model {
 
 /// The settings of a controller's link, with the memory that they point to.
 struct ControllerLink {
-  link::LinkSettings link;  ///< without spans
-  std::vector<link::MapRow> rows;     ///< their texts are in the description
+  link::LinkSettings link;             ///< without spans
+  std::vector<link::MapRow> rows;      ///< their texts are in the description
   std::vector<std::string_view> keep;  ///< into the description
 
   /// Refers to this object: valid until it is moved or destroyed.
