@@ -155,6 +155,21 @@ fmi2Status set_each(fmi2Component component, const fmi2ValueReference references
   return allowed == fmi2OK ? each(component, references, count, type, function) : allowed;
 }
 
+fmi2Status get_integers(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                        BaseType type, int values[]) noexcept {
+  return each(component, references, count, type, [&](const Instance& instance, std::size_t i, std::uint32_t variable) {
+    values[i] = instance.integer(variable);
+    return Fault();
+  });
+}
+
+fmi2Status set_integers(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                        BaseType type, const int values[]) noexcept {
+  return set_each(component, references, count, type, [&](Instance& instance, std::size_t i, std::uint32_t variable) {
+    return instance.set_integer(variable, values[i]);
+  });
+}
+
 void log_pulses(const Component& component) {
   const std::vector<std::uint32_t> held = component.instance.held_events();
   if (held.empty()) return;
@@ -280,20 +295,12 @@ fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference referen
 
 fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           fmi2Integer values[]) {
-  return each(component, references, count, BaseType::integer,
-              [&](const Instance& instance, std::size_t i, std::uint32_t variable) {
-                values[i] = instance.integer(variable);
-                return Fault();
-              });
+  return get_integers(component, references, count, BaseType::integer, values);
 }
 
 fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           fmi2Boolean values[]) {
-  return each(component, references, count, BaseType::boolean,
-              [&](const Instance& instance, std::size_t i, std::uint32_t variable) {
-                values[i] = instance.integer(variable);
-                return Fault();
-              });
+  return get_integers(component, references, count, BaseType::boolean, values);
 }
 
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
@@ -306,18 +313,12 @@ fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference referen
 
 fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           const fmi2Integer values[]) {
-  return set_each(component, references, count, BaseType::integer,
-                  [&](Instance& instance, std::size_t i, std::uint32_t variable) {
-                    return instance.set_integer(variable, values[i]);
-                  });
+  return set_integers(component, references, count, BaseType::integer, values);
 }
 
 fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           const fmi2Boolean values[]) {
-  return set_each(component, references, count, BaseType::boolean,
-                  [&](Instance& instance, std::size_t i, std::uint32_t variable) {
-                    return instance.set_integer(variable, values[i]);
-                  });
+  return set_integers(component, references, count, BaseType::boolean, values);
 }
 
 fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference[], std::size_t count, fmi2String[]) {
