@@ -8,7 +8,7 @@ const kSteps = 1000;
 const kMost = {SINT: 127, USINT: 255, BYTE: 255, INT: 32767, UINT: 65535, WORD: 65535, DINT: 2147483647, UDINT: 4294967295, DWORD: 4294967295};
 const kUnsigned = /^(U.*|BYTE|L?D?WORD)$/;
 
-/// The range of a slider for a number of a type that has no limits of its own in the symbol list: from 0, or as far below it, to 1, 2 or
+/// The range of a slider for a number of a type without limits in the symbol list: from 0, or as far below it, to 1, 2 or
 /// 5 times a power of ten. null for a number that a slider cannot show exactly.
 export const spanOf = (number, type) => {
   if (!Number.isFinite(number) || Math.abs(number) > Number.MAX_SAFE_INTEGER) return null;

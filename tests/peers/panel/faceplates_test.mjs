@@ -163,7 +163,7 @@ const kSteps = [
   }],
 ];
 
-/// [what, test] against the mock server; each gets a page of its own, and the server.
+/// [what, test] against the mock server; each gets a separate page, and the server.
 const kMockTests = [
   ["a release that is lost is tried until it is done, and the page says so until then", async (page, server, net) => {
     await openSymbol(page, "LINE_S1_PB_I_START");
